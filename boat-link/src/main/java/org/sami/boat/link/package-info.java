@@ -1,0 +1,2 @@
+/** Messages between base and boat. */
+package org.sami.boat.link;

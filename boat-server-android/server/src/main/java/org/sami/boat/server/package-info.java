@@ -1,0 +1,2 @@
+/** The boat server. */
+package org.sami.boat.server;

@@ -1,0 +1,2 @@
+/** The simulation of boats and water. */
+package org.sami.crw.sim;

@@ -1,0 +1,2 @@
+/** The definition of a plan. */
+package org.sami.spn.model;
