@@ -1,2 +1,7 @@
-/** The definition of a plan. */
+/**
+ * Plans as their authors wrote them: immutable definitions of SAMI Petri Nets (thesis chapter 3; SEMANTICS, Words).
+ *
+ * <p>Belongs here: projects, plans, their elements, and look-up of neighbours. Does not belong here: markings and anything
+ * that exists only while a mission runs ({@code spn.protocol}, {@code spn.engine}), files ({@code spn.json}).
+ */
 package org.sami.spn.model;

@@ -1,0 +1,55 @@
+package org.sami.spn.engine;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+
+/**
+ * Questions about the state of an engine. Valid only on the thread that owns the state and until its next step; what the
+ * answers contain is immutable and may be kept.
+ */
+public interface EngineView {
+    /** Missions and instances that have not ended, in order of creation; halted ones included. */
+    List<MissionView> missions();
+
+    /** One mission that has not ended. */
+    Optional<MissionView> mission(long id);
+
+    /** Open decisions, in order of creation. */
+    List<Decision> decisions();
+
+    /** Interrupts that can be pressed now, in order of missions and plans. */
+    List<InterruptButton> interrupts();
+
+    /** Known robots in the order in which they joined. */
+    List<String> proxies();
+
+    /** A variable as that mission reads it; {@code Ids.NONE} reads global ones only. */
+    Optional<Value> variable(long mission, String name);
+
+    /** Tasks of running missions that are allocated, with their robots. */
+    Map<TaskId, String> allocation();
+
+    /** The fields of a task of a running mission. */
+    Optional<Map<String, Value>> task(TaskId task);
+
+    /** Whether some attentive transition waits for an input event of this type now (DESIGN: telemetry is not input). */
+    boolean awaits(String inputEvent);
+
+    /** What handlers remembered for a mission ({@code Input.Remember}). */
+    Optional<Value> memory(long mission, String key);
+
+    /** Activations whose visits have not ended, in order of id. */
+    List<Activation> openActivations();
+
+    /** When the next timer or deadline is due, in milliseconds on the session's clock. */
+    OptionalLong nextDueMillis();
+
+    /** Why a transition of a running mission cannot fire now, in words. */
+    Explanation whyNotEnabled(long mission, String transition);
+}

@@ -1,0 +1,33 @@
+package org.sami.spn.engine;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.sami.spn.protocol.Token;
+
+/**
+ * A mission as it stands.
+ *
+ * @param parent the mission whose place runs it, or {@code Ids.NONE}
+ * @param marking tokens of each marked place in order of entry, by place id in the plan's order
+ */
+public record MissionView(
+        long id, long parent, long root, String plan, String name, Status status, Map<String, List<Token>> marking) {
+    /** How far a mission is. */
+    public enum Status {
+        /** Waits for its parameters. */
+        WAITING,
+        RUNNING,
+        /** Stopped as a livelock. */
+        HALTED
+    }
+
+    public MissionView {
+        Objects.requireNonNull(plan, "plan");
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(status, "status");
+        marking = Collections.unmodifiableMap(new LinkedHashMap<>(marking));
+    }
+}

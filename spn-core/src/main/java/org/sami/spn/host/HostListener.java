@@ -1,0 +1,19 @@
+package org.sami.spn.host;
+
+import java.util.List;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
+
+/** Watches a host. What it throws is logged and reaches neither the engine nor other listeners. */
+@FunctionalInterface
+public interface HostListener {
+    /**
+     * One input was processed and is durable. Called on the engine's thread, in order; must be quick.
+     *
+     * @param index index of the input in the journal, from 1
+     * @param atMillis the session's time of the input
+     * @param view the state after it; not to be kept
+     */
+    void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view);
+}

@@ -1,0 +1,15 @@
+package org.sami.spn.model;
+
+import java.util.List;
+import java.util.Objects;
+
+/** An edge from a place to a transition. Without requirements it is an error to the checker (thesis 4.3.3). */
+public record InEdge(String id, String place, String transition, Mode mode, List<InRequirement> requirements) {
+    public InEdge {
+        Objects.requireNonNull(id, "id");
+        Objects.requireNonNull(place, "place");
+        Objects.requireNonNull(transition, "transition");
+        Objects.requireNonNull(mode, "mode");
+        requirements = List.copyOf(requirements);
+    }
+}

@@ -1,0 +1,14 @@
+package org.sami.spn.model;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+
+/** A node of the mission tree (thesis 5.1): a folder with a label, or a plan. */
+public record MissionTreeNode(String label, Optional<String> plan, List<MissionTreeNode> children) {
+    public MissionTreeNode {
+        Objects.requireNonNull(label, "label");
+        Objects.requireNonNull(plan, "plan");
+        children = List.copyOf(children);
+    }
+}

@@ -1,0 +1,15 @@
+package org.sami.spn.model;
+
+import java.util.List;
+import java.util.Objects;
+
+/** An edge from a transition to a place. Without requirements it is an error to the checker (thesis 4.3.3). */
+public record OutEdge(String id, String transition, String place, Mode mode, List<OutRequirement> requirements) {
+    public OutEdge {
+        Objects.requireNonNull(id, "id");
+        Objects.requireNonNull(transition, "transition");
+        Objects.requireNonNull(place, "place");
+        Objects.requireNonNull(mode, "mode");
+        requirements = List.copyOf(requirements);
+    }
+}

@@ -1,0 +1,124 @@
+package org.sami.spn.protocol;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import org.sami.spn.model.TaskSpec;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+
+/**
+ * Something from outside that the engine reacts to. Each is journalled with the time at which the host took it in. Inputs
+ * that make no sense (an unknown plan, a decision that was answered before) change nothing and are noted.
+ */
+public sealed interface Input {
+
+    /**
+     * Starts a root mission.
+     *
+     * @param parameters values for asked fields, by {@code eventId.field} or by the field's name where that is unique in the
+     *     plan, and for variables by {@code @name}; what is asked and not given here becomes a decision
+     */
+    record StartMission(String plan, String name, Map<String, Value> parameters) implements Input {
+        public StartMission {
+            Objects.requireNonNull(plan, "plan");
+            Objects.requireNonNull(name, "name");
+            parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
+        }
+    }
+
+    /** An input event arrives. */
+    record Received(Occurrence occurrence) implements Input {
+        public Received {
+            Objects.requireNonNull(occurrence, "occurrence");
+        }
+    }
+
+    /** A robot becomes known; running missions do not change. */
+    record ProxyJoined(String proxy) implements Input {
+        public ProxyJoined {
+            Objects.requireNonNull(proxy, "proxy");
+        }
+    }
+
+    /**
+     * The operator drops a robot: its tokens go, nobody waits for it any longer.
+     *
+     * @param mission the root mission, or {@link Ids#NONE} for all, which also makes it unknown
+     */
+    record ProxyDropped(String proxy, long mission) implements Input {
+        public ProxyDropped {
+            Objects.requireNonNull(proxy, "proxy");
+        }
+    }
+
+    /** Nothing but the passing of time: timers and deadlines that are due run down. Every input does that first. */
+    record TimeReached() implements Input {}
+
+    /**
+     * A button is pressed.
+     *
+     * @param mission the mission that offers it, or {@link Ids#NONE} for every running mission that does
+     * @param proxies whom it is about; empty for a general one, or where they are to be chosen
+     */
+    record Interrupt(long mission, String name, List<String> proxies) implements Input {
+        public Interrupt {
+            Objects.requireNonNull(name, "name");
+            proxies = List.copyOf(proxies);
+        }
+    }
+
+    /** Aborts a mission, or all running ones with {@link Ids#NONE}. */
+    record AbortMission(long mission) implements Input {}
+
+    /** Completes a mission. */
+    record CompleteMission(long mission) implements Input {}
+
+    /** Answers a decision. The first answer counts. */
+    record AnswerDecision(long decision, Answer answer, Answerer by) implements Input {
+        public AnswerDecision {
+            Objects.requireNonNull(answer, "answer");
+            Objects.requireNonNull(by, "by");
+        }
+    }
+
+    /** Writes a variable as a write of that mission would; {@link Ids#NONE} writes a global one. */
+    record SetVariable(long mission, String variable, Value value) implements Input {
+        public SetVariable {
+            Objects.requireNonNull(variable, "variable");
+            Objects.requireNonNull(value, "value");
+        }
+    }
+
+    /** Allocates tasks to robots, or releases them (empty). */
+    record AllocateTasks(Map<TaskId, Optional<String>> allocation) implements Input {
+        public AllocateTasks {
+            allocation = Collections.unmodifiableMap(new LinkedHashMap<>(allocation));
+        }
+    }
+
+    /** Adds tasks to a running mission; their tokens enter only by an occurrence that names them. */
+    record AddTasks(long mission, List<TaskSpec> tasks) implements Input {
+        public AddTasks {
+            tasks = List.copyOf(tasks);
+        }
+    }
+
+    /** A handler could not do what an activation asked. The question stays open; the failure is noted. */
+    record HandlerFailed(long activation, String reason) implements Input {
+        public HandlerFailed {
+            Objects.requireNonNull(reason, "reason");
+        }
+    }
+
+    /** Handlers' own memory of a mission, such as progress along a path; kept until the mission ends. */
+    record Remember(long mission, String key, Value value) implements Input {
+        public Remember {
+            Objects.requireNonNull(key, "key");
+            Objects.requireNonNull(value, "value");
+        }
+    }
+}

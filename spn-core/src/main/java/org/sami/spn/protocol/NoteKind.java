@@ -1,0 +1,24 @@
+package org.sami.spn.protocol;
+
+/** Why the engine notes something. Nothing is dropped in silence. */
+public enum NoteKind {
+    /** No transition wants an occurrence, or nobody that it named is there any longer. */
+    DISCARDED,
+    /** An answer to a visit that has ended. */
+    LATE,
+    /** An answer naming nobody where tokens were asked for. */
+    NAMES_NOBODY,
+    /** Fewer tokens were there than an out requirement asked for (thesis 4.1.3, "attempts to remove"). */
+    SHORT_OF_TOKENS,
+    /** A starting token did not come back from a sub-mission. */
+    NOT_RETURNED,
+    /** An interrupt found nothing to take. */
+    INTERRUPT_REFUSED,
+    /** A chain of firings without new input was stopped. */
+    LIVELOCK,
+    HANDLER_FAILED,
+    /** An input that makes no sense in this state. */
+    REJECTED_INPUT,
+    /** Autonomy was to answer and had no answer. */
+    NO_AUTOMATIC_ANSWER
+}

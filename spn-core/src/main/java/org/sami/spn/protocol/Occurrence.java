@@ -1,0 +1,49 @@
+package org.sami.spn.protocol;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+
+/**
+ * One input event received (SEMANTICS, Input events).
+ *
+ * @param type name of the input event type
+ * @param mission the mission that it is for, or {@link Ids#NONE} for news to all
+ * @param activation the activation that it answers, or {@link Ids#NONE}
+ * @param proxies the robots that it names (the thesis's relevant proxies)
+ * @param tasks the tasks that it names
+ */
+public record Occurrence(
+        String type,
+        long mission,
+        long activation,
+        List<String> proxies,
+        List<TaskId> tasks,
+        Map<String, Value> values) {
+    public Occurrence {
+        Objects.requireNonNull(type, "type");
+        proxies = List.copyOf(proxies);
+        tasks = List.copyOf(tasks);
+        values = values.isEmpty() ? Map.of() : Collections.unmodifiableMap(new LinkedHashMap<>(values));
+    }
+
+    /** News to all missions. */
+    public static Occurrence news(String type, List<String> proxies, Map<String, Value> values) {
+        return new Occurrence(type, Ids.NONE, Ids.NONE, proxies, List.of(), values);
+    }
+
+    /** An answer to an activation. */
+    public static Occurrence answer(
+            String type, Activation activation, List<String> proxies, List<TaskId> tasks, Map<String, Value> values) {
+        return new Occurrence(type, activation.mission(), activation.id(), proxies, tasks, values);
+    }
+
+    /** Whether it names at least one robot or task. */
+    public boolean namesSomebody() {
+        return !proxies.isEmpty() || !tasks.isEmpty();
+    }
+}

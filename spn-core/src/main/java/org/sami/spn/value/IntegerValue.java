@@ -1,0 +1,4 @@
+package org.sami.spn.value;
+
+/** A whole number. */
+public record IntegerValue(long value) implements Value {}

@@ -1,0 +1,9 @@
+package org.sami.spn.vocabulary;
+
+/** Marks that change how an event's occurrences are treated. */
+public enum EventFlag {
+    /** Frequent news, such as pose updates: only the latest per proxy counts; unwanted ones are counted, not recorded. */
+    COALESCE,
+    /** An output event that occupies its robots: a motion command. Used by the checks and by withdrawal reports. */
+    COMMAND
+}
