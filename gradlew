@@ -198,6 +198,9 @@ if "$cygwin" || "$msys" ; then
     done
 fi
 
+# SAMI: where the distribution can be neither found nor downloaded, it is made (docs/decisions/0001).
+"$APP_HOME/tools/ensure-gradle.sh" "$JAVACMD" "$CLASSPATH" || exit
+
 
 # Add default JVM options here. You can also use JAVA_OPTS and GRADLE_OPTS to pass JVM options to this script.
 DEFAULT_JVM_OPTS='"-Xmx64m" "-Xms64m"'
