@@ -1,0 +1,7 @@
+/**
+ * Virtual time: the scheduler that simulated parts are written against, and its deterministic implementation.
+ *
+ * <p>Here belongs what decides when something happens in the simulated world. What happens belongs to the packages of
+ * hulls, links and operators; nothing here reads the wall clock.
+ */
+package org.sami.crw.sim.clock;
