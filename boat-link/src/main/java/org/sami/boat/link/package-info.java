@@ -1,2 +1,16 @@
-/** Messages between base and boat. */
+/**
+ * The boat link: the messages between base and boat and their codec on byte arrays and streams.
+ *
+ * <p>A frame is a length (four bytes, big endian, of what follows), a version byte and a body: one JSON object in UTF-8
+ * with {@code type}, {@code seq} and the members of that type. {@link org.sami.boat.link.LinkCodec} writes and reads
+ * frames, {@link org.sami.boat.link.FrameReader} cuts them out of a stream, and a
+ * {@link org.sami.boat.link.FrameSink} is all that is known of the transport. A reader ignores members that it does not
+ * know, so that a newer peer can add some.
+ *
+ * <p>Units are SI: metres, metres per second, milliseconds; headings are radians clockwise from true north; positions are
+ * WGS 84 latitude and longitude in degrees. Messages are immutable and check their values when they are made.
+ *
+ * <p>Not here: sockets, threads, clocks, resending, and what a message makes a boat or a proxy do. Java 8 level, because
+ * it runs on the phone on the hull.
+ */
 package org.sami.boat.link;

@@ -1,0 +1,91 @@
+package org.sami.boat.link;
+
+import java.util.Objects;
+
+/** The bounds of message values, in one place for messages that are made and messages that are read. */
+final class Checks {
+    /** Ids are short words; longer ones are a mistake or an attack. */
+    static final int MAX_ID_LENGTH = 200;
+
+    static final int MAX_TEXT_LENGTH = 1000;
+    static final double MAX_SPEED_MPS = 50;
+    static final double MAX_GAIN = 1000;
+
+    private Checks() {}
+
+    static double range(String name, double value, double min, double max) {
+        if (!(value >= min && value <= max)) { // so that NaN is refused too
+            throw new BadValueException(name, value + " is not in " + min + " to " + max);
+        }
+        return value;
+    }
+
+    static double latitude(double latDeg) {
+        return range("lat", latDeg, -90, 90);
+    }
+
+    static double longitude(double lonDeg) {
+        return range("lon", lonDeg, -180, 180);
+    }
+
+    static double speed(String name, double speedMps) {
+        return range(name, speedMps, 0, MAX_SPEED_MPS);
+    }
+
+    static long atLeastZero(String name, long value) {
+        if (value < 0) {
+            throw new BadValueException(name, value + " is negative");
+        }
+        return value;
+    }
+
+    static int atLeastZero(String name, int value) {
+        return (int) atLeastZero(name, (long) value);
+    }
+
+    /** A text that may be empty. */
+    static String text(String name, String value) {
+        Objects.requireNonNull(value, name);
+        if (value.length() > MAX_TEXT_LENGTH) {
+            throw new BadValueException(name, "longer than " + MAX_TEXT_LENGTH + " characters");
+        }
+        return value;
+    }
+
+    /** An id that must not be empty. */
+    static String id(String name, String value) {
+        if (optionalId(name, value).isEmpty()) {
+            throw new BadValueException(name, "empty");
+        }
+        return value;
+    }
+
+    /** An id that may be empty, which then stands for none. */
+    static String optionalId(String name, String value) {
+        Objects.requireNonNull(value, name);
+        if (value.length() > MAX_ID_LENGTH) {
+            throw new BadValueException(name, "longer than " + MAX_ID_LENGTH + " characters");
+        }
+        return value;
+    }
+
+    /** A value that no message may hold; the codec turns it into a {@link LinkException}. */
+    static final class BadValueException extends IllegalArgumentException {
+        private final String name;
+        private final String what;
+
+        BadValueException(String name, String what) {
+            super(name + ": " + what);
+            this.name = name;
+            this.what = what;
+        }
+
+        String name() {
+            return name;
+        }
+
+        String what() {
+            return what;
+        }
+    }
+}

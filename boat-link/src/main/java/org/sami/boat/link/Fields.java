@@ -1,0 +1,104 @@
+package org.sami.boat.link;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import org.sami.boat.link.Checks.BadValueException;
+import org.sami.boat.link.LinkException.Fault;
+
+/**
+ * The members of one received body, each read with its JSON type. Ranges are checked by the message that takes the
+ * value.
+ */
+final class Fields {
+    private final JsonNode object;
+
+    Fields(JsonNode object) {
+        this.object = object;
+    }
+
+    String text(String name) throws LinkException {
+        JsonNode node = member(name);
+        if (!node.isTextual()) {
+            throw wrongType(name, "a text");
+        }
+        return node.textValue();
+    }
+
+    /** A text that older peers leave out. */
+    String textOrEmpty(String name) throws LinkException {
+        return object.has(name) ? text(name) : "";
+    }
+
+    double number(String name) throws LinkException {
+        return number(member(name), "/" + name);
+    }
+
+    double numberOr(String name, double absent) throws LinkException {
+        return object.has(name) ? number(name) : absent;
+    }
+
+    static double number(JsonNode node, String where) throws LinkException {
+        if (!node.isNumber()) {
+            throw new LinkException(Fault.WRONG_TYPE, where, "not a number");
+        }
+        return node.doubleValue();
+    }
+
+    long integer(String name) throws LinkException {
+        JsonNode node = member(name);
+        if (!node.isIntegralNumber() || !node.canConvertToLong()) {
+            throw wrongType(name, "a 64-bit integer");
+        }
+        return node.longValue();
+    }
+
+    int index(String name) throws LinkException {
+        long value = integer(name);
+        if (value != (int) value) {
+            throw new LinkException(Fault.BAD_VALUE, "/" + name, value + " is no index");
+        }
+        return (int) value;
+    }
+
+    boolean flag(String name) throws LinkException {
+        JsonNode node = member(name);
+        if (!node.isBoolean()) {
+            throw wrongType(name, "true or false");
+        }
+        return node.booleanValue();
+    }
+
+    <E extends Enum<E>> E word(String name, Class<E> words) throws LinkException {
+        String text = text(name);
+        for (E word : words.getEnumConstants()) {
+            if (word.name().equals(text)) {
+                return word;
+            }
+        }
+        throw new LinkException(Fault.BAD_VALUE, "/" + name, "not one of the words that are known here");
+    }
+
+    JsonNode array(String name) throws LinkException {
+        JsonNode node = member(name);
+        if (!node.isArray()) {
+            throw wrongType(name, "an array");
+        }
+        return node;
+    }
+
+    private JsonNode member(String name) throws LinkException {
+        JsonNode node = object.get(name);
+        if (node == null) {
+            throw new LinkException(Fault.MISSING, "/" + name, "missing");
+        }
+        return node;
+    }
+
+    private static LinkException wrongType(String name, String wanted) {
+        return new LinkException(Fault.WRONG_TYPE, "/" + name, "not " + wanted);
+    }
+
+    /** What a message said of a value that it refused, as a fault of the frame. */
+    static LinkException fault(BadValueException refused) {
+        return new LinkException(Fault.BAD_VALUE, "/" + refused.name(), refused.what());
+    }
+}

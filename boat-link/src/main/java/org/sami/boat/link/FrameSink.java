@@ -1,0 +1,14 @@
+package org.sami.boat.link;
+
+/**
+ * Where one end of a link puts its outgoing frames: a socket's writer, or the in-memory pipe of the simulator.
+ *
+ * <p>Frames are whole frames as {@link LinkCodec#encode} makes them, and belong to the sink once sent. A sink does not
+ * block and does not throw for a link that is down: what cannot be sent is lost, and the host of the link reports the
+ * loss.
+ */
+public interface FrameSink {
+
+    /** Sends one whole frame, in order with the others. */
+    void send(byte[] frame);
+}

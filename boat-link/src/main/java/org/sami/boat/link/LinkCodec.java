@@ -1,0 +1,192 @@
+package org.sami.boat.link;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.StreamReadConstraints;
+import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.core.StreamWriteFeature;
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.ObjectReader;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.CodingErrorAction;
+import java.nio.charset.StandardCharsets;
+import org.sami.boat.link.Checks.BadValueException;
+import org.sami.boat.link.LinkException.Fault;
+
+/**
+ * Writes messages as frames and reads frames as messages; see the package for the layout of a frame.
+ *
+ * <p>Reading trusts nothing: lengths, nesting and texts are bounded before anything is kept, UTF-8 is strict, numbers are
+ * finite and in range, and whatever is wrong is a {@link LinkException} that says what and where. It does not check who
+ * sent a frame, nor in which order.
+ *
+ * <p>Safe for use by several threads.
+ */
+public final class LinkCodec {
+    /** The version byte of the frames that this codec writes, and the only one that it reads. */
+    public static final int VERSION = 1;
+
+    /** The length field in front of a frame. */
+    public static final int LENGTH_BYTES = 4;
+
+    /** The largest frame that is taken unless another bound is given, in bytes without the length field. */
+    public static final int DEFAULT_MAX_BYTES = 4 << 20;
+
+    private static final int HEADER_BYTES = LENGTH_BYTES + 1;
+    private static final JsonFactory FACTORY = JsonFactory.builder()
+            .streamReadConstraints(StreamReadConstraints.builder()
+                    .maxNestingDepth(8)
+                    .maxStringLength(8 * Checks.MAX_TEXT_LENGTH)
+                    .maxNameLength(Checks.MAX_ID_LENGTH)
+                    .maxNumberLength(64)
+                    .build())
+            .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+            .enable(StreamReadFeature.USE_FAST_DOUBLE_PARSER)
+            .enable(StreamWriteFeature.USE_FAST_DOUBLE_WRITER)
+            .disable(JsonFactory.Feature.INTERN_FIELD_NAMES)
+            .build();
+    private static final ObjectReader TREES = new ObjectMapper(FACTORY)
+            .reader()
+            .with(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+            .forType(JsonNode.class);
+
+    private final int maxBytes;
+
+    /** A codec with the default bound on frames. */
+    public LinkCodec() {
+        this(DEFAULT_MAX_BYTES);
+    }
+
+    /** A codec that neither makes nor takes frames above a bound, in bytes without the length field. */
+    public LinkCodec(int maxBytes) {
+        if (maxBytes < 64) {
+            throw new IllegalArgumentException("no message fits into " + maxBytes + " bytes");
+        }
+        this.maxBytes = maxBytes;
+    }
+
+    /** The largest frame that is made or taken, in bytes without the length field. */
+    public int maxBytes() {
+        return maxBytes;
+    }
+
+    /**
+     * Writes a message as a whole frame, with its length.
+     *
+     * @throws IllegalArgumentException if the frame would be larger than this codec takes
+     */
+    public byte[] encode(long sequence, LinkMessage message) {
+        FrameBuffer buffer = new FrameBuffer();
+        try (JsonGenerator out = FACTORY.createGenerator(buffer)) {
+            out.writeStartObject();
+            out.writeStringField("type", message.type());
+            out.writeNumberField("seq", Checks.atLeastZero("seq", sequence));
+            message.write(out);
+            out.writeEndObject();
+        } catch (IOException e) {
+            throw new UncheckedIOException("writing to memory failed", e);
+        }
+        if (buffer.size() - LENGTH_BYTES > maxBytes) {
+            throw new IllegalArgumentException(
+                    "a " + message.type() + " of " + buffer.size() + " bytes; the link takes " + maxBytes);
+        }
+        return buffer.toFrame();
+    }
+
+    /**
+     * Reads one whole frame, as {@link #encode} or {@link FrameReader#next} gives it.
+     *
+     * @throws LinkException if the frame is not exactly one well-formed message
+     */
+    public Frame decode(byte[] frame) throws LinkException {
+        if (frame.length < HEADER_BYTES) {
+            throw new LinkException(Fault.TRUNCATED, "", frame.length + " bytes are no frame");
+        }
+        checkLength(ByteBuffer.wrap(frame).getInt(), frame.length - LENGTH_BYTES);
+        if (frame[LENGTH_BYTES] != VERSION) {
+            throw new LinkException(Fault.VERSION, "", "version " + frame[LENGTH_BYTES] + " is not read here");
+        }
+        checkEncoding(frame);
+        return message(parse(frame));
+    }
+
+    private void checkLength(int declared, int there) throws LinkException {
+        checkDeclared(declared, maxBytes);
+        if (declared != there) {
+            Fault fault = declared > there ? Fault.TRUNCATED : Fault.LENGTH;
+            throw new LinkException(fault, "", declared + " bytes declared, " + there + " there");
+        }
+    }
+
+    static void checkDeclared(int declared, int maxBytes) throws LinkException {
+        if (declared < 1 || declared > maxBytes) {
+            throw new LinkException(Fault.LENGTH, "", "declared length " + declared + " is not in 1 to " + maxBytes);
+        }
+    }
+
+    /** Strict UTF-8 without NUL, so that the parser never takes the body for another encoding. */
+    private static void checkEncoding(byte[] frame) throws LinkException {
+        boolean ascii = true;
+        for (int i = HEADER_BYTES; i < frame.length; i++) {
+            if (frame[i] == 0) {
+                throw new LinkException(Fault.ENCODING, "", "NUL at byte " + i);
+            }
+            ascii &= frame[i] > 0;
+        }
+        if (ascii) {
+            return;
+        }
+        try {
+            StandardCharsets.UTF_8
+                    .newDecoder()
+                    .onMalformedInput(CodingErrorAction.REPORT)
+                    .onUnmappableCharacter(CodingErrorAction.REPORT)
+                    .decode(ByteBuffer.wrap(frame, HEADER_BYTES, frame.length - HEADER_BYTES));
+        } catch (CharacterCodingException e) {
+            throw new LinkException(Fault.ENCODING, "", "not UTF-8");
+        }
+    }
+
+    private static JsonNode parse(byte[] frame) throws LinkException {
+        JsonNode body;
+        try (JsonParser parser = FACTORY.createParser(frame, HEADER_BYTES, frame.length - HEADER_BYTES)) {
+            body = TREES.readTree(parser);
+            if (parser.nextToken() != null) {
+                throw new LinkException(Fault.SYNTAX, "", "something follows the object");
+            }
+        } catch (JsonProcessingException e) {
+            throw new LinkException(Fault.SYNTAX, "", e.getOriginalMessage());
+        } catch (IOException e) {
+            throw new LinkException(Fault.SYNTAX, "", String.valueOf(e.getMessage()));
+        }
+        if (body == null || !body.isObject()) {
+            throw new LinkException(Fault.SYNTAX, "", "the body is no object");
+        }
+        return body;
+    }
+
+    private static Frame message(JsonNode body) throws LinkException {
+        Fields fields = new Fields(body);
+        try {
+            LinkMessage message = MessageReaders.read(fields.text("type"), fields);
+            return new Frame(fields.integer("seq"), message);
+        } catch (BadValueException e) {
+            throw Fields.fault(e).ofCommand(commandIdOf(body));
+        } catch (LinkException e) {
+            throw e.ofCommand(commandIdOf(body));
+        }
+    }
+
+    private static String commandIdOf(JsonNode body) {
+        JsonNode id = body.get("command");
+        boolean readable = id != null && id.isTextual() && id.textValue().length() <= Checks.MAX_ID_LENGTH;
+        return readable ? id.textValue() : "";
+    }
+}

@@ -1,0 +1,54 @@
+package org.sami.boat.link;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+
+/** Every kind of message that can be received, by its word in the body. */
+final class MessageReaders {
+
+    /** Makes a message of the members of a body. */
+    interface Reader {
+        LinkMessage read(Fields in) throws LinkException;
+    }
+
+    private static final Map<String, Reader> BY_TYPE = new LinkedHashMap<>();
+
+    static {
+        BY_TYPE.put(Hello.TYPE, Hello::read);
+        BY_TYPE.put(Welcome.TYPE, Welcome::read);
+        BY_TYPE.put(Goodbye.TYPE, Goodbye::read);
+        BY_TYPE.put(Heartbeat.TYPE, Heartbeat::read);
+        BY_TYPE.put(Ack.TYPE, Ack::read);
+        BY_TYPE.put(Nack.TYPE, Nack::read);
+        BY_TYPE.put(UploadWaypoints.TYPE, UploadWaypoints::read);
+        BY_TYPE.put(ReadBack.TYPE, ReadBack::read);
+        BY_TYPE.put(HeldWaypoints.TYPE, HeldWaypoints::read);
+        BY_TYPE.put(StartWaypoints.TYPE, StartWaypoints::read);
+        BY_TYPE.put(StopMotors.TYPE, StopMotors::read);
+        BY_TYPE.put(HoldPosition.TYPE, HoldPosition::read);
+        BY_TYPE.put(FleetStop.TYPE, FleetStop::read);
+        BY_TYPE.put(FleetRelease.TYPE, FleetRelease::read);
+        BY_TYPE.put(Teleoperate.TYPE, Teleoperate::read);
+        BY_TYPE.put(SetGains.TYPE, SetGains::read);
+        BY_TYPE.put(SetVelocityMultiplier.TYPE, SetVelocityMultiplier::read);
+        BY_TYPE.put(SetLostLinkAction.TYPE, SetLostLinkAction::read);
+        BY_TYPE.put(Telemetry.TYPE, Telemetry::read);
+        BY_TYPE.put(BatteryReport.TYPE, BatteryReport::read);
+        BY_TYPE.put(Progress.TYPE, Progress::read);
+    }
+
+    private MessageReaders() {}
+
+    static Set<String> types() {
+        return BY_TYPE.keySet();
+    }
+
+    static LinkMessage read(String type, Fields in) throws LinkException {
+        Reader reader = BY_TYPE.get(type);
+        if (reader == null) {
+            throw new LinkException(LinkException.Fault.UNKNOWN_TYPE, "/type", "no message type that is known here");
+        }
+        return reader.read(in);
+    }
+}

@@ -1,0 +1,21 @@
+package org.sami.boat.link;
+
+/** Why a boat refused a command. */
+public enum NackReason {
+    /** The sender has not said hello. */
+    NOT_GREETED,
+    /** The sender only observes. */
+    NOT_COMMANDER,
+    /** The frame could not be read. */
+    MALFORMED,
+    /** The boat does not hold the waypoint list that the command speaks of. */
+    UNKNOWN_LIST,
+    /** The index lies behind the end of the list. */
+    BAD_INDEX,
+    /** The list has more waypoints than the boat keeps. */
+    TOO_LONG,
+    /** The fleet stop is latched. */
+    FLEET_STOPPED,
+    /** The command is older than one that the boat has already taken. */
+    STALE
+}

@@ -1,0 +1,84 @@
+package org.sami.boat.link;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.util.Objects;
+
+/** Where the boat is and what it does. The newest counts; the sequence number of its frame tells which that is. */
+public final class Telemetry extends LinkMessage {
+    static final String TYPE = "telemetry";
+
+    private final double latDeg;
+    private final double lonDeg;
+    private final double headingRad;
+    private final double speedMps;
+    private final double batteryPercent;
+    private final BoatMode mode;
+    private final long boatTimeMs;
+
+    /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
+    public Telemetry(double latDeg, double lonDeg, double headingRad, double speedMps, double batteryPercent, BoatMode mode, long boatTimeMs) {
+        this.latDeg = Checks.latitude(latDeg);
+        this.lonDeg = Checks.longitude(lonDeg);
+        this.headingRad = Checks.range("heading", headingRad, -7, 7);
+        this.speedMps = Checks.range("speed", speedMps, -Checks.MAX_SPEED_MPS, Checks.MAX_SPEED_MPS);
+        this.batteryPercent = Checks.range("battery", batteryPercent, 0, 100);
+        this.mode = Objects.requireNonNull(mode, "mode");
+        this.boatTimeMs = Checks.atLeastZero("time", boatTimeMs);
+    }
+
+    static Telemetry read(Fields in) throws LinkException {
+        return new Telemetry(in.number("lat"), in.number("lon"), in.number("heading"), in.number("speed"), in.number("battery"), in.word("mode", BoatMode.class), in.integer("time"));
+    }
+
+    /** WGS 84 latitude in degrees. */
+    public double latDeg() {
+        return latDeg;
+    }
+
+    /** WGS 84 longitude in degrees. */
+    public double lonDeg() {
+        return lonDeg;
+    }
+
+    /** Heading in radians, clockwise from true north. */
+    public double headingRad() {
+        return headingRad;
+    }
+
+    /** Speed over ground along the heading in m/s; negative is astern. */
+    public double speedMps() {
+        return speedMps;
+    }
+
+    /** Charge in percent of full. */
+    public double batteryPercent() {
+        return batteryPercent;
+    }
+
+    /** What the boat does. */
+    public BoatMode mode() {
+        return mode;
+    }
+
+    /** The boat's own clock in milliseconds. */
+    public long boatTimeMs() {
+        return boatTimeMs;
+    }
+
+    @Override
+    public String type() {
+        return TYPE;
+    }
+
+    @Override
+    void write(JsonGenerator out) throws IOException {
+        out.writeNumberField("lat", latDeg);
+        out.writeNumberField("lon", lonDeg);
+        out.writeNumberField("heading", headingRad);
+        out.writeNumberField("speed", speedMps);
+        out.writeNumberField("battery", batteryPercent);
+        out.writeStringField("mode", mode.name());
+        out.writeNumberField("time", boatTimeMs);
+    }
+}

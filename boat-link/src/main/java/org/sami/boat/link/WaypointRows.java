@@ -1,0 +1,56 @@
+package org.sami.boat.link;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.sami.boat.link.Checks.BadValueException;
+import org.sami.boat.link.LinkException.Fault;
+
+/** Waypoint lists in the body: an array of rows {@code [lat, lon, speed]}. */
+final class WaypointRows {
+    private static final String NAME = "waypoints";
+
+    private WaypointRows() {}
+
+    static List<Waypoint> copy(List<Waypoint> waypoints) {
+        return Collections.unmodifiableList(new ArrayList<>(waypoints));
+    }
+
+    static void write(JsonGenerator out, List<Waypoint> waypoints) throws IOException {
+        out.writeArrayFieldStart(NAME);
+        for (Waypoint waypoint : waypoints) {
+            out.writeStartArray();
+            out.writeNumber(waypoint.latDeg());
+            out.writeNumber(waypoint.lonDeg());
+            out.writeNumber(waypoint.speedMps());
+            out.writeEndArray();
+        }
+        out.writeEndArray();
+    }
+
+    static List<Waypoint> read(Fields in) throws LinkException {
+        JsonNode rows = in.array(NAME);
+        List<Waypoint> waypoints = new ArrayList<>(rows.size());
+        for (int i = 0; i < rows.size(); i++) {
+            waypoints.add(readRow(rows.get(i), "/" + NAME + "/" + i));
+        }
+        return waypoints;
+    }
+
+    private static Waypoint readRow(JsonNode row, String where) throws LinkException {
+        if (!row.isArray() || row.size() != 3) {
+            throw new LinkException(Fault.WRONG_TYPE, where, "not a row of latitude, longitude and speed");
+        }
+        double latDeg = Fields.number(row.get(0), where + "/0");
+        double lonDeg = Fields.number(row.get(1), where + "/1");
+        double speedMps = Fields.number(row.get(2), where + "/2");
+        try {
+            return new Waypoint(latDeg, lonDeg, speedMps);
+        } catch (BadValueException e) {
+            throw new LinkException(Fault.BAD_VALUE, where, e.getMessage());
+        }
+    }
+}

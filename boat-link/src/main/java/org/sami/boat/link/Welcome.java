@@ -1,0 +1,60 @@
+package org.sami.boat.link;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.util.Objects;
+
+/** A boat's answer to {@link Hello}: who it is, since which start, and what the client may do. */
+public final class Welcome extends LinkMessage {
+    static final String TYPE = "welcome";
+
+    private final String boatId;
+    private final String bootId;
+    private final Role role;
+    private final String auth;
+
+    /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
+    public Welcome(String boatId, String bootId, Role role, String auth) {
+        this.boatId = Checks.id("boat", boatId);
+        this.bootId = Checks.id("boot", bootId);
+        this.role = Objects.requireNonNull(role, "role");
+        this.auth = Checks.text("auth", auth);
+    }
+
+    static Welcome read(Fields in) throws LinkException {
+        return new Welcome(in.text("boat"), in.text("boot"), in.word("role", Role.class), in.text("auth"));
+    }
+
+    /** The boat. */
+    public String boatId() {
+        return boatId;
+    }
+
+    /** Names this start of the boat server; another id means that it forgot its list and commands. */
+    public String bootId() {
+        return bootId;
+    }
+
+    /** What the client is now: an observer, if somebody else commands. */
+    public Role role() {
+        return role;
+    }
+
+    /** Reserved for authentication; empty today. */
+    public String auth() {
+        return auth;
+    }
+
+    @Override
+    public String type() {
+        return TYPE;
+    }
+
+    @Override
+    void write(JsonGenerator out) throws IOException {
+        out.writeStringField("boat", boatId);
+        out.writeStringField("boot", bootId);
+        out.writeStringField("role", role.name());
+        out.writeStringField("auth", auth);
+    }
+}
