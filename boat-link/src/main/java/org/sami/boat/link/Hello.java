@@ -27,7 +27,12 @@ public final class Hello extends LinkMessage {
     }
 
     static Hello read(Fields in) throws LinkException {
-        return new Hello(in.text("boat"), in.text("client"), in.word("role", Role.class), in.number("telemetryHz"), in.text("auth"));
+        return new Hello(
+                in.text("boat"),
+                in.text("client"),
+                in.word("role", Role.class),
+                in.number("telemetryHz"),
+                in.text("auth"));
     }
 
     /** The boat that the client means; another boat refuses. */

@@ -22,6 +22,5 @@ public final class HoldPosition extends CommandMessage {
     }
 
     @Override
-    void writeCommand(JsonGenerator out) throws IOException {
-    }
+    void writeCommand(JsonGenerator out) throws IOException {}
 }

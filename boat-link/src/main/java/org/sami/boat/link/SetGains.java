@@ -23,7 +23,8 @@ public final class SetGains extends CommandMessage {
     }
 
     static SetGains read(Fields in) throws LinkException {
-        return new SetGains(in.text("command"), in.word("axis", GainAxis.class), in.number("p"), in.number("i"), in.number("d"));
+        return new SetGains(
+                in.text("command"), in.word("axis", GainAxis.class), in.number("p"), in.number("i"), in.number("d"));
     }
 
     /** The control loop. */

@@ -17,7 +17,14 @@ public final class Telemetry extends LinkMessage {
     private final long boatTimeMs;
 
     /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
-    public Telemetry(double latDeg, double lonDeg, double headingRad, double speedMps, double batteryPercent, BoatMode mode, long boatTimeMs) {
+    public Telemetry(
+            double latDeg,
+            double lonDeg,
+            double headingRad,
+            double speedMps,
+            double batteryPercent,
+            BoatMode mode,
+            long boatTimeMs) {
         this.latDeg = Checks.latitude(latDeg);
         this.lonDeg = Checks.longitude(lonDeg);
         this.headingRad = Checks.range("heading", headingRad, -7, 7);
@@ -28,7 +35,14 @@ public final class Telemetry extends LinkMessage {
     }
 
     static Telemetry read(Fields in) throws LinkException {
-        return new Telemetry(in.number("lat"), in.number("lon"), in.number("heading"), in.number("speed"), in.number("battery"), in.word("mode", BoatMode.class), in.integer("time"));
+        return new Telemetry(
+                in.number("lat"),
+                in.number("lon"),
+                in.number("heading"),
+                in.number("speed"),
+                in.number("battery"),
+                in.word("mode", BoatMode.class),
+                in.integer("time"));
     }
 
     /** WGS 84 latitude in degrees. */

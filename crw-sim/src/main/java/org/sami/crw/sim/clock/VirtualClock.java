@@ -35,7 +35,8 @@ public final class VirtualClock implements VirtualScheduler {
     public void at(long timeMs, Runnable action) {
         Objects.requireNonNull(action, "action");
         if (timeMs < nowMs) {
-            throw new IllegalArgumentException("it is " + nowMs + " ms: nothing can be scheduled for " + timeMs + " ms");
+            throw new IllegalArgumentException(
+                    "it is " + nowMs + " ms: nothing can be scheduled for " + timeMs + " ms");
         }
         waiting.add(new Entry(timeMs, scheduled++, action));
     }

@@ -1,0 +1,155 @@
+package org.sami.boat.link;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class RoundTripTest {
+    private final LinkCodec codec = new LinkCodec();
+
+    static Stream<LinkMessage> messages() {
+        List<Waypoint> path =
+                List.of(new Waypoint(45.4, 10.9, 1.5), new Waypoint(-90, 180, 0), new Waypoint(1e-9, -180, 3));
+        return Stream.of(
+                new Hello("boat1", "base", Role.COMMANDER, 10, "secret"),
+                new Welcome("boat1", "b-7", Role.OBSERVER, ""),
+                new Goodbye("boat1", "you mean another boat"),
+                new Heartbeat(Long.MAX_VALUE),
+                new Ack("m3-a17-boat2"),
+                new Nack("", NackReason.MALFORMED, "ünreadable \"\\ \u0001"),
+                new UploadWaypoints("c", "l", path),
+                new UploadWaypoints("c", "l", List.of()),
+                new ReadBack("c"),
+                new HeldWaypoints("c", "", path),
+                new StartWaypoints("c", "l", Integer.MAX_VALUE),
+                new StopMotors("c"),
+                new HoldPosition("c"),
+                new FleetStop("c"),
+                new FleetRelease("c"),
+                new Teleoperate(-1, 0.25),
+                new SetGains("c", GainAxis.SPEED, 0.1, 0, 1000),
+                new SetVelocityMultiplier("c", 0.5),
+                new SetLostLinkAction("c", LostLinkAction.DRIFT),
+                new Telemetry(45.41234567890123, 10.9, -3.1, -0.2, 99.5, BoatMode.RETURN, 12),
+                new BatteryReport(30, BatteryLevel.LOW),
+                new Progress("l", 3, true));
+    }
+
+    @ParameterizedTest
+    @MethodSource("messages")
+    void givesBackWhatWasSent(LinkMessage message) throws LinkException {
+        byte[] bytes = codec.encode(41, message);
+
+        Frame frame = codec.decode(bytes);
+
+        assertThat(frame.sequence()).isEqualTo(41);
+        assertThat(frame.message())
+                .hasSameClassAs(message)
+                .usingRecursiveComparison()
+                .isEqualTo(message);
+        assertThat(codec.encode(41, frame.message())).isEqualTo(bytes);
+    }
+
+    @Test
+    void tableAboveHoldsEveryKindOfMessage() {
+        assertThat(messages().map(LinkMessage::type).collect(Collectors.toSet()))
+                .isEqualTo(MessageReaders.types())
+                .hasSize(21);
+    }
+
+    @Test
+    void keepsEveryBitOfAPosition() throws LinkException {
+        SplittableRandom random = new SplittableRandom(3);
+        for (int i = 0; i < 2000; i++) {
+            Waypoint sent =
+                    new Waypoint(random.nextDouble(-90, 90), random.nextDouble(-180, 180), random.nextDouble(50));
+            byte[] bytes = codec.encode(i, new UploadWaypoints("c", "l", List.of(sent)));
+
+            assertThat(((UploadWaypoints) codec.decode(bytes).message()).waypoints())
+                    .containsExactly(sent);
+        }
+    }
+
+    @Test
+    void writesAFrameThatAPersonCanRead() {
+        byte[] bytes = codec.encode(5, new StartWaypoints("m1-a2-boat1", "L1", 3));
+
+        String body = new String(bytes, 5, bytes.length - 5, StandardCharsets.UTF_8);
+        assertThat(bytes).startsWith(0, 0, 0, bytes.length - 4, 1);
+        assertThat(body)
+                .isEqualTo("{\"type\":\"start\",\"seq\":5,\"command\":\"m1-a2-boat1\",\"list\":\"L1\",\"index\":3}");
+    }
+
+    @Test
+    void readsBodiesWithMembersThatItDoesNotKnow() throws LinkException {
+        byte[] bytes =
+                MalformedFrameTest.frame("{\"later\":[{\"x\":null}],\"type\":\"ack\",\"seq\":0,\"command\":\"c\"}");
+
+        assertThat(((Ack) codec.decode(bytes).message()).commandId()).isEqualTo("c");
+    }
+
+    @Test
+    void cutsFramesOutOfAStreamThatArrivesInPieces() throws Exception {
+        ByteArrayOutputStream wire = new ByteArrayOutputStream();
+        List<byte[]> sent = new ArrayList<>();
+        List<Waypoint> longPath = new ArrayList<>();
+        for (int i = 0; i < 10_000; i++) {
+            longPath.add(new Waypoint(i / 1000.0, -i / 777.0, 1.5));
+        }
+        sent.add(codec.encode(0, new UploadWaypoints("c", "l", longPath)));
+        messages().forEach(message -> sent.add(codec.encode(sent.size(), message)));
+        for (byte[] frame : sent) {
+            wire.write(frame);
+        }
+
+        FrameReader reader = new FrameReader(new Trickle(wire.toByteArray()), codec);
+        List<byte[]> got = new ArrayList<>();
+        for (var next = reader.next(); next.isPresent(); next = reader.next()) {
+            got.add(next.get());
+        }
+
+        assertThat(got).containsExactlyElementsOf(sent);
+    }
+
+    @Test
+    void refusesToMakeAFrameThatNobodyTakes() {
+        LinkCodec small = new LinkCodec(100);
+
+        assertThatThrownBy(() -> small.encode(0, new Nack("c", NackReason.STALE, "x".repeat(200))))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("100");
+    }
+
+    @Test
+    void refusesToMakeMessagesOfNonsense() {
+        assertThatThrownBy(() -> new Waypoint(Double.NaN, 0, 1)).hasMessageContaining("lat");
+        assertThatThrownBy(() -> new Waypoint(0, 180.001, 1)).hasMessageContaining("lon");
+        assertThatThrownBy(() -> new Waypoint(0, 0, -1)).hasMessageContaining("speed");
+        assertThatThrownBy(() -> new StopMotors("")).hasMessageContaining("command");
+        assertThatThrownBy(() -> new Teleoperate(0, 1.1)).hasMessageContaining("rudder");
+        assertThatThrownBy(() -> new Progress("l", -1, false)).hasMessageContaining("next");
+    }
+
+    /** Gives few bytes at a time, as a slow link does. */
+    private static final class Trickle extends ByteArrayInputStream {
+        Trickle(byte[] bytes) {
+            super(bytes);
+        }
+
+        @Override
+        public synchronized int read(byte[] into, int offset, int length) {
+            return super.read(into, offset, Math.min(length, 7));
+        }
+    }
+}
