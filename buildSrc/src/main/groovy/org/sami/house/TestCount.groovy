@@ -1,4 +1,4 @@
-package org.sami.build
+package org.sami.house
 
 import groovy.xml.XmlSlurper
 
