@@ -1,0 +1,128 @@
+package org.sami.architecture;
+
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.tngtech.archunit.core.domain.JavaClasses;
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** What a module may not touch outside SAMI, and which words are not its own. */
+class BorderTest {
+    private static final int JAVA_8_CLASS_FILE = 52;
+
+    @ParameterizedTest
+    @EnumSource(
+            value = SamiModule.class,
+            names = {"SPN_CORE", "BOAT_LINK", "BOAT_SERVER", "CRW_DOMAIN"})
+    void hasNoWindows(SamiModule module) {
+        noClasses()
+                .should()
+                .dependOnClassesThat()
+                .resideInAnyPackage("java.awt..", "javax.swing..", "javax.imageio..")
+                .check(seen(module));
+    }
+
+    @Test
+    void simulatorDrawsPicturesButOpensNoWindow() {
+        noClasses()
+                .should()
+                .dependOnClassesThat()
+                .resideInAnyPackage("javax.swing..", "java.awt.event..")
+                .check(seen(SamiModule.CRW_SIM));
+    }
+
+    @Test
+    void languageHasNoBoatInItsNames() {
+        JavaClasses classes = seen(SamiModule.SPN_CORE);
+
+        List<String> boatish = classes.stream()
+                .map(javaClass -> javaClass.getName())
+                .filter(name -> name.contains("Boat") || name.contains("Crw"))
+                .toList();
+
+        assertThat(boatish).isEmpty();
+    }
+
+    @Test
+    void linkKnowsStreamsAndNoSockets() {
+        noClasses()
+                .should()
+                .dependOnClassesThat()
+                .resideInAnyPackage("java.net..", "javax.net..", "java.nio.channels..")
+                .check(seen(SamiModule.BOAT_LINK));
+    }
+
+    @Test
+    void engineIsAFunctionWithoutThreadsClocksChanceOrFiles() {
+        JavaClasses classes = seen(SamiModule.SPN_CORE);
+        assertThat(classes.that(resideInAPackage("org.sami.spn.engine..")).size())
+                .as("classes seen in the engine")
+                .isPositive();
+
+        noClasses()
+                .that()
+                .resideInAPackage("org.sami.spn.engine..")
+                .should()
+                .dependOnClassesThat()
+                .resideInAnyPackage("java.io..", "java.nio..", "java.net..", "java.sql..", "java.util.concurrent..")
+                .orShould()
+                .dependOnClassesThat()
+                .haveFullyQualifiedName("java.util.Random")
+                .orShould()
+                .dependOnClassesThat()
+                .haveFullyQualifiedName("java.lang.Thread")
+                .orShould()
+                .dependOnClassesThat()
+                .haveFullyQualifiedName("java.time.Clock")
+                .orShould()
+                .callMethod(System.class, "currentTimeMillis")
+                .orShould()
+                .callMethod(System.class, "nanoTime")
+                .orShould()
+                .callMethod(System.class, "identityHashCode", Object.class)
+                .orShould()
+                .callMethod(Math.class, "random")
+                .orShould()
+                .callMethod(java.time.Instant.class, "now")
+                .check(classes);
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = SamiModule.class,
+            names = {"BOAT_LINK", "BOAT_SERVER"})
+    void runsOnTheJavaOfThePhone(SamiModule module) throws IOException {
+        try (Stream<Path> all = Files.walk(module.classesFolder())) {
+            List<Path> files = all.filter(path -> path.toString().endsWith(".class"))
+                    .sorted()
+                    .toList();
+
+            assertThat(files)
+                    .isNotEmpty()
+                    .allSatisfy(file -> assertThat(majorVersion(file)).isLessThanOrEqualTo(JAVA_8_CLASS_FILE));
+        }
+    }
+
+    private static int majorVersion(Path classFile) throws IOException {
+        try (DataInputStream in = new DataInputStream(Files.newInputStream(classFile))) {
+            in.readInt();
+            in.readUnsignedShort();
+            return in.readUnsignedShort();
+        }
+    }
+
+    private static JavaClasses seen(SamiModule module) {
+        JavaClasses classes = module.classes();
+        assertThat(classes.size()).as("classes seen in %s", module).isGreaterThanOrEqualTo(module.leastClasses());
+        return classes;
+    }
+}

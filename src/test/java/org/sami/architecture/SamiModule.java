@@ -1,0 +1,108 @@
+package org.sami.architecture;
+
+import static java.util.stream.Collectors.toList;
+
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * The module map: which packages are whose, and who may know whom. This is the one place to enter a new module or a new
+ * package of the boats domain; ARCHITECTURE.md shows the same map in words.
+ */
+enum SamiModule {
+    SPN_CORE("spn-core", 60, List.of("org.sami.spn.."), List.of()),
+    BOAT_LINK("boat-link", 1, List.of("org.sami.boat.link.."), List.of()),
+    BOAT_SERVER("boat-server-android/server", 1, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
+    CRW_DOMAIN(
+            "crw-domain",
+            1,
+            List.of(
+                    "org.sami.crw.decision..",
+                    "org.sami.crw.event..",
+                    "org.sami.crw.handler..",
+                    "org.sami.crw.operator..",
+                    "org.sami.crw.proxy..",
+                    "org.sami.crw.service.."),
+            List.of(SPN_CORE, BOAT_LINK)),
+    CRW_SIM("crw-sim", 1, List.of("org.sami.crw.sim.."), List.of(CRW_DOMAIN, BOAT_SERVER, SPN_CORE));
+
+    private final String folder;
+    private final int leastClasses;
+    private final List<String> packages;
+    private final List<SamiModule> mayKnow;
+
+    SamiModule(String folder, int leastClasses, List<String> packages, List<SamiModule> mayKnow) {
+        this.folder = folder;
+        this.leastClasses = leastClasses;
+        this.packages = packages;
+        this.mayKnow = mayKnow;
+    }
+
+    /** How many classes the module has at least: a test that saw fewer did not look. Raised as the module grows. */
+    int leastClasses() {
+        return leastClasses;
+    }
+
+    /** The packages that are the module's own, as ArchUnit writes them. */
+    String[] packages() {
+        return packages.toArray(String[]::new);
+    }
+
+    /** The packages of SAMI that the module's classes may use: its own, and those of the modules it may know. */
+    String[] knownPackages() {
+        List<String> known = new ArrayList<>(packages);
+        mayKnow.forEach(module -> known.addAll(module.packages));
+        return known.toArray(String[]::new);
+    }
+
+    /** The module's compiled main classes, imported afresh. */
+    JavaClasses classes() {
+        return new ClassFileImporter().importPath(classesFolder());
+    }
+
+    /** Where the build puts the module's compiled main classes. */
+    Path classesFolder() {
+        return Path.of(folder, "build", "classes", "java", "main");
+    }
+
+    /** The Java sources below the module's {@code src/main/java}, in the order of their paths. */
+    List<Path> mainSources() {
+        return Sources.below(Path.of(folder, "src", "main", "java"));
+    }
+
+    /** The Java sources below the module's {@code src/test/java}, in the order of their paths. */
+    List<Path> testSources() {
+        return Sources.below(Path.of(folder, "src", "test", "java"));
+    }
+
+    @Override
+    public String toString() {
+        return folder;
+    }
+
+    /** Reads the trees of sources. */
+    static final class Sources {
+        private Sources() {}
+
+        /** Every Java file below a folder, in the order of their paths; none where the folder is absent. */
+        static List<Path> below(Path folder) {
+            if (!Files.isDirectory(folder)) {
+                return List.of();
+            }
+            try (Stream<Path> all = Files.walk(folder)) {
+                return all.filter(path -> path.toString().endsWith(".java"))
+                        .sorted()
+                        .collect(toList());
+            } catch (IOException e) {
+                throw new UncheckedIOException("cannot walk " + folder, e);
+            }
+        }
+    }
+}
