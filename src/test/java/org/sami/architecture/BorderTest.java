@@ -73,7 +73,11 @@ class BorderTest {
                 .resideInAPackage("org.sami.spn.engine..")
                 .should()
                 .dependOnClassesThat()
-                .resideInAnyPackage("java.io..", "java.nio..", "java.net..", "java.sql..", "java.util.concurrent..")
+                .resideInAnyPackage(
+                        "java.nio.file..", "java.nio.channels..", "java.net..", "java.sql..", "java.util.concurrent..")
+                .orShould()
+                .dependOnClassesThat()
+                .haveNameMatching("java\\.io\\.(File|RandomAccess).*")
                 .orShould()
                 .dependOnClassesThat()
                 .haveFullyQualifiedName("java.util.Random")
