@@ -47,7 +47,8 @@ class BuildHouseTest {
 
     private static List<Path> buildFiles() throws IOException {
         try (Stream<Path> all = Files.walk(Path.of(""), 5)) {
-            return all.filter(path -> path.toString().endsWith(".gradle"))
+            return all.filter(Files::isRegularFile)
+                    .filter(path -> path.toString().endsWith(".gradle"))
                     .filter(path -> !path.toString().contains("build/"))
                     .sorted()
                     .collect(toList());

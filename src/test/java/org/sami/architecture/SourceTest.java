@@ -22,6 +22,9 @@ class SourceTest {
     /** Plans are data: an engine or a handler that knows one by its id would treat it unlike the others. */
     private static final Pattern PLAN_ID = Pattern.compile("\\bclv\\b|station-keep");
 
+    private static final Pattern PUBLIC_TYPE =
+            Pattern.compile("public (?:[\\w-]+ )*?(?:class|interface|enum|record|@interface) .*");
+
     private static final Pattern SLEEP = Pattern.compile("Thread\\.sleep\\(|TimeUnit\\.\\w+\\.sleep\\(|System\\.gc\\(");
 
     @ParameterizedTest
@@ -34,6 +37,26 @@ class SourceTest {
                 .isNotEmpty()
                 .allSatisfy(folder ->
                         assertThat(folder.resolve("package-info.java")).exists());
+    }
+
+    @ParameterizedTest
+    @EnumSource(SamiModule.class)
+    void everyPublicTypeSaysWhatItIs(SamiModule module) throws IOException {
+        List<Path> silent = new ArrayList<>();
+        int types = 0;
+        for (Path source : module.mainSources()) {
+            List<String> lines = Files.readAllLines(source);
+            int type = firstPublicType(lines);
+            if (type >= 0) {
+                types++;
+                if (!javadocStandsBefore(type, lines)) {
+                    silent.add(source);
+                }
+            }
+        }
+
+        assertThat(types).as("public types seen in %s", module).isPositive();
+        assertThat(silent).isEmpty();
     }
 
     @Test
@@ -61,6 +84,23 @@ class SourceTest {
 
         assertThat(tests).isNotEmpty();
         assertThat(containing(SLEEP, tests)).isEmpty();
+    }
+
+    private static int firstPublicType(List<String> lines) {
+        for (int i = 0; i < lines.size(); i++) {
+            if (PUBLIC_TYPE.matcher(lines.get(i)).matches()) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    private static boolean javadocStandsBefore(int type, List<String> lines) {
+        int line = type - 1;
+        while (line > 0 && !lines.get(line).endsWith("*/") && !lines.get(line).isBlank()) {
+            line--; // annotations, which may take several lines
+        }
+        return line >= 0 && lines.get(line).endsWith("*/");
     }
 
     private static List<Path> containing(Pattern words, List<Path> sources) {
