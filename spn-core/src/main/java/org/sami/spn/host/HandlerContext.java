@@ -5,7 +5,7 @@ import java.util.function.Function;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.protocol.Input;
 
-/** What a handler may use of its host. All methods can be called from any thread but the engine's own. */
+/** What a handler may use of its host. All methods can be called from any thread. */
 public interface HandlerContext {
     /** Posts inputs as one batch: nothing comes between them. */
     void post(List<Input> inputs);
@@ -15,7 +15,7 @@ public interface HandlerContext {
         post(List.of(input));
     }
 
-    /** Asks the engine's state; waits for the engine's thread. */
+    /** Asks the engine's state; waits at most until the batch that is being processed has left. */
     <T> T query(Function<EngineView, T> question);
 
     /** The session's clock, in milliseconds. */

@@ -13,7 +13,15 @@ public interface HostListener {
      *
      * @param index index of the input in the journal, from 1
      * @param atMillis the session's time of the input
-     * @param view the state after it; not to be kept
+     * @param view the state after it and after the other inputs of its batch (an exact one needs batches of one input);
+     *     not to be kept
      */
     void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view);
+
+    /**
+     * The host stopped by a fault: nothing will follow.
+     *
+     * @param reason one sentence
+     */
+    default void onFailed(String reason) {}
 }

@@ -1,0 +1,474 @@
+package org.sami.spn.host;
+
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Objects;
+import java.util.OptionalLong;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.vocabulary.EventFlag;
+import org.sami.spn.vocabulary.EventType;
+
+/**
+ * Hosts one engine: gives it a thread, a clock, a journal, listeners and handlers (DESIGN, The engine is a function with
+ * a journal).
+ *
+ * <p>Inputs are posted from any thread. On the injected serial executor the host takes all that wait as one batch, steps
+ * the engine through them, makes the batch durable, and only then lets out what followed, in order: for each input first
+ * the listeners, then the handlers of its activations. A fault of the journal or the engine stops the host with nothing
+ * let out of that batch.
+ *
+ * <p>The state is guarded by one fair lock, held from a batch's first step until its last effect has left: whoever asks
+ * never sees what is not durable, and nobody needs another executor's help to ask. All methods may be called from any
+ * thread.
+ */
+public final class EngineHost implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(EngineHost.class.getName());
+
+    private final EngineFunction engine;
+    private final InputJournal journal;
+    private final HostClock clock;
+    private final Executor executor;
+    private final int batchLimit;
+    private final List<String> coalescing;
+
+    private final ReentrantLock lock = new ReentrantLock(true);
+    private final InputQueue queue = new InputQueue();
+    private final Listeners listeners;
+    private final Handlers handlers;
+    private final AtomicBoolean scheduled = new AtomicBoolean();
+    private final AtomicLong processed = new AtomicLong();
+    private final AtomicLong batches = new AtomicLong();
+    private final AtomicLong refused = new AtomicLong();
+    private volatile HostStatus status = HostStatus.running();
+    private volatile boolean closing;
+    private volatile Set<String> awaited = Set.of();
+    private volatile OptionalLong armedFor = OptionalLong.empty();
+    private volatile Thread engineThread;
+    private boolean again;
+
+    private EngineHost(Builder parts) {
+        this.engine = parts.engine;
+        this.journal = parts.journal;
+        this.clock = parts.clock;
+        this.executor = parts.executor;
+        this.batchLimit = parts.batchLimit;
+        this.listeners = new Listeners(parts.slowListenerMillis);
+        this.handlers = new Handlers(engine.vocabulary(), this);
+        this.coalescing = engine.vocabulary().events().values().stream()
+                .filter(type -> type.flags().contains(EventFlag.COALESCE))
+                .map(EventType::name)
+                .toList();
+        refreshAwaited();
+    }
+
+    /** A host to be put together. */
+    public static Builder builder(EngineFunction engine) {
+        return new Builder(engine);
+    }
+
+    /**
+     * Takes in inputs as one batch: nothing comes between them, they become durable together. Inputs of one thread are
+     * processed in the order in which it posts them.
+     *
+     * @return false if the host has stopped: they are counted and let go
+     */
+    public boolean post(List<Input> inputs) {
+        List<Input> posting = List.copyOf(inputs);
+        if (posting.isEmpty()) {
+            return true;
+        }
+        if (closing) {
+            refused.addAndGet(posting.size());
+            return false;
+        }
+        queue.add(posting);
+        schedule();
+        return true;
+    }
+
+    /** Takes in one input. */
+    public boolean post(Input input) {
+        return post(List.of(input));
+    }
+
+    /**
+     * Takes in telemetry, which is no input unless a transition waits for it: at most the latest per type and named
+     * robots waits to be processed, and where no transition waits for the type nothing happens. News whose type is not
+     * marked {@link EventFlag#COALESCE} is posted like any other input.
+     */
+    public void postIfAwaited(Occurrence news) {
+        if (!coalescing.contains(news.type())) {
+            post(List.of(new Input.Received(news)));
+        } else if (!closing && awaited.contains(news.type())) {
+            queue.addTelemetry(news);
+            schedule();
+        }
+    }
+
+    /** Adds a listener; it hears of inputs that are processed from now on. */
+    public Registration addListener(HostListener listener) {
+        return listeners.add(listener);
+    }
+
+    /**
+     * Registers the handler of an output event type, by its name or an alias.
+     *
+     * @param executor where it is called; may be shared, need not be serial
+     * @throws IllegalStateException if the type has a handler already
+     */
+    public Registration register(String eventType, ActivationHandler handler, Executor executor) {
+        return handlers.register(eventType, handler, executor);
+    }
+
+    /**
+     * Asks about the state, at once on the thread that runs the engine, else on the engine's executor. What the question
+     * throws completes the future.
+     */
+    public <T> CompletableFuture<T> query(Function<EngineView, T> question) {
+        CompletableFuture<T> answer = new CompletableFuture<>();
+        Runnable asking = () -> {
+            try {
+                answer.complete(ask(question));
+            } catch (RuntimeException fault) {
+                answer.completeExceptionally(fault);
+            }
+        };
+        if (Thread.currentThread() == engineThread) {
+            asking.run();
+        } else {
+            try {
+                executor.execute(asking);
+            } catch (RejectedExecutionException stopped) {
+                answer.completeExceptionally(stopped);
+            }
+        }
+        return answer;
+    }
+
+    /**
+     * Asks about the state and waits for the answer: at most until the batch that is being processed has left. Needs no
+     * other executor, so that handlers may ask wherever they run. Not for the event thread of a window, and not while
+     * holding a lock that a listener takes.
+     */
+    public <T> T ask(Function<EngineView, T> question) {
+        lock.lock();
+        try {
+            return question.apply(engine.view());
+        } finally {
+            release();
+        }
+    }
+
+    /**
+     * Goes on with a state that was restored: delivers the open activations again, in order of id, and arms the timers.
+     * Called once, after handlers and listeners were registered and before the first posting.
+     */
+    public void resume() {
+        lock.lock();
+        try {
+            if (status.kind() != HostStatus.Kind.RUNNING) {
+                return;
+            }
+            journal.sync();
+            refreshAwaited();
+            List<Activation> open = engine.view().openActivations();
+            open.forEach(activation -> handlers.deliver(activation, true));
+            armTimer();
+        } catch (IOException fault) {
+            fail("the journal failed: " + fault.getMessage(), fault);
+        } finally {
+            release();
+        }
+    }
+
+    /** The session's time. */
+    public long nowMillis() {
+        return clock.nowMillis();
+    }
+
+    /** Whether it works, and why not. */
+    public HostStatus status() {
+        return status;
+    }
+
+    /** What it has to do and did. */
+    public HostLoad load() {
+        return new HostLoad(
+                queue.queued(),
+                queue.mostQueued(),
+                processed.get(),
+                batches.get(),
+                refused.get(),
+                queue.telemetryReplaced(),
+                listeners.slow(),
+                listeners.faults());
+    }
+
+    /**
+     * Ends in order: takes nothing more in, processes what was taken in on the calling thread, makes the journal survive
+     * the loss of power. What was given to the host (executors, journal, clock) is closed by whoever made it. Called by
+     * a listener, it takes effect after the batch that the listener hears of.
+     */
+    @Override
+    public void close() {
+        closing = true;
+        if (lock.isHeldByCurrentThread()) {
+            return;
+        }
+        lock.lock();
+        try {
+            finishClosing();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void finishClosing() {
+        while (status.kind() == HostStatus.Kind.RUNNING && !queue.isEmpty()) {
+            processBatch();
+        }
+        if (status.kind() != HostStatus.Kind.RUNNING) {
+            return;
+        }
+        armedFor = OptionalLong.empty();
+        try {
+            journal.sync();
+            status = new HostStatus(HostStatus.Kind.CLOSED, "closed");
+        } catch (IOException fault) {
+            fail("the journal failed: " + fault.getMessage(), fault);
+        }
+    }
+
+    private void schedule() {
+        if (scheduled.compareAndSet(false, true)) {
+            handOver();
+        }
+    }
+
+    private void handOver() {
+        try {
+            executor.execute(this::drain);
+        } catch (RejectedExecutionException stopped) {
+            closing = true;
+            scheduled.set(false);
+            refused.addAndGet(queue.clear());
+            LOG.log(Level.ERROR, "the engine's executor takes no more work: the host takes nothing in any longer");
+        }
+    }
+
+    /** One batch; the next is handed to the executor again, so that others who use it get their turn. */
+    private void drain() {
+        if (lock.isHeldByCurrentThread()) {
+            again = true; // the executor runs on the spot: whoever holds the lock goes on, further up the stack
+            return;
+        }
+        lock.lock();
+        try {
+            engineThread = Thread.currentThread();
+            do {
+                again = false;
+                processBatch();
+                if (closing) {
+                    finishClosing();
+                }
+                scheduled.set(false);
+                if (!queue.isEmpty()) {
+                    schedule();
+                }
+            } while (again);
+        } finally {
+            release();
+        }
+    }
+
+    private void release() {
+        boolean postponed = again && lock.getHoldCount() == 1;
+        if (postponed) {
+            again = false;
+        }
+        lock.unlock();
+        if (postponed) {
+            handOver();
+        }
+    }
+
+    private void processBatch() {
+        if (status.kind() != HostStatus.Kind.RUNNING) {
+            refused.addAndGet(queue.clear());
+            return;
+        }
+        List<Input> inputs = queue.take(batchLimit);
+        inputs.addAll(queue.takeTelemetry(type -> engine.view().awaits(type)));
+        if (inputs.isEmpty()) {
+            return;
+        }
+        List<Step> steps = new ArrayList<>(inputs.size());
+        try {
+            step(inputs, steps);
+            makeDurable(steps);
+            letOut(steps);
+            journal.offerSnapshot(engine::encode);
+            armTimer();
+        } catch (IOException fault) {
+            fail("the journal failed: " + fault.getMessage(), fault);
+        } catch (RuntimeException | StackOverflowError | AssertionError fault) {
+            fail("the engine failed at entry " + (journal.lastIndex() + 1) + " or after: " + fault, fault);
+        }
+    }
+
+    private void step(List<Input> inputs, List<Step> steps) {
+        long index = journal.lastIndex();
+        long now = Math.max(clock.nowMillis(), journal.lastMillis());
+        for (Input input : inputs) {
+            index++;
+            List<Effect> effects = new ArrayList<>(4);
+            engine.step(now, input, effects::add);
+            steps.add(new Step(new JournalEntry(index, now, input), Collections.unmodifiableList(effects)));
+        }
+    }
+
+    private void makeDurable(List<Step> steps) throws IOException {
+        List<JournalEntry> entries = new ArrayList<>(steps.size());
+        Durability durability = Durability.PROCESS;
+        for (Step step : steps) {
+            entries.add(step.entry());
+            if (durability == Durability.PROCESS && commands(step)) {
+                durability = Durability.POWER;
+            }
+        }
+        journal.append(entries, durability);
+        processed.addAndGet(steps.size());
+        batches.incrementAndGet();
+    }
+
+    private boolean commands(Step step) {
+        for (Effect effect : step.effects()) {
+            if (effect instanceof Effect.Activated activated && handlers.isCommand(activated.activation())) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void letOut(List<Step> steps) {
+        refreshAwaited();
+        for (Step step : steps) {
+            if (!listeners.isEmpty()) {
+                JournalEntry entry = step.entry();
+                listeners.each(listener ->
+                        listener.onStep(entry.index(), entry.atMillis(), entry.input(), step.effects(), engine.view()));
+            }
+            for (Effect effect : step.effects()) {
+                if (effect instanceof Effect.Activated activated) {
+                    handlers.deliver(activated.activation(), false);
+                }
+            }
+        }
+    }
+
+    private void refreshAwaited() {
+        if (!coalescing.isEmpty()) {
+            awaited = coalescing.stream().filter(engine.view()::awaits).collect(Collectors.toUnmodifiableSet());
+        }
+    }
+
+    private void armTimer() {
+        OptionalLong due = engine.view().nextDueMillis();
+        if (!due.equals(armedFor)) {
+            armedFor = due;
+            due.ifPresent(millis -> clock.wakeAt(millis, () -> timeReached(due)));
+        }
+    }
+
+    /** A wake-up that was overtaken (its timer ended, an earlier one came) changes nothing. */
+    private void timeReached(OptionalLong due) {
+        if (due.equals(armedFor)) {
+            armedFor = OptionalLong.empty();
+            post(List.of(new Input.TimeReached()));
+        }
+    }
+
+    private void fail(String reason, Throwable fault) {
+        LOG.log(Level.ERROR, "the engine's host stops: " + reason, fault);
+        closing = true;
+        armedFor = OptionalLong.empty();
+        status = new HostStatus(HostStatus.Kind.FAILED, reason);
+        refused.addAndGet(queue.clear());
+        listeners.each(listener -> listener.onFailed(reason));
+    }
+
+    /** Puts a host together: an engine, its executor and its clock are required. */
+    public static final class Builder {
+        private final EngineFunction engine;
+        private InputJournal journal = new MemoryJournal();
+        private HostClock clock;
+        private Executor executor;
+        private int batchLimit = 1024;
+        private long slowListenerMillis = 50;
+
+        private Builder(EngineFunction engine) {
+            this.engine = Objects.requireNonNull(engine, "engine");
+        }
+
+        /** Where inputs are written; at its end stands the state that is hosted. Without it: memory. */
+        public Builder journal(InputJournal value) {
+            journal = Objects.requireNonNull(value, "journal");
+            return this;
+        }
+
+        /** The session's time; at or after the journal's last. */
+        public Builder clock(HostClock value) {
+            clock = Objects.requireNonNull(value, "clock");
+            return this;
+        }
+
+        /** The engine's thread: runs what it is given one after another. */
+        public Builder executor(Executor value) {
+            executor = Objects.requireNonNull(value, "executor");
+            return this;
+        }
+
+        /** How many inputs one batch takes at most, if its last posting is not counted; 1,024 unless told. */
+        public Builder batchLimit(int value) {
+            if (value < 1) {
+                throw new IllegalArgumentException("a batch takes at least 1 input, not " + value);
+            }
+            batchLimit = value;
+            return this;
+        }
+
+        /** From how many milliseconds on a listener's call is reported as slow; 50 unless told. */
+        public Builder slowListenerMillis(long value) {
+            slowListenerMillis = value;
+            return this;
+        }
+
+        /**
+         * The host, working.
+         *
+         * @throws IllegalStateException if the executor or the clock is missing
+         */
+        public EngineHost build() {
+            if (executor == null || clock == null) {
+                throw new IllegalStateException("a host needs an executor and a clock");
+            }
+            return new EngineHost(this);
+        }
+    }
+}

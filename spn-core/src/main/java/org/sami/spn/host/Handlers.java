@@ -1,0 +1,135 @@
+package org.sami.spn.host;
+
+import java.lang.System.Logger.Level;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executor;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.function.Function;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.vocabulary.EventFlag;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * Brings activations to the handlers of their types, each on the executor that it was registered with. What a handler
+ * throws, and an activation that nothing handles, becomes an input: no event that nothing handles (DESIGN).
+ */
+final class Handlers {
+    private static final System.Logger LOG = System.getLogger(Handlers.class.getName());
+
+    private final Map<String, Entry> byType = new ConcurrentHashMap<>();
+    private final Vocabulary vocabulary;
+    private final EngineHost host;
+
+    Handlers(Vocabulary vocabulary, EngineHost host) {
+        this.vocabulary = vocabulary;
+        this.host = host;
+    }
+
+    Registration register(String eventType, ActivationHandler handler, Executor executor) {
+        String type = canonical(eventType);
+        Entry entry =
+                new Entry(Objects.requireNonNull(handler, "handler"), Objects.requireNonNull(executor, "executor"));
+        if (byType.putIfAbsent(type, entry) != null) {
+            throw new IllegalStateException(type + " has a handler already");
+        }
+        return () -> byType.remove(type, entry);
+    }
+
+    void deliver(Activation activation, boolean redelivered) {
+        Entry entry = byType.get(canonical(activation.type()));
+        if (entry != null) {
+            dispatch(entry, activation, redelivered);
+        } else if (needsHandler(activation)) {
+            failed(activation, "nothing handles " + activation.type());
+        }
+    }
+
+    boolean isCommand(Activation activation) {
+        return vocabulary
+                .event(activation.type())
+                .filter(type -> type.flags().contains(EventFlag.COMMAND))
+                .isPresent();
+    }
+
+    private void dispatch(Entry entry, Activation activation, boolean redelivered) {
+        try {
+            entry.executor.execute(() -> run(entry.handler, activation, redelivered));
+        } catch (RejectedExecutionException refused) {
+            LOG.log(Level.WARNING, "the executor of " + activation.type() + " refused activation " + activation.id());
+            failed(activation, "the handler of " + activation.type() + " takes no more work");
+        }
+    }
+
+    private void run(ActivationHandler handler, Activation activation, boolean redelivered) {
+        try {
+            handler.handle(activation, new Context(redelivered));
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
+            failed(activation, "its handler was interrupted");
+        } catch (Exception | LinkageError | StackOverflowError | AssertionError fault) {
+            LOG.log(Level.WARNING, "the handler of " + activation.type() + " failed at " + activation.id(), fault);
+            failed(activation, reason(fault));
+        }
+    }
+
+    private void failed(Activation activation, String reason) {
+        host.post(List.of(new Input.HandlerFailed(activation.id(), reason)));
+    }
+
+    private boolean needsHandler(Activation activation) {
+        Optional<EventType> type = vocabulary.event(activation.type());
+        if (type.isEmpty()) {
+            return true;
+        }
+        EventType known = type.get();
+        boolean asksNobody = known.answers().isEmpty() && !known.flags().contains(EventFlag.COMMAND);
+        return known.decision().isEmpty() && known.role() == EventRole.NONE && !asksNobody;
+    }
+
+    private String canonical(String eventType) {
+        return vocabulary.event(eventType).map(EventType::name).orElse(eventType);
+    }
+
+    private static String reason(Throwable fault) {
+        String message = fault.getMessage();
+        return message == null || message.isBlank() ? fault.getClass().getSimpleName() : message;
+    }
+
+    private record Entry(ActivationHandler handler, Executor executor) {}
+
+    private final class Context implements HandlerContext {
+        private final boolean redelivered;
+
+        Context(boolean redelivered) {
+            this.redelivered = redelivered;
+        }
+
+        @Override
+        public void post(List<Input> inputs) {
+            host.post(inputs);
+        }
+
+        @Override
+        public <T> T query(Function<EngineView, T> question) {
+            return host.ask(question);
+        }
+
+        @Override
+        public long nowMillis() {
+            return host.nowMillis();
+        }
+
+        @Override
+        public boolean redelivered() {
+            return redelivered;
+        }
+    }
+}
