@@ -1,0 +1,29 @@
+package org.sami.crw.service;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Who is to assemble where.
+ *
+ * @param boats the position of each boat, empty where it is not known
+ * @param centre the point about which they assemble
+ * @param spacingM least distance between two boats, more than zero
+ * @param taken points at which other boats stay
+ */
+public record AssemblyProblem(
+        Map<String, Optional<GeoPoint>> boats, GeoPoint centre, double spacingM, List<GeoPoint> taken) {
+    public AssemblyProblem {
+        boats = Collections.unmodifiableMap(new LinkedHashMap<>(boats));
+        Objects.requireNonNull(centre, "centre");
+        if (!(spacingM > 0) || spacingM > 10_000) {
+            throw new IllegalArgumentException("The spacing is more than 0 m and at most 10 km, not " + spacingM);
+        }
+        taken = List.copyOf(taken);
+    }
+}

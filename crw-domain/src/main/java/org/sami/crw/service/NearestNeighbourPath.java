@@ -1,0 +1,121 @@
+package org.sami.crw.service;
+
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * A path from a start through locations, built by always going to the nearest one that is left (thesis 7.0.3, footnote);
+ * of equally near ones, to that with the lowest index. Locations are added in order of index.
+ *
+ * <p>Adding a location changes nothing before the first stop from which it is nearer than the next one, so only what
+ * comes after that is built anew. Lengths are summed from the start on, so that they are the same to the bit as those of
+ * a path built at once.
+ */
+final class NearestNeighbourPath {
+    private final double startX;
+    private final double startY;
+    private final double[] x;
+    private final double[] y;
+    /** The locations in the order of visits. */
+    private int[] order = new int[8];
+    /** Length of the path up to and including each of them. */
+    private double[] lengthTo = new double[8];
+
+    private int size;
+
+    private int[] candidateOrder = new int[8];
+    private double[] candidateLengthTo = new double[8];
+
+    NearestNeighbourPath(double startX, double startY, double[] x, double[] y) {
+        this.startX = startX;
+        this.startY = startY;
+        this.x = x;
+        this.y = y;
+    }
+
+    /** Length of the path with one location more, or infinity where it is not below a limit. */
+    double lengthWith(int location, double limit) {
+        double length = build(location, limit);
+        return length < limit ? length : Double.POSITIVE_INFINITY;
+    }
+
+    /** Adds a location; its index is higher than those that are there. */
+    void add(int location) {
+        build(location, Double.POSITIVE_INFINITY);
+        int[] oldOrder = order;
+        double[] oldLengthTo = lengthTo;
+        order = candidateOrder;
+        lengthTo = candidateLengthTo;
+        candidateOrder = oldOrder;
+        candidateLengthTo = oldLengthTo;
+        size++;
+    }
+
+    List<Integer> locations() {
+        return Arrays.stream(order, 0, size).boxed().toList();
+    }
+
+    /** Builds the candidate; gives up as soon as its length reaches the limit. Returns the length so far. */
+    private double build(int location, double limit) {
+        reserve(size + 1);
+        int at = firstChange(location);
+        System.arraycopy(order, 0, candidateOrder, 0, at);
+        System.arraycopy(lengthTo, 0, candidateLengthTo, 0, at);
+        candidateOrder[at] = location;
+        System.arraycopy(order, at, candidateOrder, at + 1, size - at);
+        double length = (at == 0 ? 0 : lengthTo[at - 1]) + distanceFrom(order, at, location);
+        candidateLengthTo[at] = length;
+        for (int i = at + 1; i <= size && length < limit; i++) {
+            int nearest = nearestFrom(i);
+            length += distanceFrom(candidateOrder, i, candidateOrder[nearest]);
+            swap(i, nearest);
+            candidateLengthTo[i] = length;
+        }
+        return length;
+    }
+
+    private int firstChange(int location) {
+        for (int i = 0; i < size; i++) {
+            if (distanceFrom(order, i, location) < distanceFrom(order, i, order[i])) {
+                return i;
+            }
+        }
+        return size;
+    }
+
+    /** Where in the candidate's rest the location stands that is nearest to the stop before it. */
+    private int nearestFrom(int from) {
+        int best = from;
+        double bestDistance = distanceFrom(candidateOrder, from, candidateOrder[from]);
+        for (int i = from + 1; i <= size; i++) {
+            double distance = distanceFrom(candidateOrder, from, candidateOrder[i]);
+            if (distance < bestDistance || (distance == bestDistance && candidateOrder[i] < candidateOrder[best])) {
+                best = i;
+                bestDistance = distance;
+            }
+        }
+        return best;
+    }
+
+    /** Distance to a location from the stop before a position in an order, or from the start. */
+    private double distanceFrom(int[] stops, int position, int location) {
+        double fromX = position == 0 ? startX : x[stops[position - 1]];
+        double fromY = position == 0 ? startY : y[stops[position - 1]];
+        double dx = x[location] - fromX;
+        double dy = y[location] - fromY;
+        return Math.sqrt(dx * dx + dy * dy);
+    }
+
+    private void swap(int i, int j) {
+        int kept = candidateOrder[i];
+        candidateOrder[i] = candidateOrder[j];
+        candidateOrder[j] = kept;
+    }
+
+    private void reserve(int needed) {
+        if (candidateOrder.length < needed) {
+            candidateOrder = Arrays.copyOf(candidateOrder, needed * 2);
+            candidateLengthTo = Arrays.copyOf(candidateLengthTo, needed * 2);
+        }
+    }
+}
