@@ -1,0 +1,225 @@
+package org.sami.boat.server;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import org.sami.boat.link.BatteryLevel;
+import org.sami.boat.link.BatteryReport;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.FleetStop;
+import org.sami.boat.link.Frame;
+import org.sami.boat.link.FrameSink;
+import org.sami.boat.link.Goodbye;
+import org.sami.boat.link.HeldWaypoints;
+import org.sami.boat.link.Hello;
+import org.sami.boat.link.HoldPosition;
+import org.sami.boat.link.LinkCodec;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.NackReason;
+import org.sami.boat.link.Progress;
+import org.sami.boat.link.ReadBack;
+import org.sami.boat.link.Role;
+import org.sami.boat.link.StopMotors;
+import org.sami.boat.link.Telemetry;
+import org.sami.boat.link.Teleoperate;
+import org.sami.boat.link.Welcome;
+
+/**
+ * The boat server: clients command and watch one boat through it (DESIGN, "The boat link").
+ *
+ * <p>It has no thread, socket or clock. One thread connects sessions, hands them frames and calls {@link #tick} ten times
+ * a second, all with milliseconds of one clock that never runs back; a wall clock will not do.
+ *
+ * <p>One client commands, others observe. When nothing has come from the commander for the configured time, or its link
+ * closes, the boat does what is set for a lost link, in every mode but the latched fleet stop. Regaining the link starts
+ * nothing: the boat goes on with that until it gets a command.
+ */
+public final class BoatServer {
+    private final ServerConfig config;
+    private final Vehicle vehicle;
+    private final ServerLog log;
+    private final LinkCodec codec = new LinkCodec();
+    private final CommandLedger ledger = new CommandLedger();
+    private final Pilot pilot;
+    private final CommandExecutor executor;
+    private final List<ServerSession> sessions = new ArrayList<>();
+    private Optional<ServerSession> commander = Optional.empty();
+    private boolean commanderLost;
+    private BatteryLevel reportedLevel;
+
+    /** A server that keeps no log. */
+    public BoatServer(ServerConfig config, Vehicle vehicle) {
+        this(config, vehicle, ServerLog.NONE);
+    }
+
+    /** A server at rest; where the vehicle is now is its home position. */
+    public BoatServer(ServerConfig config, Vehicle vehicle, ServerLog log) {
+        this.config = Objects.requireNonNull(config, "config");
+        this.vehicle = Objects.requireNonNull(vehicle, "vehicle");
+        this.log = Objects.requireNonNull(log, "log");
+        pilot = new Pilot(config, vehicle);
+        executor = new CommandExecutor(config, pilot);
+        reportedLevel = batteryLevel();
+    }
+
+    /** A link to a client has opened; the client then says hello. */
+    public ServerSession connect(FrameSink toClient) {
+        ServerSession session = new ServerSession(this, toClient);
+        sessions.add(session);
+        return session;
+    }
+
+    /** Lets time pass: failsafes, control, reports. To be called ten times a second. */
+    public void tick(long nowMs) {
+        if (commander.isPresent() && !commanderLost && commander.get().isSilent(nowMs, config.lostLinkAfterMs())) {
+            loseCommander();
+        }
+        if (pilot.tick(nowMs)) {
+            broadcast(pilot.track().progress(), nowMs);
+        }
+        if (batteryLevel() != reportedLevel) {
+            reportedLevel = batteryLevel();
+            broadcast(battery(), nowMs);
+        }
+        for (ServerSession session : sessions) {
+            session.tick(nowMs);
+        }
+    }
+
+    /** What the boat is doing. */
+    public BoatMode mode() {
+        return pilot.mode();
+    }
+
+    /** Whether a commander is linked now. */
+    public boolean hasCommander() {
+        return commander.isPresent() && !commanderLost;
+    }
+
+    LinkCodec codec() {
+        return codec;
+    }
+
+    void received(ServerSession session, Frame frame, long nowMs) {
+        if (isCommander(session)) {
+            commanderLost = false;
+        }
+        LinkMessage message = frame.message();
+        if (message instanceof Hello) {
+            greet(session, (Hello) message, nowMs);
+        } else if (message instanceof CommandMessage) {
+            command(session, (CommandMessage) message, frame.sequence(), nowMs);
+        } else if (message instanceof Teleoperate) {
+            teleoperate(session, (Teleoperate) message, frame.sequence(), nowMs);
+        } // heartbeats have done their work by arriving; what only boats say is no concern of a boat
+    }
+
+    void closed(ServerSession session, long nowMs) {
+        sessions.remove(session);
+        if (isCommander(session)) {
+            if (!commanderLost) {
+                loseCommander();
+            }
+            commander = Optional.empty();
+        }
+    }
+
+    private void loseCommander() {
+        commanderLost = true;
+        pilot.linkLost(executor.lostLinkAction());
+    }
+
+    private void greet(ServerSession session, Hello hello, long nowMs) {
+        if (!hello.boatId().equals(config.boatId())) {
+            session.send(new Goodbye(config.boatId(), "this boat is " + config.boatId()), nowMs);
+            return;
+        }
+        boolean vacant = !hasCommander() || isCommander(session);
+        Role granted = hello.role() == Role.COMMANDER && vacant ? Role.COMMANDER : Role.OBSERVER;
+        if (granted == Role.COMMANDER) {
+            commander = Optional.of(session);
+            commanderLost = false;
+        } else if (isCommander(session)) { // it steps down, and nobody has taken over
+            loseCommander();
+            commander = Optional.empty();
+        }
+        session.greeted(granted, hello, config.telemetryHz(), nowMs);
+        session.send(new Welcome(config.boatId(), config.bootId(), granted, ""), nowMs);
+        session.send(battery(), nowMs);
+        session.send(pilot.track().progress(), nowMs);
+    }
+
+    private void command(ServerSession session, CommandMessage command, long sequence, long nowMs) {
+        Optional<LinkMessage> known = ledger.answerTo(command.commandId());
+        if (!isCommander(session)) {
+            NackReason reason = session.role().isPresent() ? NackReason.NOT_COMMANDER : NackReason.NOT_GREETED;
+            session.send(CommandExecutor.nack(command, reason, "this client does not command"), nowMs);
+        } else if (command instanceof ReadBack) { // changes nothing, so each one is answered afresh
+            WaypointTrack track = pilot.track();
+            session.send(new HeldWaypoints(command.commandId(), track.listId(), track.waypoints()), nowMs);
+        } else if (known.isPresent()) {
+            session.send(known.get(), nowMs);
+        } else if (session.isOvertaken(sequence) && !isStopping(command)) {
+            session.send(CommandExecutor.nack(command, NackReason.STALE, "a later command came before"), nowMs);
+        } else {
+            execute(session, command, sequence, nowMs);
+        }
+    }
+
+    private boolean isCommander(ServerSession session) {
+        return commander.isPresent() && commander.get() == session;
+    }
+
+    /** What only stops the boat is obeyed however late it comes. */
+    private static boolean isStopping(CommandMessage command) {
+        return command instanceof StopMotors || command instanceof FleetStop || command instanceof HoldPosition;
+    }
+
+    private void execute(ServerSession session, CommandMessage command, long sequence, long nowMs) {
+        Progress before = pilot.track().progress();
+        LinkMessage answer = executor.execute(command);
+        ledger.record(command.commandId(), answer);
+        session.executed(sequence);
+        log.answered(nowMs, command, answer);
+        session.send(answer, nowMs);
+        if (!pilot.track().isAt(before)) {
+            broadcast(pilot.track().progress(), nowMs);
+        }
+    }
+
+    private void teleoperate(ServerSession session, Teleoperate hand, long sequence, long nowMs) {
+        boolean newest = isCommander(session) && session.isNewestTeleoperation(sequence);
+        if (newest && pilot.mode() != BoatMode.FLEET_STOP) {
+            pilot.teleoperate(hand.thrust(), hand.rudder(), nowMs);
+        }
+    }
+
+    private void broadcast(LinkMessage message, long nowMs) {
+        for (ServerSession session : sessions) {
+            if (session.role().isPresent()) {
+                session.send(message, nowMs);
+            }
+        }
+    }
+
+    private BatteryLevel batteryLevel() {
+        return BatteryLevel.of(vehicle.batteryPercent(), config.lowBatteryPercent(), config.criticalBatteryPercent());
+    }
+
+    private BatteryReport battery() {
+        return new BatteryReport(vehicle.batteryPercent(), batteryLevel());
+    }
+
+    Telemetry telemetry(long nowMs) {
+        return new Telemetry(
+                vehicle.latDeg(),
+                vehicle.lonDeg(),
+                vehicle.headingRad(),
+                vehicle.speedMps(),
+                vehicle.batteryPercent(),
+                pilot.mode(),
+                nowMs);
+    }
+}

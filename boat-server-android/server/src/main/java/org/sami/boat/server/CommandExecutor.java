@@ -1,0 +1,138 @@
+package org.sami.boat.server;
+
+import org.sami.boat.link.Ack;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.FleetRelease;
+import org.sami.boat.link.FleetStop;
+import org.sami.boat.link.GainAxis;
+import org.sami.boat.link.HoldPosition;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.Nack;
+import org.sami.boat.link.NackReason;
+import org.sami.boat.link.SetGains;
+import org.sami.boat.link.SetLostLinkAction;
+import org.sami.boat.link.SetVelocityMultiplier;
+import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.StopMotors;
+import org.sami.boat.link.UploadWaypoints;
+
+/** Executes the commands of the commander, each once, and says how it answers them. */
+final class CommandExecutor {
+    private final ServerConfig config;
+    private final Pilot pilot;
+    private LostLinkAction lostLinkAction;
+
+    CommandExecutor(ServerConfig config, Pilot pilot) {
+        this.config = config;
+        this.pilot = pilot;
+        lostLinkAction = config.lostLinkAction();
+    }
+
+    LostLinkAction lostLinkAction() {
+        return lostLinkAction;
+    }
+
+    LinkMessage execute(CommandMessage command) {
+        if (command instanceof UploadWaypoints) {
+            return upload((UploadWaypoints) command);
+        } else if (command instanceof StartWaypoints) {
+            return start((StartWaypoints) command);
+        } else if (command instanceof StopMotors) {
+            return stop(command);
+        } else if (command instanceof HoldPosition) {
+            return hold(command);
+        } else if (command instanceof FleetStop) {
+            pilot.fleetStop();
+        } else if (command instanceof FleetRelease) {
+            release();
+        } else {
+            set(command);
+        }
+        return ack(command);
+    }
+
+    private LinkMessage upload(UploadWaypoints command) {
+        int size = command.waypoints().size();
+        if (size > config.maxWaypoints()) {
+            return nack(command, NackReason.TOO_LONG, size + " waypoints; this boat keeps " + config.maxWaypoints());
+        }
+        pilot.replaceTrack(new WaypointTrack(command.listId(), command.waypoints()));
+        return ack(command);
+    }
+
+    private LinkMessage start(StartWaypoints command) {
+        WaypointTrack track = pilot.track();
+        if (isFleetStopped()) {
+            return fleetStopped(command);
+        }
+        if (!track.listId().equals(command.listId())) {
+            return nack(command, NackReason.UNKNOWN_LIST, "this boat holds " + named(track.listId()));
+        }
+        if (command.index() > track.size()) {
+            return nack(command, NackReason.BAD_INDEX, "index " + command.index() + " of " + track.size());
+        }
+        pilot.follow(command.index());
+        return ack(command);
+    }
+
+    private LinkMessage stop(CommandMessage command) {
+        if (!isFleetStopped()) { // it is stopped already, and stays latched
+            pilot.stop();
+        }
+        return ack(command);
+    }
+
+    private LinkMessage hold(CommandMessage command) {
+        if (isFleetStopped()) {
+            return fleetStopped(command);
+        }
+        pilot.hold();
+        return ack(command);
+    }
+
+    private void release() {
+        if (isFleetStopped()) {
+            pilot.stop();
+        }
+    }
+
+    private void set(CommandMessage command) {
+        if (command instanceof SetGains) {
+            SetGains set = (SetGains) command;
+            Gains gains = new Gains(set.proportional(), set.integral(), set.derivative());
+            if (set.axis() == GainAxis.HEADING) {
+                pilot.helm().setHeadingGains(gains);
+            } else {
+                pilot.helm().setSpeedGains(gains);
+            }
+        } else if (command instanceof SetVelocityMultiplier) {
+            pilot.setVelocityMultiplier(((SetVelocityMultiplier) command).multiplier());
+        } else if (command instanceof SetLostLinkAction) {
+            lostLinkAction = ((SetLostLinkAction) command).action();
+        } else {
+            throw new IllegalStateException("no way to execute a " + command.type());
+        }
+    }
+
+    private boolean isFleetStopped() {
+        return pilot.mode() == BoatMode.FLEET_STOP;
+    }
+
+    private static String named(String listId) {
+        return listId.isEmpty() ? "no list" : listId;
+    }
+
+    private static LinkMessage ack(CommandMessage command) {
+        return new Ack(command.commandId());
+    }
+
+    private static LinkMessage fleetStopped(CommandMessage command) {
+        return nack(command, NackReason.FLEET_STOPPED, "the fleet stop is latched");
+    }
+
+    static LinkMessage nack(CommandMessage command, NackReason reason, String detail) {
+        return new Nack(command.commandId(), reason, detail);
+    }
+}

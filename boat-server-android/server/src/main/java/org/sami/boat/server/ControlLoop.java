@@ -1,0 +1,36 @@
+package org.sami.boat.server;
+
+/** One PID loop: from an error to an effort of -1 to 1. The integral part alone never exceeds full effort. */
+final class ControlLoop {
+    private Gains gains;
+    private double sum;
+    private double lastError;
+    private boolean started;
+
+    ControlLoop(Gains gains) {
+        this.gains = gains;
+    }
+
+    void setGains(Gains newGains) {
+        gains = newGains;
+        reset();
+    }
+
+    /** Forgets the past, because another target or nobody is steered to now. */
+    void reset() {
+        sum = 0;
+        started = false;
+    }
+
+    double effort(double error, double seconds) {
+        sum = clamp(sum + gains.integral() * error * seconds);
+        double change = started && seconds > 0 ? (error - lastError) / seconds : 0;
+        lastError = error;
+        started = true;
+        return clamp(gains.proportional() * error + sum + gains.derivative() * change);
+    }
+
+    static double clamp(double effort) {
+        return Math.max(-1, Math.min(1, effort));
+    }
+}

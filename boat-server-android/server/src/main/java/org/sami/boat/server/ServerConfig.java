@@ -1,0 +1,250 @@
+package org.sami.boat.server;
+
+import java.util.Objects;
+import org.sami.boat.link.LostLinkAction;
+
+/**
+ * What is set for one boat before its server starts. Immutable; {@link Builder} refuses nonsense and says the value that it
+ * got. All of it holds until the server ends, but for the gains and the lost-link action, which commands can change.
+ */
+public final class ServerConfig {
+    private final String boatId;
+    private final String bootId;
+    private final double fullThrustSpeedMps;
+    private final double returnSpeedMps;
+    private final double arrivalRadiusM;
+    private final double holdRadiusM;
+    private final Gains headingGains;
+    private final Gains speedGains;
+    private final long lostLinkAfterMs;
+    private final LostLinkAction lostLinkAction;
+    private final long deadmanMs;
+    private final double telemetryHz;
+    private final double lowBatteryPercent;
+    private final double criticalBatteryPercent;
+    private final int maxWaypoints;
+
+    private ServerConfig(Builder builder) {
+        boatId = builder.boatId;
+        bootId = builder.bootId;
+        fullThrustSpeedMps = builder.fullThrustSpeedMps;
+        returnSpeedMps = builder.returnSpeedMps;
+        arrivalRadiusM = builder.arrivalRadiusM;
+        holdRadiusM = builder.holdRadiusM;
+        headingGains = builder.headingGains;
+        speedGains = builder.speedGains;
+        lostLinkAfterMs = builder.lostLinkAfterMs;
+        lostLinkAction = builder.lostLinkAction;
+        deadmanMs = builder.deadmanMs;
+        telemetryHz = builder.telemetryHz;
+        lowBatteryPercent = builder.lowBatteryPercent;
+        criticalBatteryPercent = builder.criticalBatteryPercent;
+        maxWaypoints = builder.maxWaypoints;
+    }
+
+    /** The defaults, for a boat and one start of its server. */
+    public static Builder of(String boatId, String bootId) {
+        return new Builder(boatId, bootId);
+    }
+
+    /** Names the boat; unique in the fleet. */
+    public String boatId() {
+        return boatId;
+    }
+
+    /** Names this start of the server; never used for another. */
+    public String bootId() {
+        return bootId;
+    }
+
+    /** Speed in m/s that full thrust gives in still water: the feed-forward of the speed loop. */
+    public double fullThrustSpeedMps() {
+        return fullThrustSpeedMps;
+    }
+
+    /** Speed in m/s of driving home and back to a station. */
+    public double returnSpeedMps() {
+        return returnSpeedMps;
+    }
+
+    /** A waypoint is reached at this distance in metres. */
+    public double arrivalRadiusM() {
+        return arrivalRadiusM;
+    }
+
+    /** A boat on its station drifts up to this distance in metres before it drives back. */
+    public double holdRadiusM() {
+        return holdRadiusM;
+    }
+
+    /** Gains of the heading loop at the start. */
+    public Gains headingGains() {
+        return headingGains;
+    }
+
+    /** Gains of the speed loop at the start. */
+    public Gains speedGains() {
+        return speedGains;
+    }
+
+    /** The commander's link is lost after this time in ms without a frame. */
+    public long lostLinkAfterMs() {
+        return lostLinkAfterMs;
+    }
+
+    /** What the boat then does, at the start. */
+    public LostLinkAction lostLinkAction() {
+        return lostLinkAction;
+    }
+
+    /** Teleoperation stops the motors after this time in ms without a new setting. */
+    public long deadmanMs() {
+        return deadmanMs;
+    }
+
+    /** Telemetry messages a second for a client that leaves it to the boat. */
+    public double telemetryHz() {
+        return telemetryHz;
+    }
+
+    /** Charge in percent below which the battery is low. */
+    public double lowBatteryPercent() {
+        return lowBatteryPercent;
+    }
+
+    /** Charge in percent below which the battery is critical. */
+    public double criticalBatteryPercent() {
+        return criticalBatteryPercent;
+    }
+
+    /** The longest waypoint list that the boat takes. */
+    public int maxWaypoints() {
+        return maxWaypoints;
+    }
+
+    /** Collects what differs from the defaults. */
+    public static final class Builder {
+        private final String boatId;
+        private final String bootId;
+        private double fullThrustSpeedMps = 3.2;
+        private double returnSpeedMps = 1.5;
+        private double arrivalRadiusM = 3;
+        private double holdRadiusM = 5;
+        private Gains headingGains = new Gains(1.2, 0, 0);
+        private Gains speedGains = new Gains(0.3, 0.05, 0);
+        private long lostLinkAfterMs = 3500;
+        private LostLinkAction lostLinkAction = LostLinkAction.HOLD;
+        private long deadmanMs = 2000;
+        private double telemetryHz = 1;
+        private double lowBatteryPercent = 30;
+        private double criticalBatteryPercent = 15;
+        private int maxWaypoints = 20_000;
+
+        private Builder(String boatId, String bootId) {
+            this.boatId = named("boat id", boatId);
+            this.bootId = named("boot id", bootId);
+        }
+
+        /** Speed in m/s that full thrust gives. */
+        public Builder fullThrustSpeedMps(double value) {
+            fullThrustSpeedMps = positive("full-thrust speed", value);
+            return this;
+        }
+
+        /** Speed in m/s of driving home and back to a station. */
+        public Builder returnSpeedMps(double value) {
+            returnSpeedMps = positive("return speed", value);
+            return this;
+        }
+
+        /** Distance in metres at which a waypoint is reached. */
+        public Builder arrivalRadiusM(double value) {
+            arrivalRadiusM = positive("arrival radius", value);
+            return this;
+        }
+
+        /** Distance in metres up to which a boat on its station drifts. */
+        public Builder holdRadiusM(double value) {
+            holdRadiusM = positive("hold radius", value);
+            return this;
+        }
+
+        /** Gains of the heading loop. */
+        public Builder headingGains(Gains value) {
+            headingGains = Objects.requireNonNull(value, "heading gains");
+            return this;
+        }
+
+        /** Gains of the speed loop. */
+        public Builder speedGains(Gains value) {
+            speedGains = Objects.requireNonNull(value, "speed gains");
+            return this;
+        }
+
+        /** What the boat does when the link is lost. */
+        public Builder lostLinkAction(LostLinkAction value) {
+            lostLinkAction = Objects.requireNonNull(value, "lost-link action");
+            return this;
+        }
+
+        /** Time in ms without a frame after which the link is lost. */
+        public Builder lostLinkAfterMs(long value) {
+            lostLinkAfterMs = positive("lost-link time", value);
+            return this;
+        }
+
+        /** Time in ms after which teleoperation stops the motors. */
+        public Builder deadmanMs(long value) {
+            deadmanMs = positive("deadman time", value);
+            return this;
+        }
+
+        /** Telemetry messages a second. */
+        public Builder telemetryHz(double value) {
+            telemetryHz = positive("telemetry rate", value);
+            return this;
+        }
+
+        /** Thresholds of the battery's classes in percent, 0 ≤ critical ≤ low ≤ 100. */
+        public Builder batteryThresholds(double lowPercent, double criticalPercent) {
+            if (!(criticalPercent >= 0 && lowPercent >= criticalPercent && lowPercent <= 100)) {
+                throw new IllegalArgumentException("battery thresholds " + lowPercent + " and " + criticalPercent);
+            }
+            lowBatteryPercent = lowPercent;
+            criticalBatteryPercent = criticalPercent;
+            return this;
+        }
+
+        /** The longest waypoint list. */
+        public Builder maxWaypoints(int value) {
+            maxWaypoints = (int) positive("waypoint limit", (long) value);
+            return this;
+        }
+
+        /** The finished configuration. */
+        public ServerConfig build() {
+            return new ServerConfig(this);
+        }
+
+        private static double positive(String name, double value) {
+            if (!(value > 0 && value < Double.POSITIVE_INFINITY)) {
+                throw new IllegalArgumentException("the " + name + " is positive, not " + value);
+            }
+            return value;
+        }
+
+        private static long positive(String name, long value) {
+            if (value <= 0) {
+                throw new IllegalArgumentException("the " + name + " is positive, not " + value);
+            }
+            return value;
+        }
+
+        private static String named(String name, String value) {
+            if (value.isEmpty()) {
+                throw new IllegalArgumentException("the " + name + " is empty");
+            }
+            return value;
+        }
+    }
+}

@@ -1,0 +1,27 @@
+package org.sami.boat.server;
+
+/**
+ * A hull with a motor on each side, as the boat server sees it: the phone's own, or a simulated one.
+ *
+ * <p>It is asked and set on the thread that ticks the server.
+ */
+public interface Vehicle {
+
+    /** WGS 84 latitude in degrees. */
+    double latDeg();
+
+    /** WGS 84 longitude in degrees. */
+    double lonDeg();
+
+    /** Heading in radians, clockwise from true north, -π to π. */
+    double headingRad();
+
+    /** Speed over ground along the heading in m/s; negative is astern. */
+    double speedMps();
+
+    /** Charge of the battery in percent of full. */
+    double batteryPercent();
+
+    /** Sets the efforts of the port and the starboard motor, -1 (full astern) to 1 (full ahead), until set again. */
+    void setMotors(double port, double starboard);
+}

@@ -1,0 +1,60 @@
+package org.sami.boat.server;
+
+import java.util.Collections;
+import java.util.List;
+import org.sami.boat.link.Progress;
+import org.sami.boat.link.Waypoint;
+
+/** The waypoint list that the boat holds, and how far it is along it. */
+final class WaypointTrack {
+    static final WaypointTrack NONE = new WaypointTrack("", Collections.emptyList());
+
+    private final String listId;
+    private final List<Waypoint> waypoints;
+    private int next;
+    private boolean completed;
+
+    WaypointTrack(String listId, List<Waypoint> waypoints) {
+        this.listId = listId;
+        this.waypoints = waypoints;
+    }
+
+    String listId() {
+        return listId;
+    }
+
+    List<Waypoint> waypoints() {
+        return waypoints;
+    }
+
+    int size() {
+        return waypoints.size();
+    }
+
+    void startAt(int index) {
+        next = index;
+        completed = index == waypoints.size();
+    }
+
+    /** The waypoint to head for; only while the track is not completed. */
+    Waypoint target() {
+        return waypoints.get(next);
+    }
+
+    boolean isCompleted() {
+        return completed;
+    }
+
+    void reached() {
+        startAt(next + 1);
+    }
+
+    /** Whether this is what a report said. */
+    boolean isAt(Progress report) {
+        return listId.equals(report.listId()) && next == report.nextIndex() && completed == report.completed();
+    }
+
+    Progress progress() {
+        return new Progress(listId, next, completed);
+    }
+}

@@ -1,0 +1,163 @@
+package org.sami.crw.sim.hull;
+
+import java.util.SplittableRandom;
+import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.Vehicle;
+
+/**
+ * A hull with two motors, moved by kinematics: the sum of the efforts sets the speed, their difference the turn rate, both
+ * within the hull's limits. Positions are kept in metres east and north of the origin of a plane that all hulls of a
+ * world share.
+ *
+ * <p>The battery drains with the distance driven, {@code b(t + τ) = b(t) - K d(τ) (1 + R)} with {@code R} drawn from
+ * {@code U(-0.1, 0.1)} for each step (thesis 7.1.1), and never below zero; an empty one leaves the motors without effect.
+ * Equal seeds and equal efforts give equal tracks to the last bit.
+ */
+public final class SimulatedHull implements Vehicle {
+    private static final double BATTERY_SPREAD = 0.1;
+
+    private final HullConfig config;
+    private final LocalFrame frame;
+    private final SplittableRandom random;
+    private double eastM;
+    private double northM;
+    private double latDeg;
+    private double lonDeg;
+    private double headingRad;
+    private double speedMps;
+    private double turnRateRadPerS;
+    private double port;
+    private double starboard;
+    private double batteryPercent = 100;
+    private double distanceM;
+    private int recharges;
+
+    /** A hull at rest with a full battery, its bow to the north, at a place on the plane of its world. */
+    public SimulatedHull(HullConfig config, LocalFrame frame, double eastM, double northM, long seed) {
+        this.config = config;
+        this.frame = frame;
+        this.eastM = eastM;
+        this.northM = northM;
+        random = new SplittableRandom(seed);
+        locate();
+    }
+
+    @Override
+    public double latDeg() {
+        return latDeg;
+    }
+
+    @Override
+    public double lonDeg() {
+        return lonDeg;
+    }
+
+    @Override
+    public double headingRad() {
+        return headingRad;
+    }
+
+    @Override
+    public double speedMps() {
+        return speedMps;
+    }
+
+    @Override
+    public double batteryPercent() {
+        return batteryPercent;
+    }
+
+    /** True position: metres east of the world's origin. */
+    public double eastM() {
+        return eastM;
+    }
+
+    /** True position: metres north of the world's origin. */
+    public double northM() {
+        return northM;
+    }
+
+    /** Turn rate in radians a second, positive to starboard. */
+    public double turnRateRadPerS() {
+        return turnRateRadPerS;
+    }
+
+    /** Metres driven since the start, ahead and astern. */
+    public double distanceM() {
+        return distanceM;
+    }
+
+    /** How many times the battery has been recharged. */
+    public int recharges() {
+        return recharges;
+    }
+
+    @Override
+    public void setMotors(double portEffort, double starboardEffort) {
+        port = effort(portEffort);
+        starboard = effort(starboardEffort);
+    }
+
+    /** Somebody swaps or fills the battery. */
+    public void recharge() {
+        batteryPercent = 100;
+        recharges++;
+    }
+
+    /** Somebody sets the charge, to try what a low battery does. */
+    public void setBatteryPercent(double percent) {
+        if (!(percent >= 0 && percent <= 100)) {
+            throw new IllegalArgumentException("a charge of " + percent + " %");
+        }
+        batteryPercent = percent;
+    }
+
+    /** Lets time pass. */
+    public void step(double seconds) {
+        if (!(seconds > 0)) {
+            throw new IllegalArgumentException("a step of " + seconds + " s");
+        }
+        double power = batteryPercent > 0 ? 1 : 0;
+        double wantedMps = power * (port + starboard) / 2 * config.topSpeedMps();
+        double wantedTurn = power * (port - starboard) / 2 * config.maxTurnRateRadPerS();
+        if (wantedMps == 0 && wantedTurn == 0 && speedMps == 0 && turnRateRadPerS == 0) {
+            return; // lies still
+        }
+        double speedBefore = speedMps;
+        double headingBefore = headingRad;
+        speedMps = approach(speedMps, wantedMps, config.maxAccelerationMps2() * seconds);
+        turnRateRadPerS = approach(turnRateRadPerS, wantedTurn, config.maxTurnAccelerationRadPerS2() * seconds);
+        double turned = turnRateRadPerS * seconds;
+        move((speedBefore + speedMps) / 2 * seconds, headingBefore + turned / 2);
+        headingRad = Math.IEEEremainder(headingBefore + turned, 2 * Math.PI);
+    }
+
+    private void move(double alongM, double courseRad) {
+        if (alongM == 0) {
+            return;
+        }
+        eastM += alongM * Math.sin(courseRad);
+        northM += alongM * Math.cos(courseRad);
+        locate();
+        double drivenM = Math.abs(alongM);
+        distanceM += drivenM;
+        double spread = random.nextDouble(-BATTERY_SPREAD, BATTERY_SPREAD);
+        batteryPercent = Math.max(0, batteryPercent - config.batteryPercentPerM() * drivenM * (1 + spread));
+    }
+
+    private void locate() {
+        latDeg = frame.latDeg(eastM, northM);
+        lonDeg = frame.lonDeg(eastM, northM);
+    }
+
+    private static double approach(double from, double to, double most) {
+        return from + Math.max(-most, Math.min(most, to - from));
+    }
+
+    private static double effort(double value) {
+        if (Double.isNaN(value)) {
+            throw new IllegalArgumentException("an effort that is no number");
+        }
+        return Math.max(-1, Math.min(1, value));
+    }
+}
