@@ -1,0 +1,63 @@
+package org.sami.spn.vocabulary;
+
+/**
+ * Names of markups, their options and fields that the engine itself reads or fills; a vocabulary that wants the engine's
+ * behaviour uses them.
+ */
+public final class Reserved {
+    /** The reserved variable that reads a field from each entering task (thesis 9.3.4). */
+    public static final String TASK_VARIABLE = "@task";
+
+    /** Markup: whether and when autonomy answers a decision (thesis 3.1, Markup; appendix .2.3). */
+    public static final String MIXED_INITIATIVE_TRIGGER = "MixedInitiativeTrigger";
+
+    /** Option of {@link #MIXED_INITIATIVE_TRIGGER}: one of the three constants below. */
+    public static final String TRIGGER = "trigger";
+
+    /** Constant of {@link #TRIGGER}: the operator alone answers, as without the markup. */
+    public static final String NEVER = "NEVER";
+
+    /** Constant of {@link #TRIGGER}: autonomy answers in the same step. */
+    public static final String IMMEDIATELY = "IMMEDIATELY";
+
+    /** Constant of {@link #TRIGGER}: autonomy answers when {@link #TIMEOUT} has passed. */
+    public static final String TIMER = "TIMER";
+
+    /** Option of {@link #MIXED_INITIATIVE_TRIGGER}: a duration, for {@link #TIMER}. */
+    public static final String TIMEOUT = "timeout";
+
+    /** Markup: rank of an interaction or a command. */
+    public static final String PRIORITY = "Priority";
+
+    /** Option of {@link #PRIORITY}: a constant of {@code org.sami.spn.protocol.Priority}. */
+    public static final String RANK = "rank";
+
+    /** Field of timers: a duration. */
+    public static final String DURATION = "duration";
+
+    /** Field of interrupts: text. */
+    public static final String INTERRUPT_NAME = "interruptName";
+
+    /** Field of Return Value and Check Return: text. */
+    public static final String VALUE = "value";
+
+    /** Field of Generate Tasks: a list, one task per item. */
+    public static final String LOCATIONS = "locations";
+
+    /** Field of Generate Tasks: text, the class of the new tasks. */
+    public static final String TASK_CLASS = "taskClass";
+
+    /** Field of generated tasks that holds their item of {@link #LOCATIONS}. */
+    public static final String LOCATION = "location";
+
+    /** Field of Apply Allocation: a map from task to proxy. */
+    public static final String TASKS = "tasks";
+
+    /** Field of Redefine Variables: a variable. */
+    public static final String VARIABLE = "variable";
+
+    /** Field of a decision whose text becomes the prompt. */
+    public static final String QUESTION = "question";
+
+    private Reserved() {}
+}
