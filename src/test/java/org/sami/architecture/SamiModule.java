@@ -31,7 +31,8 @@ enum SamiModule {
                     "org.sami.crw.proxy..",
                     "org.sami.crw.service.."),
             List.of(SPN_CORE, BOAT_LINK)),
-    CRW_SIM("crw-sim", 1, List.of("org.sami.crw.sim.."), List.of(CRW_DOMAIN, BOAT_SERVER, SPN_CORE));
+    /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */
+    CRW_SIM("crw-sim", 1, List.of("org.sami.crw.sim.."), List.of(CRW_DOMAIN, BOAT_SERVER, BOAT_LINK, SPN_CORE));
 
     private final String folder;
     private final int leastClasses;
