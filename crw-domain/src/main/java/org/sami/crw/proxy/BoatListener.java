@@ -1,0 +1,35 @@
+package org.sami.crw.proxy;
+
+/**
+ * Gets to know what becomes of one boat and of its commands. Called on the thread that drives the proxy, when the proxy is
+ * done with the change: a listener may submit and withdraw commands.
+ */
+public interface BoatListener {
+
+    /** A command is done. */
+    default void onCompleted(String boatId, BoatCommand command) {}
+
+    /** A command cannot be done, for a reason in words; it has left the queue. */
+    default void onFailed(String boatId, BoatCommand command, String reason) {}
+
+    /** Another command has displaced this one for good; it has left the queue. What missions withdraw is not reported. */
+    default void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {}
+
+    /** More points of a path are behind the boat: how many, counted from the beginning of the path. */
+    default void onProgress(String boatId, BoatCommand command, int visitedCount) {}
+
+    /** Telemetry has come. */
+    default void onStatus(BoatStatus status) {}
+
+    /** The link came or went. */
+    default void onLinkChange(BoatStatus status) {}
+
+    /** The battery's class was reported: when the link came, and at each change of class. */
+    default void onBattery(String boatId, BatteryState battery) {}
+
+    /**
+     * The boat's server has started anew while commands are queued. It has forgotten all; nothing moves it until {@link
+     * BoatProxy#confirmRestart} says that it may.
+     */
+    default void onRestarted(BoatStatus status) {}
+}

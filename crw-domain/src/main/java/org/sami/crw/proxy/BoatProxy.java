@@ -1,0 +1,462 @@
+package org.sami.crw.proxy;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import org.sami.boat.link.Ack;
+import org.sami.boat.link.BatteryReport;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.FleetRelease;
+import org.sami.boat.link.FleetStop;
+import org.sami.boat.link.Frame;
+import org.sami.boat.link.FrameSink;
+import org.sami.boat.link.Goodbye;
+import org.sami.boat.link.HeldWaypoints;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Nack;
+import org.sami.boat.link.Progress;
+import org.sami.boat.link.StopMotors;
+import org.sami.boat.link.Telemetry;
+import org.sami.boat.link.Teleoperate;
+import org.sami.boat.link.Welcome;
+import org.sami.crw.proxy.CommandRun.Verdict;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * One boat, as the base sees it: its link, its latest status, and the queue of commands that missions have for it.
+ *
+ * <p>The proxy keeps the boat at the command whose turn it is: it uploads the path under a new list id, reads it back,
+ * starts it, sends again what stays unanswered, and follows the progress. After a lost link it compares what the boat holds
+ * with what the queue wants, and says continue or uploads anew. When the last command is withdrawn it stops the boat; a
+ * path that was completed leaves the boat keeping its station there.
+ *
+ * <p>For one thread, with milliseconds of one clock that never runs back. The {@link FrameSink} must not call back.
+ */
+public final class BoatProxy {
+    private static final int MAX_TRIES = 3;
+
+    private final String boatId;
+    private final ProxyConfig config;
+    private final ProxyLink link;
+    private final Requests requests; // of the running command, or to stop for want of one
+    private final Requests fleetRequests;
+    private final CommandQueue queue = new CommandQueue();
+    private final Announcements announcements;
+    private BoatStatus status;
+    private Optional<CommandRun> run = Optional.empty();
+    private long nowMs;
+    private long lastTelemetry = -1;
+    private int wireIds;
+    private boolean awaitingProgress;
+    private boolean unconfirmedRestart;
+    private boolean takenOver;
+    private boolean fleetStopped;
+    private boolean mustStop;
+    private String refusal = "";
+
+    /** A proxy that says hello at its first tick. */
+    public BoatProxy(String boatId, FrameSink toBoat, BoatListener listener, ProxyConfig config) {
+        this.boatId = Objects.requireNonNull(boatId, "boatId");
+        this.config = Objects.requireNonNull(config, "config");
+        link = new ProxyLink(boatId, Objects.requireNonNull(toBoat, "toBoat"), config);
+        requests = new Requests(link, config);
+        fleetRequests = new Requests(link, config);
+        announcements = new Announcements(Objects.requireNonNull(listener, "listener"));
+        status = BoatStatus.unknown(boatId);
+    }
+
+    /** Names the boat. */
+    public String boatId() {
+        return boatId;
+    }
+
+    /** The latest that is known of the boat. */
+    public BoatStatus status() {
+        return status;
+    }
+
+    /** The command that the boat is to carry out now. */
+    public Optional<BoatCommand> currentCommand() {
+        return queue.current().map(QueuedCommand::command);
+    }
+
+    /** The commands that wait for their turn, in the order in which they would have it. */
+    public List<BoatCommand> waitingCommands() {
+        return queue.waiting().stream().map(QueuedCommand::command).toList();
+    }
+
+    /** How many points of the path of a queued command are behind the boat; empty if it is not queued. */
+    public Optional<Integer> visitedCount(String commandId) {
+        return queue.find(commandId).map(QueuedCommand::visited);
+    }
+
+    /** How many frames could not be read. */
+    public long unreadableFrames() {
+        return link.unreadable();
+    }
+
+    /**
+     * Takes a command for the boat. One whose id is queued already is ignored. A newer command of a mission takes the place of
+     * its older one; see {@link Withdrawal} for what is displaced.
+     */
+    public void submit(BoatCommand command) {
+        queue.submit(Objects.requireNonNull(command, "command"))
+                .forEach((displaced, why) -> announcements.add(l -> l.onWithdrawn(boatId, displaced, why)));
+        settle();
+    }
+
+    /**
+     * Takes back all that a mission has for this boat, and its block; the boat goes on with the next command of another
+     * mission, or stops. Not reported to the listener.
+     *
+     * @return what was taken back
+     */
+    public List<BoatCommand> withdraw(long mission) {
+        List<BoatCommand> withdrawn = queue.withdraw(mission);
+        settle();
+        return withdrawn;
+    }
+
+    /** Takes one whole frame from the boat. */
+    public void receive(byte[] bytes, long atMs) {
+        nowMs = Math.max(nowMs, atMs);
+        link.receive(bytes, nowMs).ifPresent(this::take);
+        settle();
+    }
+
+    /** Lets time pass: heartbeats, lost links, requests that are sent again. To be called ten times a second. */
+    public void tick(long atMs) {
+        nowMs = Math.max(nowMs, atMs);
+        if (link.tick(nowMs)) {
+            linkChanged();
+        }
+        if (link.isCommanding()) {
+            requests.tick(nowMs).forEach(this::giveUp);
+            // what stops or releases the whole fleet is said until it is answered
+            fleetRequests.tick(nowMs).forEach(request -> fleetRequests.send(request, nowMs));
+            if (awaitingProgress) {
+                link.helloIfDue(nowMs);
+            }
+        }
+        settle();
+    }
+
+    /** The transport has closed: the link is lost at once. */
+    public void closed(long atMs) {
+        nowMs = Math.max(nowMs, atMs);
+        if (link.closed()) {
+            linkChanged();
+        }
+        settle();
+    }
+
+    /** The operator allows a boat that has started anew to be moved again. */
+    public void confirmRestart() {
+        unconfirmedRestart = false;
+        settle();
+    }
+
+    /**
+     * Drives by hand; to be called again within two seconds, or the boat stops its motors. From the first call until
+     * {@link #release} the commands wait.
+     *
+     * @param thrust part of full thrust, -1 to 1
+     * @param rudder part of full steering effort, -1 (port) to 1 (starboard)
+     */
+    public void teleoperate(double thrust, double rudder) {
+        Teleoperate hand = new Teleoperate(thrust, rudder);
+        takenOver = true;
+        abandonRun();
+        if (link.isCommanding()) {
+            link.send(hand, nowMs);
+        }
+    }
+
+    /** Gives the boat back to the commands; it stops if there are none. */
+    public void release() {
+        if (takenOver) {
+            takenOver = false;
+            mustStop = true;
+            settle();
+        }
+    }
+
+    /** Stops the motors, latched on the boat; commands wait until {@link #fleetRelease}. */
+    public void fleetStop() {
+        fleetStopped = true;
+        abandonRun();
+        fleetRequests.clear();
+        fleetRequests.send(new FleetStop(wireId("fleet-stop")), nowMs);
+    }
+
+    /** Ends the fleet stop; the boat then goes on with its commands. */
+    public void fleetRelease() {
+        fleetRequests.clear();
+        fleetRequests.send(new FleetRelease(wireId("fleet-release")), nowMs);
+    }
+
+    /** Why the boat moves or does not. */
+    public Explanation explain() {
+        return new Explainer(this).explain();
+    }
+
+    // ---- what the explainer asks
+
+    CommandQueue queue() {
+        return queue;
+    }
+
+    Optional<CommandRun> run() {
+        return run;
+    }
+
+    boolean isBeingStopped() {
+        return run.isEmpty() && requests.areWaiting();
+    }
+
+    int unansweredSends() {
+        return requests.sends();
+    }
+
+    /** What keeps every command from the boat, in words; empty if nothing does. */
+    String obstacle() {
+        if (link.state() == LinkState.LOST) {
+            return "the link has been lost for " + (nowMs - link.lastReceivedMs()) / 1000 + " s";
+        } else if (link.state() == LinkState.CONNECTING) {
+            return refusal.isEmpty() ? "the boat has not answered yet" : "the boat refuses: " + refusal;
+        } else if (!link.isCommanding()) {
+            return "another client commands the boat";
+        } else if (fleetStopped) {
+            return "the fleet stop is latched";
+        } else if (takenOver) {
+            return "it is driven by hand";
+        } else if (unconfirmedRestart) {
+            return "its server has started anew and nobody has allowed it to move again";
+        }
+        return awaitingProgress ? "the boat has not said yet what it holds" : "";
+    }
+
+    // ---- what the boat says
+
+    private void take(Frame frame) {
+        LinkMessage message = frame.message();
+        if (message instanceof Telemetry telemetry) {
+            if (frame.sequence() > lastTelemetry) {
+                lastTelemetry = frame.sequence();
+                telemetry(telemetry);
+            }
+        } else if (message instanceof Ack ack) {
+            answered(ack.commandId(), ack);
+        } else if (message instanceof HeldWaypoints held) {
+            answered(held.commandId(), held);
+        } else if (message instanceof Nack nack) {
+            refused(nack);
+        } else if (message instanceof Progress progress) {
+            progressed(progress);
+        } else if (message instanceof BatteryReport report) {
+            BatteryState battery = new BatteryState(report.percent(), report.level());
+            status = status.with(battery);
+            announcements.add(l -> l.onBattery(boatId, battery));
+        } else if (message instanceof Welcome welcome) {
+            welcomed(welcome);
+        } else if (message instanceof Goodbye goodbye) {
+            refusal = goodbye.reason();
+        } // heartbeats have done their work by arriving; what only bases say is no concern of a base
+    }
+
+    private void welcomed(Welcome welcome) {
+        boolean restarted = !link.bootId().isEmpty() && !link.bootId().equals(welcome.bootId());
+        boolean news = link.state() != LinkState.LINKED;
+        link.welcomed(welcome);
+        refusal = "";
+        awaitingProgress = true;
+        if (news || restarted) {
+            lastTelemetry = -1;
+            linkChanged();
+        }
+        if (restarted) {
+            abandonRun();
+            unconfirmedRestart = queue.current().isPresent();
+            if (unconfirmedRestart) {
+                announce(BoatListener::onRestarted);
+            }
+        }
+    }
+
+    private void telemetry(Telemetry telemetry) {
+        BoatPose pose = new BoatPose(
+                GeoPoint.of(telemetry.latDeg(), telemetry.lonDeg()),
+                telemetry.headingRad(),
+                telemetry.speedMps(),
+                telemetry.boatTimeMs());
+        Optional<BatteryState> battery =
+                status.battery().map(known -> new BatteryState(telemetry.batteryPercent(), known.level()));
+        status = status.with(pose, battery, telemetry.mode());
+        announce(BoatListener::onStatus);
+        if (telemetry.mode() == BoatMode.FLEET_STOP) {
+            if (!fleetStopped) {
+                fleetStopped = true;
+                abandonRun();
+            }
+            return;
+        }
+        fleetStopped &= fleetRequests.areWaiting();
+        if (isDriving() && telemetry.mode() != BoatMode.PATH && !awaitingProgress) {
+            awaitingProgress = true; // it left its path by itself: it may have lost us when we did not lose it
+            link.hello(nowMs);
+        }
+    }
+
+    private boolean isDriving() {
+        return run.isPresent() && run.get().isDriving();
+    }
+
+    private void progressed(Progress progress) {
+        boolean told = run.isPresent() && run.get().isAbout(progress);
+        if (told) {
+            visited(run.get().queued(), progress.nextIndex());
+        }
+        if (awaitingProgress) {
+            awaitingProgress = false;
+            if (isRunWanted()) {
+                requests.clear();
+                conclude(run.get().resume(progress, nowMs));
+            }
+        } else if (told && progress.completed()) {
+            conclude(Verdict.COMPLETED);
+        }
+    }
+
+    private boolean isRunWanted() {
+        return run.isPresent()
+                && queue.current().isPresent()
+                && queue.current().get() == run.get().queued();
+    }
+
+    private void visited(QueuedCommand queued, int count) {
+        if (queued.visitedUpTo(count)) {
+            announcements.add(l -> l.onProgress(boatId, queued.command(), count));
+        }
+    }
+
+    private void answered(String commandId, LinkMessage answer) {
+        if (fleetRequests.answered(commandId).isPresent()) {
+            return; // the next telemetry says what it has come to
+        }
+        Optional<CommandMessage> asked = requests.answered(commandId);
+        if (asked.isPresent() && run.isPresent()) {
+            conclude(run.get().answered(asked.get(), answer, nowMs));
+        }
+    }
+
+    private void refused(Nack nack) {
+        Optional<CommandMessage> asked = requests.answered(nack.commandId());
+        if (asked.isPresent() && run.isPresent()) {
+            conclude(run.get().refused(nack));
+        }
+    }
+
+    private void giveUp(CommandMessage unanswered) {
+        if (run.isPresent()) {
+            String why = "the boat did not answer " + config.maxSends() + " requests";
+            conclude(run.get().because(Verdict.FAILED, why));
+        } else {
+            requests.send(unanswered, nowMs); // a boat that must stop is told until it answers
+        }
+    }
+
+    /** Draws the consequence of a verdict on the running command. */
+    private void conclude(Verdict verdict) {
+        if (verdict == Verdict.GO_ON) {
+            return;
+        }
+        CommandRun ended = run.orElseThrow();
+        QueuedCommand queued = ended.queued();
+        abandonRun();
+        if (verdict == Verdict.COMPLETED) {
+            finish(queued);
+        } else if (verdict == Verdict.FAILED || (verdict == Verdict.RETRY && queued.failedTry() >= MAX_TRIES)) {
+            mustStop = true;
+            queue.finish(queued);
+            announcements.add(l -> l.onFailed(boatId, queued.command(), ended.why()));
+        } else if (verdict == Verdict.WAIT) {
+            awaitingProgress = true;
+            link.hello(nowMs);
+        }
+    }
+
+    private void finish(QueuedCommand queued) {
+        if (queued.command() instanceof FollowPath path) {
+            visited(queued, path.points().size());
+        }
+        queue.finish(queued);
+        announcements.add(l -> l.onCompleted(boatId, queued.command()));
+    }
+
+    // ---- what the boat is told
+
+    /** Brings the boat to the command whose turn it is, then tells the listener what has happened. */
+    private void settle() {
+        completeEmptyPaths();
+        if (obstacle().isEmpty()) {
+            if (run.isPresent() && !isRunWanted()) {
+                abandonRun();
+                mustStop = true;
+            }
+            Optional<QueuedCommand> wanted = queue.current();
+            if (run.isEmpty() && wanted.isPresent()) {
+                mustStop = false;
+                begin(wanted.get());
+            } else if (run.isEmpty() && mustStop) {
+                mustStop = false;
+                requests.clear();
+                requests.send(new StopMotors(wireId("idle") + "/stop"), nowMs);
+            }
+        }
+        announcements.deliver();
+    }
+
+    /** A path of which nothing is left needs no boat. */
+    private void completeEmptyPaths() {
+        for (var current = queue.current();
+                current.isPresent()
+                        && run.isEmpty()
+                        && current.get().command() instanceof FollowPath path
+                        && current.get().visited() >= path.points().size();
+                current = queue.current()) {
+            finish(current.get());
+        }
+    }
+
+    private void begin(QueuedCommand queued) {
+        requests.clear();
+        String wireId = wireId(queued.command().commandId());
+        CommandRun next = queued.command() instanceof FollowPath path
+                ? new PathRun(queued, path, wireId, config.cruiseSpeedMps(), requests)
+                : new StopRun(queued, wireId, requests);
+        run = Optional.of(next);
+        next.begin(nowMs);
+    }
+
+    private void abandonRun() {
+        run = Optional.empty();
+        requests.clear();
+    }
+
+    /** An id on the link that was never used before: of the command, the start of this base, and a count. */
+    private String wireId(String of) {
+        return of + "#" + config.epoch() + "." + ++wireIds;
+    }
+
+    private void linkChanged() {
+        status = status.with(link.state(), link.bootId());
+        announce(BoatListener::onLinkChange);
+    }
+
+    private void announce(BiConsumer<BoatListener, BoatStatus> news) {
+        BoatStatus now = status;
+        announcements.add(l -> news.accept(l, now));
+    }
+}

@@ -1,0 +1,72 @@
+package org.sami.crw.proxy;
+
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Nack;
+import org.sami.boat.link.Progress;
+
+/** One try to have the boat carry out a command: what is asked of it, and what its answers mean for the command. */
+abstract class CommandRun {
+
+    /** What becomes of the try after an answer. */
+    enum Verdict {
+        /** It goes on. */
+        GO_ON,
+        /** The command is done. */
+        COMPLETED,
+        /** Another try may do it. */
+        RETRY,
+        /** The boat will not do it now, for a reason that will pass. */
+        WAIT,
+        /** The command cannot be done. */
+        FAILED
+    }
+
+    private final QueuedCommand queued;
+    private String why = "";
+
+    CommandRun(QueuedCommand queued) {
+        this.queued = queued;
+    }
+
+    final QueuedCommand queued() {
+        return queued;
+    }
+
+    /** Why the verdict was not to go on, in words. */
+    final String why() {
+        return why;
+    }
+
+    /** How far the try is, in words. */
+    abstract String state();
+
+    /** Whether the boat is expected to be under way. */
+    abstract boolean isDriving();
+
+    /** Asks the first thing of the boat. */
+    abstract void begin(long nowMs);
+
+    /** The boat has done what was asked. */
+    abstract Verdict answered(CommandMessage asked, LinkMessage answer, long nowMs);
+
+    /** Whether a report of progress tells of this command: it names the list of this try, which has been started. */
+    abstract boolean isAbout(Progress progress);
+
+    /** The link is back after a break, and the boat has said what it holds. */
+    abstract Verdict resume(Progress held, long nowMs);
+
+    /** The boat has refused what was asked. */
+    final Verdict refused(Nack nack) {
+        return switch (nack.reason()) {
+            case NOT_GREETED, NOT_COMMANDER, FLEET_STOPPED -> because(Verdict.WAIT, nack.detail());
+            case UNKNOWN_LIST, STALE -> because(Verdict.RETRY, nack.detail());
+            default -> because(Verdict.FAILED, "the boat refused it: " + nack.reason() + ", " + nack.detail());
+        };
+    }
+
+    final Verdict because(Verdict verdict, String reason) {
+        why = reason;
+        return verdict;
+    }
+}

@@ -1,0 +1,60 @@
+package org.sami.crw.proxy;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.OptionalDouble;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Drive along a path; complete when its last point is reached, and at once if none is left.
+ *
+ * @param points in driving order; altitudes are of no meaning
+ * @param speedMps speed in m/s; the fleet's cruise speed if empty
+ * @param startIndex the first point that has not been visited yet; those before it are not driven to
+ */
+public record FollowPath(
+        String commandId,
+        long mission,
+        long activation,
+        List<GeoPoint> points,
+        OptionalDouble speedMps,
+        int startIndex,
+        Priority priority,
+        boolean block)
+        implements BoatCommand {
+
+    /** Refuses a start behind the end of the path and a speed that is not positive. */
+    public FollowPath {
+        CommandChecks.check(commandId, priority);
+        points = List.copyOf(points);
+        Objects.requireNonNull(speedMps, "speedMps");
+        if (startIndex < 0 || startIndex > points.size()) {
+            throw new IllegalArgumentException("a start at " + startIndex + " of " + points.size() + " points");
+        }
+        if (speedMps.isPresent() && !(speedMps.getAsDouble() > 0 && speedMps.getAsDouble() <= 50)) {
+            throw new IllegalArgumentException("a speed of " + speedMps.getAsDouble() + " m/s");
+        }
+    }
+
+    /** A path from its first point, at cruise speed, that does not block. */
+    public static FollowPath of(
+            String commandId, long mission, long activation, List<GeoPoint> points, Priority priority) {
+        return new FollowPath(commandId, mission, activation, points, OptionalDouble.empty(), 0, priority, false);
+    }
+
+    /** Go to one point: a path of one. */
+    public static FollowPath goTo(String commandId, long mission, long activation, GeoPoint point, Priority priority) {
+        return of(commandId, mission, activation, List.of(point), priority);
+    }
+
+    /** The same path, from its first unvisited point on. */
+    public FollowPath startingAt(int index) {
+        return new FollowPath(commandId, mission, activation, points, speedMps, index, priority, block);
+    }
+
+    /** The same command, keeping the boat for its mission. */
+    public FollowPath blocking() {
+        return new FollowPath(commandId, mission, activation, points, speedMps, startIndex, priority, true);
+    }
+}

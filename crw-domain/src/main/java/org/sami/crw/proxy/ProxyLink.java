@@ -1,0 +1,112 @@
+package org.sami.crw.proxy;
+
+import java.util.Optional;
+import org.sami.boat.link.Frame;
+import org.sami.boat.link.FrameSink;
+import org.sami.boat.link.Heartbeat;
+import org.sami.boat.link.Hello;
+import org.sami.boat.link.LinkCodec;
+import org.sami.boat.link.LinkException;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Role;
+import org.sami.boat.link.Welcome;
+
+/** The base's end of one link: says hello until it is welcome, keeps it alive, notices when it is lost. */
+final class ProxyLink {
+    private static final long HELLO_MS = 1000;
+    private static final long HEARTBEAT_MS = 1000;
+    private static final LinkCodec CODEC = new LinkCodec();
+
+    private final String boatId;
+    private final FrameSink toBoat;
+    private final ProxyConfig config;
+    private LinkState state = LinkState.CONNECTING;
+    private Role role = Role.OBSERVER;
+    private String bootId = "";
+    private long sequence;
+    private long nextHelloMs = Long.MIN_VALUE;
+    private long lastSentMs;
+    private long lastReceivedMs;
+    private long unreadable;
+
+    ProxyLink(String boatId, FrameSink toBoat, ProxyConfig config) {
+        this.boatId = boatId;
+        this.toBoat = toBoat;
+        this.config = config;
+    }
+
+    LinkState state() {
+        return state;
+    }
+
+    /** Whether the boat takes commands from here. */
+    boolean isCommanding() {
+        return state == LinkState.LINKED && role == Role.COMMANDER;
+    }
+
+    String bootId() {
+        return bootId;
+    }
+
+    long unreadable() {
+        return unreadable;
+    }
+
+    long lastReceivedMs() {
+        return lastReceivedMs;
+    }
+
+    void send(LinkMessage message, long nowMs) {
+        lastSentMs = nowMs;
+        toBoat.send(CODEC.encode(sequence++, message));
+    }
+
+    /** Reads a frame; what cannot be read is counted and does not keep the link alive. */
+    Optional<Frame> receive(byte[] bytes, long nowMs) {
+        try {
+            Frame frame = CODEC.decode(bytes);
+            lastReceivedMs = nowMs;
+            return Optional.of(frame);
+        } catch (LinkException e) {
+            unreadable++;
+            return Optional.empty();
+        }
+    }
+
+    void hello(long nowMs) {
+        nextHelloMs = nowMs + HELLO_MS;
+        send(new Hello(boatId, config.clientId(), Role.COMMANDER, config.telemetryHz(), ""), nowMs);
+    }
+
+    void helloIfDue(long nowMs) {
+        if (nowMs >= nextHelloMs) {
+            hello(nowMs);
+        }
+    }
+
+    void welcomed(Welcome welcome) {
+        state = LinkState.LINKED;
+        role = welcome.role();
+        bootId = welcome.bootId();
+    }
+
+    /** The link has closed under us. Returns whether that is news. */
+    boolean closed() {
+        boolean news = state == LinkState.LINKED;
+        if (news) {
+            state = LinkState.LOST;
+        }
+        return news;
+    }
+
+    /** Keeps the link alive. Returns whether it was lost just now. */
+    boolean tick(long nowMs) {
+        boolean lost = state == LinkState.LINKED && nowMs - lastReceivedMs > config.lostAfterMs() && closed();
+        if (!isCommanding()) {
+            helloIfDue(nowMs);
+        } else if (nowMs - lastSentMs >= HEARTBEAT_MS) {
+            send(new Heartbeat(Math.max(0, nowMs)), nowMs);
+        }
+        return lost;
+    }
+}

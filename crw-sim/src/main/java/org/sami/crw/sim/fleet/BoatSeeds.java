@@ -1,0 +1,12 @@
+package org.sami.crw.sim.fleet;
+
+import java.util.SplittableRandom;
+
+/** The seeds of one boat's parts. */
+record BoatSeeds(long hull, long toBoat, long toBase) {
+
+    /** The next boat's seeds out of the fleet's. */
+    static BoatSeeds next(SplittableRandom fleet) {
+        return new BoatSeeds(fleet.nextLong(), fleet.nextLong(), fleet.nextLong());
+    }
+}

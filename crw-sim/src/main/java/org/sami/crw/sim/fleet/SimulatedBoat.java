@@ -1,0 +1,127 @@
+package org.sami.crw.sim.fleet;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.sami.boat.server.BoatServer;
+import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.ServerConfig;
+import org.sami.boat.server.ServerSession;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.sim.clock.VirtualScheduler;
+import org.sami.crw.sim.hull.SimulatedHull;
+import org.sami.crw.sim.link.InMemoryPipe;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * One boat of a simulated fleet: its hull, the server on it, the pipes to the base, and its proxy there. The hull tells the
+ * truth; the proxy knows what telemetry has told it.
+ */
+public final class SimulatedBoat {
+    private final String id;
+    private final SimulatedHull hull;
+    private final BoatServer server;
+    private final BoatProxy proxy;
+    private final InMemoryPipe toBoat;
+    private final InMemoryPipe toBase;
+    private final long trackEveryMs;
+    private final List<TrackPoint> track = new ArrayList<>();
+    private final List<ExecutedCommand> executed = new ArrayList<>();
+
+    SimulatedBoat(
+            String id,
+            VirtualScheduler clock,
+            FleetConfig config,
+            LocalFrame frame,
+            double eastM,
+            double northM,
+            BoatSeeds seeds,
+            BoatListener listener) {
+        this.id = id;
+        trackEveryMs = config.trackEveryMs();
+        hull = new SimulatedHull(config.hull(), frame, eastM, northM, seeds.hull());
+        ServerConfig.Builder defaults = ServerConfig.of(id, id + "-boot1")
+                .fullThrustSpeedMps(config.hull().topSpeedMps());
+        server = new BoatServer(
+                config.server().apply(defaults).build(),
+                hull,
+                (nowMs, command, answer) ->
+                        executed.add(new ExecutedCommand(nowMs, command.commandId(), command, answer)));
+        toBoat = new InMemoryPipe(clock, config.pipe(), seeds.toBoat());
+        toBase = new InMemoryPipe(clock, config.pipe(), seeds.toBase());
+        proxy = new BoatProxy(id, toBoat, listener, config.proxy());
+        ServerSession session = server.connect(toBase);
+        toBoat.connect(session::receive);
+        toBase.connect(proxy::receive);
+    }
+
+    /** Names the boat. */
+    public String id() {
+        return id;
+    }
+
+    /** The hull, with its true position and battery; for recharging it, too. */
+    public SimulatedHull hull() {
+        return hull;
+    }
+
+    /** The server on the boat. */
+    public BoatServer server() {
+        return server;
+    }
+
+    /** The base's side. */
+    public BoatProxy proxy() {
+        return proxy;
+    }
+
+    /** The pipe from base to boat, for cutting it. */
+    public InMemoryPipe toBoat() {
+        return toBoat;
+    }
+
+    /** The pipe from boat to base, for cutting it. */
+    public InMemoryPipe toBase() {
+        return toBase;
+    }
+
+    /** Where the boat truly is. */
+    public GeoPoint position() {
+        return GeoPoint.of(hull.latDeg(), hull.lonDeg());
+    }
+
+    /** Metres driven. */
+    public double distanceM() {
+        return hull.distanceM();
+    }
+
+    /** True charge in percent of full. */
+    public double batteryPercent() {
+        return hull.batteryPercent();
+    }
+
+    /** How often the battery was recharged. */
+    public int recharges() {
+        return hull.recharges();
+    }
+
+    /** Where the boat has truly been, in regular steps of time from the start on; unmodifiable. */
+    public List<TrackPoint> track() {
+        return Collections.unmodifiableList(track);
+    }
+
+    /** What the boat's server has executed or refused, each command id once, in order; unmodifiable. */
+    public List<ExecutedCommand> executed() {
+        return Collections.unmodifiableList(executed);
+    }
+
+    void tick(long nowMs, double seconds) {
+        if (nowMs % trackEveryMs == 0) {
+            track.add(new TrackPoint(nowMs, hull.latDeg(), hull.lonDeg(), hull.eastM(), hull.northM()));
+        }
+        server.tick(nowMs);
+        hull.step(seconds);
+        proxy.tick(nowMs);
+    }
+}

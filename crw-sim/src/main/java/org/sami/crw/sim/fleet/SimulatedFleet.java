@@ -1,0 +1,130 @@
+package org.sami.crw.sim.fleet;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.function.Function;
+import org.sami.boat.server.LocalFrame;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.sim.clock.VirtualScheduler;
+
+/**
+ * Boats {@code boat1} to {@code boatN} on one virtual clock: each with a hull, the boat server, two pipes and the base's
+ * proxy. They lie on a line, 5 m apart, eastward from a base point, bows to the north, batteries full.
+ *
+ * <p>{@link #start} has every boat ticked at 10 Hz of virtual time, in order, for as long as somebody drives the clock:
+ *
+ * <pre>{@code
+ * VirtualClock clock = new VirtualClock();
+ * SimulatedFleet fleet = new SimulatedFleet(clock, 42, 5, 45.4, 10.9, id -> listener);
+ * fleet.start();
+ * fleet.boat("boat1").orElseThrow().proxy().submit(FollowPath.of("m1-a1-boat1", 1, 1, points, Priority.MEDIUM));
+ * clock.runUntil(600_000);
+ * }</pre>
+ *
+ * <p>The links are up after about 200 virtual milliseconds; commands that are submitted earlier wait. Listeners are called
+ * inside actions of the clock. Equal seeds and equal commands at equal virtual times give equal tracks, to the last bit.
+ * For the thread that drives the clock.
+ */
+public final class SimulatedFleet {
+    /** Virtual time between two ticks of a boat. */
+    public static final long TICK_MS = 100;
+
+    private static final double SPACING_M = 5;
+
+    private final VirtualScheduler clock;
+    private final LocalFrame frame;
+    private final List<SimulatedBoat> boats = new ArrayList<>();
+    private final ProxyRegistry proxies = new ProxyRegistry();
+    private Optional<Object> run = Optional.empty(); // the present start; a tick of an earlier one does nothing
+
+    /**
+     * A fleet of default boats.
+     *
+     * @param seed everything random about the boats follows from it
+     * @param boatCount how many, from 0 up
+     * @param baseLatDeg latitude of the base point in degrees
+     * @param baseLonDeg longitude of the base point in degrees
+     * @param listeners gives each boat's id its listener; called once per boat, in order
+     */
+    public SimulatedFleet(
+            VirtualScheduler clock,
+            long seed,
+            int boatCount,
+            double baseLatDeg,
+            double baseLonDeg,
+            Function<String, BoatListener> listeners) {
+        this(clock, seed, boatCount, baseLatDeg, baseLonDeg, listeners, FleetConfig.DEFAULT);
+    }
+
+    /** A fleet of other than default boats; the rest as above. */
+    public SimulatedFleet(
+            VirtualScheduler clock,
+            long seed,
+            int boatCount,
+            double baseLatDeg,
+            double baseLonDeg,
+            Function<String, BoatListener> listeners,
+            FleetConfig config) {
+        this.clock = Objects.requireNonNull(clock, "clock");
+        if (boatCount < 0) {
+            throw new IllegalArgumentException("a fleet of " + boatCount + " boats");
+        }
+        frame = new LocalFrame(baseLatDeg, baseLonDeg);
+        SplittableRandom seeds = new SplittableRandom(seed);
+        for (int i = 0; i < boatCount; i++) {
+            String id = "boat" + (i + 1);
+            SimulatedBoat boat = new SimulatedBoat(
+                    id, clock, config, frame, i * SPACING_M, 0, BoatSeeds.next(seeds), listeners.apply(id));
+            boats.add(boat);
+            proxies.add(boat.proxy());
+        }
+    }
+
+    /** Begins to tick the boats, at the present virtual time and every 100 ms from then on. */
+    public void start() {
+        if (run.isEmpty()) {
+            Object started = new Object();
+            run = Optional.of(started);
+            clock.at(clock.nowMs(), () -> tick(started));
+        }
+    }
+
+    /** Ends the ticking: the world of these boats stands still, and nothing of theirs waits on the clock but what is under way. */
+    public void stop() {
+        run = Optional.empty();
+    }
+
+    /** All boats, in order. */
+    public List<SimulatedBoat> boats() {
+        return List.copyOf(boats);
+    }
+
+    /** The boat with this id. */
+    public Optional<SimulatedBoat> boat(String id) {
+        return boats.stream().filter(boat -> boat.id().equals(id)).findFirst();
+    }
+
+    /** The base's proxies, in order. */
+    public ProxyRegistry proxies() {
+        return proxies;
+    }
+
+    /** The plane in metres around the base point, on which the hulls move. */
+    public LocalFrame frame() {
+        return frame;
+    }
+
+    private void tick(Object started) {
+        if (run.isEmpty() || run.get() != started) {
+            return;
+        }
+        for (SimulatedBoat boat : boats) {
+            boat.tick(clock.nowMs(), TICK_MS / 1000.0);
+        }
+        clock.after(TICK_MS, () -> tick(started));
+    }
+}

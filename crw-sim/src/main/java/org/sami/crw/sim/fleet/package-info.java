@@ -1,0 +1,4 @@
+/**
+ * A whole simulated fleet in one process: hulls, boat servers, pipes and the base's proxies on one virtual clock.
+ */
+package org.sami.crw.sim.fleet;
