@@ -1,0 +1,106 @@
+package org.sami.spn.json;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import org.sami.spn.model.MissionTreeNode;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * A domain as it ships: its vocabulary and its library of plans. Each file of the library is a project of its own, so that
+ * it can also be opened, checked and run alone.
+ *
+ * @param files the vocabulary's files as text, for the journal
+ * @param projects the projects of the library, by the name of their file, in the order of the domain's index
+ */
+public record DomainLibrary(Vocabulary vocabulary, VocabularyFiles files, Map<String, Project> projects) {
+    public DomainLibrary {
+        Objects.requireNonNull(vocabulary, "vocabulary");
+        Objects.requireNonNull(files, "files");
+        projects = Collections.unmodifiableMap(new LinkedHashMap<>(projects));
+    }
+
+    /**
+     * Loads a domain from the class path.
+     *
+     * @param folder absolute, such as {@code /org/sami/domain/crw}
+     */
+    public static Reading<DomainLibrary> fromClassPath(String folder) {
+        return load(VocabularyFiles.fromClassPath(folder), name -> VocabularyFiles.resource(folder + "/" + name));
+    }
+
+    /** Loads a domain from a folder. */
+    public static Reading<DomainLibrary> fromFolder(Path folder) {
+        return load(VocabularyFiles.fromFolder(folder), name -> VocabularyFiles.Texts.read(folder.resolve(name)));
+    }
+
+    private static Reading<DomainLibrary> load(Reading<VocabularyFiles> files, VocabularyFiles.Source source) {
+        Problems problems = new Problems();
+        problems.addAll(files.findings(), "");
+        Optional<Vocabulary> vocabulary = files.result().flatMap(f -> {
+            Reading<Vocabulary> reading = VocabularyReader.read(f);
+            problems.addAll(reading.findings(), "");
+            return reading.result();
+        });
+        if (vocabulary.isEmpty()) {
+            return Reading.nothing(problems);
+        }
+        Map<String, Project> projects = readProjects(files.orThrow(), vocabulary.get(), source, problems);
+        return Reading.of(new DomainLibrary(vocabulary.get(), files.orThrow(), projects), problems);
+    }
+
+    private static Map<String, Project> readProjects(
+            VocabularyFiles files, Vocabulary vocabulary, VocabularyFiles.Source source, Problems problems) {
+        ProjectReader reader = new ProjectReader(vocabulary);
+        Map<String, Project> projects = new LinkedHashMap<>();
+        Names planIds = new Names(problems);
+        Names globals = new Names(problems);
+        for (String name : files.library()) {
+            Optional<String> text = VocabularyFiles.fetch(source, name, problems);
+            Optional<Project> project = text.flatMap(t -> {
+                Reading<Project> reading = reader.read(t);
+                problems.addAll(reading.findings(), name + "#");
+                return reading.result();
+            });
+            project.ifPresent(p -> {
+                projects.put(name, p);
+                p.plans().forEach(plan -> planIds.take(plan.id(), name));
+                p.globals().forEach(g -> globals.take(g.name(), name));
+            });
+        }
+        return projects;
+    }
+
+    /** All plans of the library, in order. */
+    public List<Plan> plans() {
+        return projects.values().stream().flatMap(p -> p.plans().stream()).toList();
+    }
+
+    /** The project in which a plan stands. */
+    public Optional<Project> projectOf(String planId) {
+        return projects.values().stream()
+                .filter(p -> p.plan(planId).isPresent())
+                .findFirst();
+    }
+
+    /** One project with all plans and globals of the library, for a session that may start any of them. */
+    public Project combined() {
+        List<Plan> plans = plans();
+        List<VariableSpec> globals = new ArrayList<>();
+        List<MissionTreeNode> tree = new ArrayList<>();
+        projects.values().forEach(p -> {
+            globals.addAll(p.globals());
+            tree.addAll(p.missionTree());
+        });
+        String domain = vocabulary.domain();
+        return new Project(domain + "-library", "Library of " + domain, domain, globals, tree, plans);
+    }
+}

@@ -1,0 +1,71 @@
+package org.sami.spn.json;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.spn.value.NamedType;
+import org.sami.spn.value.Value;
+import org.sami.spn.value.ValueType;
+import org.sami.spn.vocabulary.FieldType;
+import org.sami.spn.vocabulary.MarkupType;
+import org.sami.spn.vocabulary.TaskClass;
+
+/** Reads declarations of fields, and of markups and task classes, which are little more than fields. */
+final class FieldTypeReader {
+    private final Map<String, NamedType> types;
+    private final Problems problems;
+
+    FieldTypeReader(Map<String, NamedType> types, Problems problems) {
+        this.types = types;
+        this.problems = problems;
+    }
+
+    List<FieldType> fields(Members m, String member) {
+        Names taken = new Names(problems);
+        return m.objects(member).stream()
+                .map(f -> field(f, taken))
+                .flatMap(Optional::stream)
+                .toList();
+    }
+
+    private Optional<FieldType> field(Members m, Names taken) {
+        String name = m.text("name");
+        taken.take(name, m.pointer());
+        Optional<ValueType> type = type(m, "type");
+        String unit = m.text("unit", "");
+        Optional<Value> defaultValue = type.isPresent()
+                ? m.node("default").flatMap(n -> new ValueReader(types, problems).read(n, type.get(), m.at("default")))
+                : Optional.empty();
+        boolean required = m.flag("required", !m.has("default"));
+        if (required && m.has("default")) {
+            m.problem(Codes.BAD_VALUE, "required", "A field with a default is not required");
+        }
+        String help = m.text("help", "");
+        m.done();
+        return type.map(t -> new FieldType(name, t, unit, required, defaultValue, help));
+    }
+
+    /** A type that must be there and whose names must be declared. */
+    Optional<ValueType> type(Members m, String member) {
+        String text = m.text(member);
+        Optional<ValueType> type = TypeNames.parse(text);
+        if (type.isEmpty() && !text.isEmpty()) {
+            m.problem(Codes.UNKNOWN_TYPE, member, "\"" + text + "\" is no type, such as real, list<point>, Allocation");
+        }
+        return type.filter(t -> NamedTypeReader.check(t, types, m.at(member), problems));
+    }
+
+    Optional<MarkupType> markup(Members m, Names taken) {
+        String name = m.text("name");
+        taken.take(name, m.pointer());
+        List<String> aliases = m.texts("aliases");
+        aliases.forEach(alias -> taken.take(alias, m.at("aliases")));
+        return Optional.of(new MarkupType(name, aliases, fields(m, "options"), m.text("label"), m.text("help")));
+    }
+
+    Optional<TaskClass> taskClass(Members m, Names taken) {
+        String name = m.text("name");
+        taken.take(name, m.pointer());
+        return Optional.of(new TaskClass(name, fields(m, "fields"), m.text("help")));
+    }
+}

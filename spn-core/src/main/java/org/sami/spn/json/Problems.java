@@ -1,0 +1,42 @@
+package org.sami.spn.json;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.spn.finding.Finding;
+
+/** Collects the errors of one document while it is read. */
+final class Problems {
+    private final List<Finding> findings = new ArrayList<>();
+
+    void add(String code, String pointer, String message, String... elements) {
+        findings.add(Finding.error(code, pointer, message, elements));
+    }
+
+    /** Adds findings of another document whose place in this one, or whose name, is given. */
+    void addAll(List<Finding> others, String prefix) {
+        for (Finding f : others) {
+            findings.add(new Finding(f.severity(), f.code(), prefix + f.pointer(), f.message(), f.elements()));
+        }
+    }
+
+    boolean none() {
+        return findings.stream().noneMatch(Finding::isError);
+    }
+
+    int count() {
+        return findings.size();
+    }
+
+    List<Finding> findings() {
+        return List.copyOf(findings);
+    }
+
+    /** A pointer one step deeper, escaped after RFC 6901. */
+    static String at(String pointer, String member) {
+        return pointer + "/" + member.replace("~", "~0").replace("/", "~1");
+    }
+
+    static String at(String pointer, int index) {
+        return pointer + "/" + index;
+    }
+}

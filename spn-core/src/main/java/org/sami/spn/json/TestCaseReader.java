@@ -1,0 +1,140 @@
+package org.sami.spn.json;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.spn.model.OutputEventSpec;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.TestCase;
+import org.sami.spn.model.TestStep;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.value.DurationValue;
+import org.sami.spn.value.Value;
+import org.sami.spn.value.ValueType;
+import org.sami.spn.vocabulary.Direction;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.FieldType;
+
+/** Reads the test cases that are saved with a plan. */
+final class TestCaseReader {
+    private final PlanParts parts;
+    private final Map<String, Place> places = new LinkedHashMap<>();
+    private final Map<String, OutputEventSpec> outputs = new LinkedHashMap<>();
+    private final Map<String, ValueType> variables = new LinkedHashMap<>();
+
+    TestCaseReader(PlanParts parts, List<Place> places, List<VariableSpec> variables) {
+        this.parts = parts;
+        places.forEach(p -> {
+            this.places.put(p.id(), p);
+            p.outputs().forEach(o -> outputs.put(o.id(), o));
+        });
+        variables.forEach(v -> this.variables.put(v.name(), v.type()));
+    }
+
+    TestCase read(Members m) {
+        String name = m.text("name");
+        List<String> proxies = m.texts("proxies");
+        List<TestStep> steps = new ArrayList<>();
+        for (Members s : m.objects("steps")) {
+            step(s).ifPresent(steps::add);
+            s.done();
+        }
+        m.done();
+        return new TestCase(name, proxies, steps);
+    }
+
+    private Optional<TestStep> step(Members s) {
+        String verb = s.has("expect") ? "expect " + s.text("expect") : s.text("do");
+        return switch (verb) {
+            case "answer" -> answer(s);
+            case "occur" -> occur(s);
+            case "press" -> Optional.of(new TestStep.Press(s.text("interrupt"), s.texts("proxies")));
+            case "advance" -> advance(s);
+            case "expect tokens" ->
+                Optional.of(new TestStep.ExpectTokens(
+                        known(s, "place", places), s.integer("generic", 0), s.texts("proxies")));
+            case "expect ended" -> Optional.of(new TestStep.ExpectEnded());
+            default -> {
+                s.problem(
+                        Codes.UNKNOWN_WORD,
+                        "",
+                        "A step is \"do\": answer, occur, press, advance; or \"expect\": tokens, ended");
+                yield Optional.empty();
+            }
+        };
+    }
+
+    private Optional<TestStep> answer(Members s) {
+        String event = s.has("event") ? known(s, "event", outputs) : "";
+        Optional<TestStep.Reply> reply = Optional.empty();
+        if (s.has("yes")) {
+            reply = Optional.of(new TestStep.Reply.YesNo(s.flag("yes")));
+        } else if (s.has("proxies")) {
+            reply = Optional.of(new TestStep.Reply.Proxies(s.texts("proxies")));
+        } else if (s.has("option")) {
+            reply = Optional.of(new TestStep.Reply.Option(s.integer("option", 0)));
+        } else if (s.has("rejected")) {
+            s.flag("rejected");
+            reply = Optional.of(new TestStep.Reply.Rejected());
+        } else if (s.has("values")) {
+            Map<String, Value> values = new LinkedHashMap<>();
+            s.map("values")
+                    .forEach((key, element) -> answerType(event, key, element.pointer())
+                            .flatMap(type -> parts.value(element, type))
+                            .ifPresent(v -> values.put(key, v)));
+            reply = Optional.of(new TestStep.Reply.Values(values));
+        } else {
+            s.problem(
+                    Codes.MISSING,
+                    "",
+                    "An answer has one of \"yes\", \"proxies\", \"option\", \"rejected\", \"values\"");
+        }
+        return reply.map(r -> new TestStep.Answer(event, r));
+    }
+
+    /** The type of a value in an answer, empty where the key means nothing, which is reported. */
+    private Optional<ValueType> answerType(String event, String key, String pointer) {
+        Optional<ValueType> type = AnswerKeys.type(parts.vocabulary(), outputs, variables, event, key);
+        if (type.isEmpty()) {
+            parts.problems().add(Codes.UNKNOWN_FIELD, pointer, "Nothing is asked under the name \"" + key + "\"");
+        }
+        return type;
+    }
+
+    private Optional<TestStep> occur(Members s) {
+        String name = s.text("type");
+        Optional<EventType> type = parts.vocabulary().event(name).filter(t -> t.direction() == Direction.INPUT);
+        String answers = s.has("answers") ? known(s, "answers", outputs) : "";
+        List<String> proxies = s.texts("proxies");
+        Map<String, Members.Element> given = s.map("values");
+        if (type.isEmpty()) {
+            s.problem(Codes.UNKNOWN_EVENT, "type", "There is no input event \"" + name + "\"");
+            return Optional.empty();
+        }
+        List<FieldType> fields = type.get().fields();
+        return Optional.of(new TestStep.Occur(
+                type.get().name(),
+                answers,
+                proxies,
+                parts.fields(given, fields, "event " + type.get().name())));
+    }
+
+    private Optional<TestStep> advance(Members s) {
+        Optional<Value> by =
+                s.node("by").flatMap(n -> parts.value(new Members.Element(n, s.at("by")), ValueType.Simple.DURATION));
+        if (!s.has("by")) {
+            s.problem(Codes.MISSING, "", "\"by\" says how much time passes");
+        }
+        return by.map(v -> new TestStep.Advance(((DurationValue) v).millis()));
+    }
+
+    private static String known(Members s, String member, Map<String, ?> elements) {
+        String id = s.text(member);
+        if (!id.isEmpty() && !elements.containsKey(id)) {
+            s.problem(Codes.DANGLING, member, "The plan has no \"" + id + "\" that could be meant here", id);
+        }
+        return id;
+    }
+}

@@ -1,0 +1,103 @@
+package org.sami.spn.json;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * The files of one domain as text, by name: {@code domain.json} first, then those that it lists, in its order. A journal
+ * stores them as they are, so that a resumed session uses the words with which it began.
+ */
+public record VocabularyFiles(Map<String, String> texts) {
+    /** The file that names the others. */
+    public static final String INDEX = "domain.json";
+
+    public VocabularyFiles {
+        texts = Collections.unmodifiableMap(new LinkedHashMap<>(texts));
+    }
+
+    /**
+     * Finds the files among the resources of the class path.
+     *
+     * @param folder absolute, such as {@code /org/sami/domain/crw}
+     */
+    public static Reading<VocabularyFiles> fromClassPath(String folder) {
+        return load(name -> resource(folder + "/" + name));
+    }
+
+    /** Finds the files in a folder. */
+    public static Reading<VocabularyFiles> fromFolder(Path folder) {
+        return load(name -> Texts.read(folder.resolve(name)));
+    }
+
+    /** A text by name; empty where there is none. */
+    interface Source {
+        Optional<String> text(String name) throws IOException;
+    }
+
+    static Optional<String> resource(String name) throws IOException {
+        try (InputStream in = VocabularyFiles.class.getResourceAsStream(name)) {
+            return in == null ? Optional.empty() : Optional.of(Texts.decode(in.readAllBytes()));
+        }
+    }
+
+    /** The plan files that the index lists, by name. */
+    List<String> library() {
+        Problems ignored = new Problems();
+        return JsonText.parse(texts.getOrDefault(INDEX, "{}"), ignored)
+                .flatMap(node -> Members.of(node, "", ignored))
+                .map(m -> m.texts("library"))
+                .orElse(List.of());
+    }
+
+    private static Reading<VocabularyFiles> load(Source source) {
+        Problems problems = new Problems();
+        Map<String, String> texts = new LinkedHashMap<>();
+        fetch(source, INDEX, problems).ifPresent(text -> texts.put(INDEX, text));
+        if (texts.containsKey(INDEX)) {
+            Problems inIndex = new Problems();
+            JsonText.parse(texts.get(INDEX), inIndex)
+                    .flatMap(node -> Members.of(node, "", inIndex))
+                    .ifPresent(m -> m.texts("files")
+                            .forEach(name -> fetch(source, name, problems).ifPresent(t -> texts.put(name, t))));
+            problems.addAll(inIndex.findings(), INDEX + "#");
+        }
+        return Reading.of(new VocabularyFiles(texts), problems);
+    }
+
+    static Optional<String> fetch(Source source, String name, Problems problems) {
+        try {
+            Optional<String> text = source.text(name);
+            if (text.isEmpty()) {
+                problems.add(Codes.FILE, name, "The file " + name + " is not there");
+            }
+            return text;
+        } catch (IOException e) {
+            problems.add(Codes.FILE, name, "The file " + name + " cannot be read: " + e.getMessage());
+            return Optional.empty();
+        }
+    }
+
+    /** Files as text. */
+    static final class Texts {
+        private Texts() {}
+
+        static Optional<String> read(Path file) throws IOException {
+            return Files.isRegularFile(file) ? Optional.of(decode(Files.readAllBytes(file))) : Optional.empty();
+        }
+
+        static String decode(byte[] bytes) throws IOException {
+            return StandardCharsets.UTF_8
+                    .newDecoder()
+                    .decode(java.nio.ByteBuffer.wrap(bytes))
+                    .toString();
+        }
+    }
+}

@@ -1,0 +1,107 @@
+package org.sami.spn.json;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import org.sami.spn.value.NamedType;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.MarkupType;
+import org.sami.spn.vocabulary.TaskClass;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * Reads a domain's files into its vocabulary, or says everything that is wrong with them. Pointers of findings begin with
+ * the file: {@code events.json#/events/3/fields/0}.
+ */
+public final class VocabularyReader {
+    /** The version of the format that is read and shipped. */
+    public static final int FORMAT_VERSION = 1;
+
+    private final VocabularyFiles files;
+    private final Problems problems = new Problems();
+    private final Map<String, Members> roots = new LinkedHashMap<>();
+    private final Map<String, NamedType> types = new LinkedHashMap<>();
+
+    private VocabularyReader(VocabularyFiles files) {
+        this.files = files;
+    }
+
+    /** The vocabulary of the files. */
+    public static Reading<Vocabulary> read(VocabularyFiles files) {
+        return new VocabularyReader(files).read();
+    }
+
+    /** The vocabulary of a domain on the class path, its folder given as {@code /org/sami/domain/crw}. */
+    public static Reading<Vocabulary> fromClassPath(String folder) {
+        Reading<VocabularyFiles> found = VocabularyFiles.fromClassPath(folder);
+        return found.result()
+                .map(VocabularyReader::read)
+                .orElseGet(() -> new Reading<>(Optional.empty(), found.findings()));
+    }
+
+    private Reading<Vocabulary> read() {
+        files.texts().forEach((name, text) -> {
+            Problems syntax = new Problems();
+            JsonText.parse(text, syntax)
+                    .flatMap(node -> Members.of(node, name + "#", problems))
+                    .ifPresent(m -> roots.put(name, m));
+            problems.addAll(syntax.findings(), name + "#");
+        });
+        Members index = roots.get(VocabularyFiles.INDEX);
+        if (index == null) {
+            return Reading.nothing(problems);
+        }
+        String domain = readIndex(index);
+        readTypes();
+        FieldTypeReader fields = new FieldTypeReader(types, problems);
+        List<EventType> events = all("events", new EventTypeReader(fields)::read);
+        List<MarkupType> markups = all("markups", fields::markup);
+        List<TaskClass> tasks = all("taskClasses", fields::taskClass);
+        roots.values().forEach(Members::done);
+        Vocabulary vocabulary = new Vocabulary(domain, List.copyOf(types.values()), events, markups, tasks);
+        if (problems.none()) {
+            new VocabularyChecks(vocabulary, problems).check();
+        }
+        return Reading.of(vocabulary, problems);
+    }
+
+    private String readIndex(Members index) {
+        int version = index.integer("formatVersion", 0);
+        if (version != FORMAT_VERSION) {
+            index.problem(
+                    Codes.VERSION,
+                    "formatVersion",
+                    "This program reads vocabularies of version " + FORMAT_VERSION + ", not " + version);
+        }
+        index.text("label");
+        index.texts("files");
+        index.texts("library");
+        return index.text("domain");
+    }
+
+    private void readTypes() {
+        NamedTypeReader reader = new NamedTypeReader(problems);
+        for (NamedType type : all("types", (m, taken) -> reader.read(m, taken))) {
+            types.put(type.name(), type);
+        }
+        reader.checkReferences(types);
+    }
+
+    /** Reads the items of a list that any of the files may hold; names taken so far are shared over the files. */
+    private <T> List<T> all(String member, BiFunction<Members, Names, Optional<T>> reader) {
+        List<T> items = new ArrayList<>();
+        Names taken = new Names(problems);
+        for (Members root : roots.values()) {
+            if (root.has(member)) {
+                root.objects(member).forEach(m -> {
+                    reader.apply(m, taken).ifPresent(items::add);
+                    m.done();
+                });
+            }
+        }
+        return items;
+    }
+}
