@@ -145,7 +145,7 @@ public final class BoatServer {
             loseCommander();
             commander = Optional.empty();
         }
-        session.greeted(granted, hello, config.telemetryHz(), nowMs);
+        session.greeted(granted, hello, config.telemetryHz());
         session.send(new Welcome(config.boatId(), config.bootId(), granted, ""), nowMs);
         session.send(battery(), nowMs);
         session.send(pilot.track().progress(), nowMs);

@@ -69,11 +69,11 @@ public final class ServerSession {
         return refusedFrames;
     }
 
-    void greeted(Role granted, Hello hello, double defaultHz, long nowMs) {
+    void greeted(Role granted, Hello hello, double defaultHz) {
         role = Optional.of(granted);
         double hz = hello.telemetryHz() > 0 ? hello.telemetryHz() : defaultHz;
         telemetryPeriodMs = Math.max(1, Math.round(1000 / hz));
-        nextTelemetryMs = nowMs;
+        nextTelemetryMs = Long.MIN_VALUE; // with the next tick
         lastTeleoperation = -1;
         lastMotion = -1;
     }
@@ -110,7 +110,8 @@ public final class ServerSession {
         }
         if (nowMs >= nextTelemetryMs) {
             send(server.telemetry(nowMs), nowMs);
-            nextTelemetryMs = Math.max(nextTelemetryMs, nowMs - telemetryPeriodMs) + telemetryPeriodMs;
+            boolean onTime = nextTelemetryMs > nowMs - telemetryPeriodMs;
+            nextTelemetryMs = (onTime ? nextTelemetryMs : nowMs) + telemetryPeriodMs;
         } else if (nowMs - lastSentMs >= HEARTBEAT_MS) {
             send(new Heartbeat(nowMs), nowMs);
         }
