@@ -10,6 +10,7 @@ import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.FieldType;
+import org.sami.spn.vocabulary.Reserved;
 
 /** Reads the events on places and transitions. */
 final class EventSpecReader {
@@ -136,7 +137,7 @@ final class EventSpecReader {
 
     private Optional<FieldSource> variable(Members m) {
         String name = m.text("variable");
-        if (name.equals("@task")) {
+        if (name.equals(Reserved.TASK_VARIABLE)) {
             return Optional.of(new FieldSource.FromTask());
         }
         return parts.checkVariable(name, m.at("variable"))

@@ -95,6 +95,17 @@ final class Members {
         return found.map(JsonNode::intValue).orElse(absent);
     }
 
+    /** A whole number that must be there; 0 after a problem. */
+    long whole(String member) {
+        Optional<JsonNode> found = node(member);
+        if (found.isEmpty()) {
+            problem(Codes.MISSING, "", "The member \"" + member + "\" is missing");
+        } else if (!(found.get().isIntegralNumber() && found.get().canConvertToLong())) {
+            problem(Codes.WRONG_TYPE, member, "A whole number is expected here, not " + describe(found.get()));
+        }
+        return found.map(JsonNode::longValue).orElse(0L);
+    }
+
     /** A word that must be there. */
     <E extends Enum<E>> Optional<E> word(String member, Class<E> type) {
         String word = text(member);

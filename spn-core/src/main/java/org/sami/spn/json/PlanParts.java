@@ -11,6 +11,7 @@ import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.MarkupType;
+import org.sami.spn.vocabulary.Reserved;
 import org.sami.spn.vocabulary.TaskClass;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -71,7 +72,7 @@ final class PlanParts {
                     "A variable's name is @ and a letter, then letters, digits, points: not \"" + name + "\"");
             return false;
         }
-        if (name.equals("@task")) {
+        if (name.equals(Reserved.TASK_VARIABLE)) {
             problems.add(Codes.VARIABLE_NAME, pointer, "@task is reserved: it reads a field from the entering task");
             return false;
         }

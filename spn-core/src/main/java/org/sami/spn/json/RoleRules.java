@@ -7,6 +7,7 @@ import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.FieldType;
+import org.sami.spn.vocabulary.Reserved;
 
 /** On which side an event with a role stands, and which fields the engine reads from it by fixed names. */
 final class RoleRules {
@@ -49,12 +50,13 @@ final class RoleRules {
 
     private static Map<String, ValueType> fields(EventRole role) {
         return switch (role) {
-            case TIMER, PROXY_TIMER -> Map.of("duration", ValueType.Simple.DURATION);
-            case INTERRUPT, GENERAL_INTERRUPT, PROXY_INTERRUPT -> Map.of("interruptName", ValueType.Simple.TEXT);
-            case RETURN_VALUE, CHECK_RETURN -> Map.of("value", ValueType.Simple.TEXT);
+            case TIMER, PROXY_TIMER -> Map.of(Reserved.DURATION, ValueType.Simple.DURATION);
+            case INTERRUPT, GENERAL_INTERRUPT, PROXY_INTERRUPT ->
+                Map.of(Reserved.INTERRUPT_NAME, ValueType.Simple.TEXT);
+            case RETURN_VALUE, CHECK_RETURN -> Map.of(Reserved.VALUE, ValueType.Simple.TEXT);
             case APPLY_ALLOCATION ->
-                Map.of("tasks", new ValueType.MapOf(ValueType.Simple.TASK, ValueType.Simple.PROXY));
-            case GENERATE_TASKS -> Map.of("taskClass", ValueType.Simple.TEXT);
+                Map.of(Reserved.TASKS, new ValueType.MapOf(ValueType.Simple.TASK, ValueType.Simple.PROXY));
+            case GENERATE_TASKS -> Map.of(Reserved.TASK_CLASS, ValueType.Simple.TEXT);
             default -> Map.of();
         };
     }

@@ -9,6 +9,7 @@ import org.sami.spn.vocabulary.DecisionType;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.FieldType;
+import org.sami.spn.vocabulary.Reserved;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** Checks what the events of a vocabulary say about each other. Its pointers name the event: {@code events#Name}. */
@@ -63,7 +64,7 @@ final class VocabularyChecks {
             report(Codes.DECISION, event, rejects ? "its decision lacks \"rejected\"" : "nothing can be rejected here");
         }
         if (decision.form() == DecisionForm.REDEFINE_VARIABLE
-                && event.field("variable").map(FieldType::type).orElse(ValueType.Simple.ANY)
+                && event.field(Reserved.VARIABLE).map(FieldType::type).orElse(ValueType.Simple.ANY)
                         != ValueType.Simple.VARIABLE) {
             report(Codes.DECISION, event, "a decision on a variable needs the field \"variable\" of type variable");
         }
