@@ -11,12 +11,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** Holds the modules to the map. Every rule first makes sure that it saw the classes it speaks of. */
 class ModuleMapTest {
+    /** Raised as SAMI grows, like the numbers of the modules. */
+    private static final int LEAST_CLASSES_OF_ALL = 300;
+
     @ParameterizedTest
     @EnumSource(SamiModule.class)
     void keepsToItsOwnPackages(SamiModule module) {
@@ -47,6 +51,15 @@ class ModuleMapTest {
                 .beFreeOfCycles()
                 .allowEmptyShould(true)
                 .check(classes);
+    }
+
+    @Test
+    void seesTheWholeOfSami() {
+        int all = Arrays.stream(SamiModule.values())
+                .mapToInt(module -> module.classes().size())
+                .sum();
+
+        assertThat(all).isGreaterThanOrEqualTo(LEAST_CLASSES_OF_ALL);
     }
 
     @Test

@@ -17,12 +17,12 @@ import java.util.stream.Stream;
  * package of the boats domain; ARCHITECTURE.md shows the same map in words.
  */
 enum SamiModule {
-    SPN_CORE("spn-core", 60, List.of("org.sami.spn.."), List.of()),
-    BOAT_LINK("boat-link", 1, List.of("org.sami.boat.link.."), List.of()),
-    BOAT_SERVER("boat-server-android/server", 1, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
+    SPN_CORE("spn-core", 180, List.of("org.sami.spn.."), List.of()),
+    BOAT_LINK("boat-link", 40, List.of("org.sami.boat.link.."), List.of()),
+    BOAT_SERVER("boat-server-android/server", 15, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
     CRW_DOMAIN(
             "crw-domain",
-            1,
+            40,
             List.of(
                     "org.sami.crw.decision..",
                     "org.sami.crw.event..",
@@ -32,7 +32,7 @@ enum SamiModule {
                     "org.sami.crw.service.."),
             List.of(SPN_CORE, BOAT_LINK)),
     /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */
-    CRW_SIM("crw-sim", 1, List.of("org.sami.crw.sim.."), List.of(CRW_DOMAIN, BOAT_SERVER, BOAT_LINK, SPN_CORE));
+    CRW_SIM("crw-sim", 14, List.of("org.sami.crw.sim.."), List.of(CRW_DOMAIN, BOAT_SERVER, BOAT_LINK, SPN_CORE));
 
     private final String folder;
     private final int leastClasses;
