@@ -1,0 +1,252 @@
+package org.sami.crw.sim.fleet;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.UploadWaypoints;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.sim.link.PipeConfig;
+import org.sami.spn.protocol.Priority;
+
+class FleetLinksTest {
+
+    private static void cut(World world, boolean cut) {
+        world.boat().toBoat().setCut(cut);
+        world.boat().toBase().setCut(cut);
+    }
+
+    @Test
+    void lostLinkIsShownWithinHalfASecondOfTheLimit() {
+        World world = new World(1);
+        world.run(10);
+        cut(world, true); // the last frame came at 9.12 s
+        world.clock.runUntil(12_600);
+        assertThat(world.proxy().status().link()).isEqualTo(LinkState.LINKED);
+
+        world.clock.runUntil(12_700);
+
+        assertThat(world.proxy().status().link()).isEqualTo(LinkState.LOST);
+        assertThat(world.reports()).endsWith("link LOST");
+        assertThat(world.proxy().explain().text()).contains("the link has been lost");
+    }
+
+    @ParameterizedTest
+    @EnumSource(LostLinkAction.class)
+    void pathGoesOnWhereItWasAfterALostLink(LostLinkAction action) {
+        World world = new World(1, 3, FleetConfig.DEFAULT.withServer(server -> server.lostLinkAction(action)));
+        world.proxy().submit(world.path(1, 0, 40, 0, 80, 0, 120));
+        world.run(40);
+        cut(world, true);
+        world.run(30);
+        double northM = world.hull().northM();
+        cut(world, false);
+        world.run(150);
+
+        assertThat(world.reports())
+                .containsSubsequence("visited 1 of m1-boat1", "link LOST", "link LINKED", "completed m1-boat1");
+        assertThat(world.reports().stream().filter(line -> line.startsWith("visited")))
+                .hasSize(3);
+        assertThat(world.distanceTo(0, 120)).isLessThan(5);
+        long uploads = world.boat().executed().stream()
+                .filter(e -> e.command() instanceof UploadWaypoints)
+                .count();
+        assertThat(uploads).as("the boat still held the list").isEqualTo(1);
+        assertThat(northM).isGreaterThan(action == LostLinkAction.RETURN ? 0 : 40);
+    }
+
+    @Test
+    void boatHoldsWhileTheLinkIsLost() {
+        World world = new World(1);
+        world.proxy().submit(world.path(1, 0, 400));
+        world.run(40);
+        cut(world, true);
+        world.run(10);
+
+        double northM = world.hull().northM();
+        assertThat(world.boat().server().mode()).isEqualTo(BoatMode.HOLD);
+        assertThat(world.hull().speedMps()).isZero();
+        world.run(60);
+        assertThat(world.hull().northM()).isEqualTo(northM);
+    }
+
+    @Test
+    void boatThatLostItsCommanderAloneIsToldToGoOn() {
+        World world = new World(1);
+        world.proxy().submit(world.path(1, 0, 200));
+        world.run(40);
+        world.boat().toBoat().setCut(true); // telemetry still comes
+        world.run(20);
+        assertThat(world.boat().server().mode()).isEqualTo(BoatMode.HOLD);
+        assertThat(world.proxy().status().link()).isEqualTo(LinkState.LINKED);
+
+        world.boat().toBoat().setCut(false);
+        world.run(150);
+
+        assertThat(world.reports()).endsWith("completed m1-boat1");
+    }
+
+    @Test
+    void missionWithdrawnDuringALostLinkLeavesTheBoatStoppedAfterwards() {
+        World world = new World(
+                1, 3, FleetConfig.DEFAULT.withServer(server -> server.lostLinkAction(LostLinkAction.CONTINUE)));
+        world.proxy().submit(world.path(1, 0, 400));
+        world.run(30);
+        cut(world, true);
+        world.run(10);
+        world.proxy().withdraw(1);
+        world.run(10);
+        assertThat(world.hull().speedMps()).isGreaterThan(1);
+        int starts = starts(world);
+
+        cut(world, false);
+        world.run(8);
+
+        assertThat(world.hull().speedMps()).isZero();
+        assertThat(world.boat().server().mode()).isEqualTo(BoatMode.STOPPED);
+        assertThat(starts(world)).isEqualTo(starts);
+    }
+
+    private static int starts(World world) {
+        return (int) world.boat().executed().stream()
+                .filter(e -> e.command() instanceof StartWaypoints)
+                .count();
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.05, 0.2, 0.5})
+    void pathIsDrivenOverALinkThatLosesFrames(double loss) {
+        for (long seed = 0; seed < 10; seed++) {
+            World world = new World(1, seed, FleetConfig.DEFAULT.withPipe(new PipeConfig(30, 40, loss)));
+            world.proxy().submit(world.path(1, 0, 30, 30, 30, 30, 0));
+            world.run(600);
+
+            assertThat(world.reports()).as("seed %d", seed).contains("completed m1-boat1");
+            assertThat(world.distanceTo(30, 0)).isLessThan(6);
+            assertThat(world.boat().executed())
+                    .extracting(ExecutedCommand::commandId)
+                    .doesNotHaveDuplicates();
+        }
+    }
+
+    @Test
+    void linkCutAtAnyStepOfAnUploadEndsWithTheWholePathDriven() {
+        SplittableRandom random = new SplittableRandom(12);
+        for (int trial = 0; trial < 40; trial++) {
+            World world = new World(1, trial, FleetConfig.DEFAULT);
+            world.proxy().submit(world.path("a", 1, Priority.MEDIUM, 0, 200));
+            world.run(20);
+            world.proxy().submit(world.path("b", 1, Priority.MEDIUM, 10, 40, 20, 40));
+            world.clock.runUntil(world.clock.nowMs() + random.nextLong(150));
+            cut(world, true);
+            world.run(random.nextInt(1, 12));
+            cut(world, false);
+            world.run(120);
+
+            assertThat(world.reports()).as("trial %d", trial).contains("SUPERSEDED a", "completed b");
+            assertThat(world.distanceTo(20, 40)).isLessThan(5);
+        }
+    }
+
+    @Test
+    void handThatDrivesTakesTheBoatUntilItIsReleased() {
+        World world = new World(1);
+        world.proxy().submit(world.path(1, 0, 60));
+        world.run(10);
+        for (int i = 0; i < 100; i++) {
+            world.proxy().teleoperate(0.4, 0.5);
+            world.run(0.1);
+        }
+        assertThat(world.boat().server().mode()).isEqualTo(BoatMode.TELEOPERATION);
+        assertThat(world.proxy().explain().text()).contains("driven by hand");
+        world.run(10);
+        assertThat(world.boat().server().mode()).isEqualTo(BoatMode.STOPPED);
+        assertThat(world.hull().speedMps()).isZero();
+
+        world.proxy().release();
+        world.run(120);
+
+        assertThat(world.reports()).endsWith("completed m1-boat1");
+    }
+
+    @Test
+    void deadmanStopsTheMotorsTwoSecondsAfterTheLastSetting() {
+        World world = new World(1);
+        world.run(1);
+        world.proxy().teleoperate(0.5, 0);
+        world.run(2.0);
+        assertThat(world.hull().speedMps()).isPositive();
+
+        world.run(3.0);
+
+        assertThat(world.hull().speedMps()).isZero();
+        assertThat(world.boat().server().mode()).isEqualTo(BoatMode.STOPPED);
+    }
+
+    @Test
+    void fleetStopHoldsEveryBoatUntilReleasedAndMissionsGoOn() {
+        World world = new World(2);
+        for (SimulatedBoat boat : world.fleet.boats()) {
+            boat.proxy().submit(world.path("m1-" + boat.id(), 1, Priority.MEDIUM, 0, 60));
+        }
+        world.run(15);
+        world.fleet.proxies().fleetStop();
+        world.run(5);
+
+        assertThat(world.fleet.boats()).allSatisfy(boat -> {
+            assertThat(boat.hull().speedMps()).isZero();
+            assertThat(boat.server().mode()).isEqualTo(BoatMode.FLEET_STOP);
+            assertThat(boat.proxy().explain().text()).contains("the fleet stop is latched; one command waits");
+        });
+        world.proxy().submit(world.path("crit", 2, Priority.CRITICAL, 30, 0));
+        world.run(20);
+        assertThat(world.hull().speedMps()).isZero();
+
+        world.fleet.proxies().fleetRelease();
+        world.run(120);
+
+        assertThat(world.reports()).containsSubsequence("completed crit", "completed m1-boat1");
+        assertThat(world.recorders.get("boat2").lines).endsWith("completed m1-boat2");
+    }
+
+    @Test
+    void fleetStopPressedWhileTheLinkIsLostReachesTheBoatLater() {
+        World world = new World(
+                1, 1, FleetConfig.DEFAULT.withServer(server -> server.lostLinkAction(LostLinkAction.CONTINUE)));
+        world.proxy().submit(world.path(1, 0, 300));
+        world.run(20);
+        cut(world, true);
+        world.run(6);
+        world.fleet.proxies().fleetStop();
+        world.run(6);
+        assertThat(world.hull().speedMps()).isGreaterThan(1);
+
+        cut(world, false);
+        world.run(6);
+
+        assertThat(world.boat().server().mode()).isEqualTo(BoatMode.FLEET_STOP);
+        assertThat(world.hull().speedMps()).isZero();
+    }
+
+    @Test
+    void batteryClassesReachTheListenerAsTheyChange() {
+        World world = new World(1);
+        world.proxy().submit(world.path(1, 0, 400));
+        world.hull().setBatteryPercent(30.2);
+        world.run(20);
+        world.hull().setBatteryPercent(15.1);
+        world.run(20);
+        world.hull().recharge();
+        world.run(1);
+
+        assertThat(world.reports().stream().filter(line -> line.startsWith("battery")))
+                .isEqualTo(List.of("battery NOMINAL", "battery LOW", "battery CRITICAL", "battery NOMINAL"));
+    }
+}
