@@ -2,13 +2,28 @@ package org.sami.domain;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.sami.spn.json.CanonicalJson;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.json.Reading;
 import org.sami.spn.model.Plan;
 
 class ShippedFilesTest {
     private static final String CRW = "/org/sami/domain/crw";
+    private static final Path RESOURCES = Path.of("src/main/resources");
+    private static final int LEAST_FILES = 7;
+
+    private static List<Path> jsonFiles() throws IOException {
+        try (Stream<Path> files = Files.walk(RESOURCES)) {
+            return files.filter(f -> f.toString().endsWith(".json")).sorted().toList();
+        }
+    }
 
     @Test
     void boatsDomainIsReadWithoutAnyFinding() {
@@ -17,5 +32,43 @@ class ShippedFilesTest {
         assertThat(reading.findings()).isEmpty();
         assertThat(reading.orThrow().plans()).extracting(Plan::id).containsExactly("clv", "station-keep");
         assertThat(reading.orThrow().vocabulary().markups()).hasSize(16);
+    }
+
+    @Test
+    void folderAndClassPathHoldTheSameDomain() {
+        DomainLibrary fromFolder =
+                DomainLibrary.fromFolder(RESOURCES.resolve(CRW.substring(1))).orThrow();
+
+        DomainLibrary fromClassPath = DomainLibrary.fromClassPath(CRW).orThrow();
+        assertThat(fromFolder.projects()).isEqualTo(fromClassPath.projects());
+        assertThat(fromFolder.files()).isEqualTo(fromClassPath.files());
+    }
+
+    /** With {@code -PcanonicalWrite} the files are put into that form instead. */
+    @Test
+    void everyFileIsLaidOutCanonically() throws IOException {
+        List<Path> files = jsonFiles();
+        assertThat(files).hasSizeGreaterThanOrEqualTo(LEAST_FILES);
+        for (Path file : files) {
+            String text = Files.readString(file);
+            String canonical = CanonicalJson.format(text).orThrow();
+
+            if (Boolean.getBoolean("canonical.write")) {
+                Files.writeString(file, canonical);
+            } else {
+                assertThat(text).as("%s", file).isEqualTo(canonical);
+            }
+        }
+    }
+
+    @Test
+    void everyPlanFileIsWrittenBackByteForByte() throws IOException {
+        DomainLibrary library = DomainLibrary.fromClassPath(CRW).orThrow();
+        ProjectWriter writer = new ProjectWriter(library.vocabulary());
+        Path folder = RESOURCES.resolve(CRW.substring(1));
+
+        assertThat(library.projects()).isNotEmpty();
+        library.projects()
+                .forEach((name, project) -> assertThat(folder.resolve(name)).hasContent(writer.text(project)));
     }
 }

@@ -14,12 +14,14 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.model.TestCase;
 import org.sami.spn.model.Transition;
+import org.sami.spn.model.VariableSpec;
 import org.sami.spn.model.WaitFor;
 
 /** Reads one plan of a project. */
 final class PlanReader {
     private final PlanParts parts;
     private final Members m;
+    private final List<VariableSpec> globals;
     private final Names planIds;
     private final Names ids;
     private final Names places;
@@ -27,9 +29,10 @@ final class PlanReader {
     private final EventSpecReader events;
     private final RequirementReader requirements;
 
-    PlanReader(PlanParts parts, Members plan, Names planIds) {
+    PlanReader(PlanParts parts, Members plan, List<VariableSpec> globals, Names planIds) {
         this.parts = parts;
         this.m = plan;
+        this.globals = globals;
         this.planIds = planIds;
         this.ids = new Names(parts.problems());
         // their duplicates are reported once, by ids
@@ -57,7 +60,7 @@ final class PlanReader {
         checkParallel(inEdges, outEdges);
         Map<String, LayoutPoint> layout = layout();
         List<String> notes = m.texts("notes");
-        TestCaseReader testCases = new TestCaseReader(parts, readPlaces, variables);
+        TestCaseReader testCases = new TestCaseReader(parts, readPlaces, globals, variables);
         List<TestCase> cases =
                 m.objects("testCases").stream().map(testCases::read).toList();
         m.done();

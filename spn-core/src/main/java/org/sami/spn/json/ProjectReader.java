@@ -104,7 +104,7 @@ public final class ProjectReader {
         Names planIds = new Names(problems);
         planMembers.forEach((where, m) -> planIds.take(m.text("id", ""), m.at("id")));
         List<Plan> plans = new ArrayList<>();
-        planMembers.forEach((where, m) -> plans.add(new PlanReader(parts, m, planIds).read()));
+        planMembers.forEach((where, m) -> plans.add(new PlanReader(parts, m, globals, planIds).read()));
         List<MissionTreeNode> tree = root.objects("missionTree").stream()
                 .map(m -> treeNode(m, planIds))
                 .toList();

@@ -24,12 +24,13 @@ final class TestCaseReader {
     private final Map<String, OutputEventSpec> outputs = new LinkedHashMap<>();
     private final Map<String, ValueType> variables = new LinkedHashMap<>();
 
-    TestCaseReader(PlanParts parts, List<Place> places, List<VariableSpec> variables) {
+    TestCaseReader(PlanParts parts, List<Place> places, List<VariableSpec> globals, List<VariableSpec> variables) {
         this.parts = parts;
         places.forEach(p -> {
             this.places.put(p.id(), p);
             p.outputs().forEach(o -> outputs.put(o.id(), o));
         });
+        globals.forEach(v -> this.variables.put(v.name(), v.type()));
         variables.forEach(v -> this.variables.put(v.name(), v.type()));
     }
 

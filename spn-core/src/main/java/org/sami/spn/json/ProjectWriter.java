@@ -1,0 +1,119 @@
+package org.sami.spn.json;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.net.URLEncoder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import org.sami.spn.model.MissionTreeNode;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * Writes projects: elements in the order of the model, members in one fixed order, defaults left out, laid out by
+ * {@link CanonicalJson}. What it writes, {@link ProjectReader} reads back as an equal project; a file in that form is
+ * written back byte for byte.
+ */
+public final class ProjectWriter {
+    private static final JsonNodeFactory NODES = JsonNodeFactory.instance;
+
+    private final Vocabulary vocabulary;
+
+    /** A writer of projects of one domain. */
+    public ProjectWriter(Vocabulary vocabulary) {
+        this.vocabulary = vocabulary;
+    }
+
+    /**
+     * The project as one document.
+     *
+     * @throws IllegalArgumentException where the project speaks of events, fields or markups that the vocabulary lacks, or
+     *     holds values that do not fit their type
+     */
+    public String text(Project project) {
+        ObjectNode root = root(project);
+        ArrayNode plans = root.putArray("plans");
+        project.plans().forEach(p -> plans.add(planNode(project, p)));
+        return CanonicalJson.print(root);
+    }
+
+    /**
+     * Replaces a file by the project, or, where the path is a folder, the files in it: {@code project.json} and one file for
+     * each plan. Each file is replaced by renaming; {@code project.json} is the last.
+     */
+    public void write(Project project, Path path) throws IOException {
+        if (!Files.isDirectory(path)) {
+            AtomicFile.write(path, text(project));
+            return;
+        }
+        ObjectNode root = root(project);
+        ArrayNode files = root.putArray("plans");
+        Set<String> taken = new HashSet<>();
+        for (Plan plan : project.plans()) {
+            String name = fileName(plan.id(), taken);
+            files.addObject().put("file", name);
+            AtomicFile.write(path.resolve(name), CanonicalJson.print(planNode(project, plan)));
+        }
+        AtomicFile.write(path.resolve("project.json"), CanonicalJson.print(root));
+    }
+
+    /** A name that is safe on every file system, also on those that do not tell capital letters from small ones. */
+    private static String fileName(String planId, Set<String> taken) {
+        String safe = URLEncoder.encode(planId, StandardCharsets.UTF_8).replace("*", "%2A");
+        String name = "plans/" + safe + ".json";
+        for (int i = 2; !taken.add(name.toLowerCase(Locale.ROOT)); i++) {
+            name = "plans/" + safe + "~" + i + ".json";
+        }
+        return name;
+    }
+
+    private ObjectNode planNode(Project project, Plan plan) {
+        return new PlanWriter(vocabulary, project).write(plan);
+    }
+
+    private ObjectNode root(Project project) {
+        ObjectNode root = NODES.objectNode().put("formatVersion", ProjectReader.FORMAT_VERSION);
+        root.put("id", project.id());
+        PlanWriter.putText(root, "name", project.name());
+        root.put("domain", project.domain());
+        if (!project.globals().isEmpty()) {
+            root.set("globals", variables(project.globals(), vocabulary));
+        }
+        if (!project.missionTree().isEmpty()) {
+            root.set("missionTree", tree(project.missionTree()));
+        }
+        return root;
+    }
+
+    static ArrayNode variables(List<VariableSpec> variables, Vocabulary vocabulary) {
+        ValueWriter values = new ValueWriter(vocabulary.types());
+        ArrayNode array = NODES.arrayNode();
+        for (VariableSpec v : variables) {
+            ObjectNode node = array.addObject().put("name", v.name()).put("type", TypeNames.of(v.type()));
+            v.initial().ifPresent(i -> node.set("initial", values.write(i, v.type())));
+        }
+        return array;
+    }
+
+    private static ArrayNode tree(List<MissionTreeNode> nodes) {
+        ArrayNode array = NODES.arrayNode();
+        for (MissionTreeNode n : nodes) {
+            ObjectNode node = array.addObject();
+            PlanWriter.putText(node, "label", n.label());
+            n.plan().ifPresent(p -> node.put("plan", p));
+            if (!n.children().isEmpty()) {
+                node.set("children", tree(n.children()));
+            }
+        }
+        return array;
+    }
+}
