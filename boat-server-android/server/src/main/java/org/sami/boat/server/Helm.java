@@ -34,8 +34,8 @@ final class Helm {
     void steerTo(LocalFrame target, double speedMps, double seconds) {
         double eastM = target.eastM(vehicle.latDeg(), vehicle.lonDeg());
         double northM = target.northM(vehicle.latDeg(), vehicle.lonDeg());
-        double error = turn(Math.atan2(-eastM, -northM) - vehicle.headingRad());
-        double wantedMps = speedMps * Math.max(0, Math.cos(error));
+        double error = turn(StrictMath.atan2(-eastM, -northM) - vehicle.headingRad());
+        double wantedMps = speedMps * Math.max(0, StrictMath.cos(error));
         double thrust = wantedMps / fullThrustSpeedMps + speed.effort(wantedMps - vehicle.speedMps(), seconds);
         drive(thrust, heading.effort(error, seconds));
     }

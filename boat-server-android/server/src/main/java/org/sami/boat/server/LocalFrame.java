@@ -27,8 +27,8 @@ public final class LocalFrame {
         }
         this.originLatDeg = originLatDeg;
         this.originLonDeg = originLonDeg;
-        double sin = Math.sin(Math.toRadians(originLatDeg));
-        double cos = Math.cos(Math.toRadians(originLatDeg));
+        double sin = StrictMath.sin(Math.toRadians(originLatDeg));
+        double cos = StrictMath.cos(Math.toRadians(originLatDeg));
         double flat = 1 - ECCENTRICITY_SQUARED * sin * sin;
         double normalM = EQUATOR_RADIUS_M / Math.sqrt(flat);
         meridianM = normalM * (1 - ECCENTRICITY_SQUARED) / flat;

@@ -136,8 +136,8 @@ public final class SimulatedHull implements Vehicle {
         if (alongM == 0) {
             return;
         }
-        eastM += alongM * Math.sin(courseRad);
-        northM += alongM * Math.cos(courseRad);
+        eastM += alongM * StrictMath.sin(courseRad);
+        northM += alongM * StrictMath.cos(courseRad);
         locate();
         double drivenM = Math.abs(alongM);
         distanceM += drivenM;

@@ -1,0 +1,142 @@
+package org.sami.crw.sim.fleet;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.LostLinkAction;
+import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.Stop;
+import org.sami.crw.proxy.Withdrawal;
+import org.sami.crw.sim.clock.VirtualClock;
+import org.sami.crw.sim.link.PipeConfig;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
+
+/** Everything at once, in any order: commands, withdrawals, cut links, hands, fleet stops, empty batteries. */
+class FleetChaosTest {
+    private static final List<Priority> PRIORITIES = List.of(Priority.values());
+    private static final List<LostLinkAction> ACTIONS = List.of(LostLinkAction.values());
+
+    private VirtualClock clock = new VirtualClock();
+    private final Map<String, String> fates = new LinkedHashMap<>();
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.1})
+    void everyCommandHasOneFateAndTheBoatEndsAtRest(double loss) {
+        for (long seed = 0; seed < 60; seed++) {
+            fates.clear();
+            clock = new VirtualClock();
+            SplittableRandom random = new SplittableRandom(seed);
+            SimulatedBoat boat = boat(seed, random, loss);
+            for (int i = 0; i < 60; i++) {
+                disturb(boat, random, i);
+                clock.runUntil(clock.nowMs() + (random.nextBoolean() ? random.nextLong(400) : random.nextLong(20_000)));
+            }
+
+            calm(boat);
+            clock.runUntil(clock.nowMs() + 3_600_000);
+            assertThat(boat.proxy().currentCommand()).as("seed %d", seed).isEmpty();
+            assertThat(boat.proxy().waitingCommands()).isEmpty();
+            assertThat(fates).as("seed %d", seed).isNotEmpty().doesNotContainValue("open");
+            assertThat(boat.hull().speedMps()).as("seed %d", seed).isZero();
+            assertThat(boat.server().mode()).isIn(BoatMode.STOPPED, BoatMode.HOLD);
+            assertThat(boat.executed()).extracting(ExecutedCommand::commandId).doesNotHaveDuplicates();
+        }
+    }
+
+    private SimulatedBoat boat(long seed, SplittableRandom random, double loss) {
+        LostLinkAction action = ACTIONS.get(random.nextInt(ACTIONS.size()));
+        FleetConfig config = FleetConfig.DEFAULT
+                .withPipe(new PipeConfig(20, 30, loss))
+                .withServer(server -> server.lostLinkAction(action));
+        SimulatedFleet fleet = new SimulatedFleet(clock, seed, 1, 45.4, 10.9, id -> new Fates(), config);
+        fleet.start();
+        return fleet.boats().get(0);
+    }
+
+    private void disturb(SimulatedBoat boat, SplittableRandom random, int number) {
+        BoatProxy proxy = boat.proxy();
+        switch (random.nextInt(12)) {
+            case 0, 1, 2, 3 -> submit(proxy, random, "c" + number);
+            case 4 -> proxy.withdraw(random.nextLong(1, 5)).forEach(command -> end(command, "taken back"));
+            case 5, 6 -> cut(boat, random.nextBoolean(), random.nextBoolean());
+            case 7 -> cut(boat, false, false);
+            case 8 -> proxy.teleoperate(random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+            case 9 -> proxy.release();
+            case 10 -> fleetStop(proxy, random.nextBoolean());
+            default -> boat.hull().setBatteryPercent(100);
+        }
+    }
+
+    private void submit(BoatProxy proxy, SplittableRandom random, String id) {
+        long mission = random.nextLong(1, 5);
+        Priority priority = PRIORITIES.get(random.nextInt(4));
+        boolean block = random.nextInt(5) == 0;
+        fates.put(id, "open");
+        if (random.nextInt(6) == 0) {
+            proxy.submit(new Stop(id, mission, 1, priority, block));
+        } else {
+            List<GeoPoint> points = random.doubles(random.nextInt(4), 45.4, 45.4005)
+                    .mapToObj(latDeg -> GeoPoint.of(latDeg, 10.9))
+                    .toList();
+            FollowPath path = FollowPath.of(id, mission, 1, points, priority);
+            proxy.submit(block ? path.blocking() : path);
+        }
+    }
+
+    private static void cut(SimulatedBoat boat, boolean up, boolean down) {
+        boat.toBoat().setCut(up);
+        boat.toBase().setCut(down);
+    }
+
+    private static void fleetStop(BoatProxy proxy, boolean stop) {
+        if (stop) {
+            proxy.fleetStop();
+        } else {
+            proxy.fleetRelease();
+        }
+    }
+
+    /** Ends all disturbances and, after a while, the missions that keep the boat to themselves. */
+    private void calm(SimulatedBoat boat) {
+        cut(boat, false, false);
+        boat.hull().setBatteryPercent(100);
+        boat.proxy().fleetRelease();
+        boat.proxy().release();
+        for (int mission = 1; mission <= 4; mission++) {
+            clock.runUntil(clock.nowMs() + 900_000);
+            boat.hull().setBatteryPercent(100);
+            boat.proxy().withdraw(mission).forEach(command -> end(command, "taken back"));
+        }
+    }
+
+    private void end(BoatCommand command, String fate) {
+        assertThat(fates.put(command.commandId(), fate)).as(command.commandId()).isEqualTo("open");
+    }
+
+    private final class Fates implements BoatListener {
+        @Override
+        public void onCompleted(String boatId, BoatCommand command) {
+            end(command, "completed");
+        }
+
+        @Override
+        public void onFailed(String boatId, BoatCommand command, String reason) {
+            end(command, "failed: " + reason);
+        }
+
+        @Override
+        public void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {
+            end(command, why.name());
+        }
+    }
+}
