@@ -7,7 +7,6 @@ import java.util.function.BiConsumer;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.BatteryReport;
 import org.sami.boat.link.BoatMode;
-import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.Frame;
@@ -17,11 +16,9 @@ import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.Progress;
-import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.Welcome;
-import org.sami.crw.proxy.CommandRun.Verdict;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -35,35 +32,27 @@ import org.sami.spn.value.GeoPoint;
  * <p>For one thread, with milliseconds of one clock that never runs back. The {@link FrameSink} must not call back.
  */
 public final class BoatProxy {
-    private static final int MAX_TRIES = 3;
-
     private final String boatId;
-    private final ProxyConfig config;
     private final ProxyLink link;
-    private final Requests requests; // of the running command, or to stop for want of one
-    private final Requests fleetRequests;
-    private final CommandQueue queue = new CommandQueue();
+    private final Requests fleetRequests; // what stops or releases the whole fleet
     private final Announcements announcements;
+    private final CommandDriver driver;
     private BoatStatus status;
-    private Optional<CommandRun> run = Optional.empty();
     private long nowMs;
     private long lastTelemetry = -1;
-    private int wireIds;
     private boolean awaitingProgress;
     private boolean unconfirmedRestart;
     private boolean takenOver;
     private boolean fleetStopped;
-    private boolean mustStop;
     private String refusal = "";
 
     /** A proxy that says hello at its first tick. */
     public BoatProxy(String boatId, FrameSink toBoat, BoatListener listener, ProxyConfig config) {
         this.boatId = Objects.requireNonNull(boatId, "boatId");
-        this.config = Objects.requireNonNull(config, "config");
         link = new ProxyLink(boatId, Objects.requireNonNull(toBoat, "toBoat"), config);
-        requests = new Requests(link, config);
         fleetRequests = new Requests(link, config);
         announcements = new Announcements(Objects.requireNonNull(listener, "listener"));
+        driver = new CommandDriver(boatId, config, link, announcements);
         status = BoatStatus.unknown(boatId);
     }
 
@@ -79,17 +68,17 @@ public final class BoatProxy {
 
     /** The command that the boat is to carry out now. */
     public Optional<BoatCommand> currentCommand() {
-        return queue.current().map(QueuedCommand::command);
+        return driver.queue().current().map(QueuedCommand::command);
     }
 
     /** The commands that wait for their turn, in the order in which they would have it. */
     public List<BoatCommand> waitingCommands() {
-        return queue.waiting().stream().map(QueuedCommand::command).toList();
+        return driver.queue().waiting().stream().map(QueuedCommand::command).toList();
     }
 
     /** How many points of the path of a queued command are behind the boat; empty if it is not queued. */
     public Optional<Integer> visitedCount(String commandId) {
-        return queue.find(commandId).map(QueuedCommand::visited);
+        return driver.queue().find(commandId).map(QueuedCommand::visited);
     }
 
     /** How many frames could not be read. */
@@ -102,8 +91,7 @@ public final class BoatProxy {
      * its older one; see {@link Withdrawal} for what is displaced.
      */
     public void submit(BoatCommand command) {
-        queue.submit(Objects.requireNonNull(command, "command"))
-                .forEach((displaced, why) -> announcements.add(l -> l.onWithdrawn(boatId, displaced, why)));
+        driver.submit(Objects.requireNonNull(command, "command"));
         settle();
     }
 
@@ -114,7 +102,7 @@ public final class BoatProxy {
      * @return what was taken back
      */
     public List<BoatCommand> withdraw(long mission) {
-        List<BoatCommand> withdrawn = queue.withdraw(mission);
+        List<BoatCommand> withdrawn = driver.withdraw(mission);
         settle();
         return withdrawn;
     }
@@ -133,8 +121,7 @@ public final class BoatProxy {
             linkChanged();
         }
         if (link.isCommanding()) {
-            requests.tick(nowMs).forEach(this::giveUp);
-            // what stops or releases the whole fleet is said until it is answered
+            driver.tick(nowMs);
             fleetRequests.tick(nowMs).forEach(request -> fleetRequests.send(request, nowMs));
             if (awaitingProgress) {
                 link.helloIfDue(nowMs);
@@ -168,7 +155,7 @@ public final class BoatProxy {
     public void teleoperate(double thrust, double rudder) {
         Teleoperate hand = new Teleoperate(thrust, rudder);
         takenOver = true;
-        abandonRun();
+        driver.abandon();
         if (link.isCommanding()) {
             link.send(hand, nowMs);
         }
@@ -178,7 +165,7 @@ public final class BoatProxy {
     public void release() {
         if (takenOver) {
             takenOver = false;
-            mustStop = true;
+            driver.stopUnlessWanted();
             settle();
         }
     }
@@ -186,15 +173,15 @@ public final class BoatProxy {
     /** Stops the motors, latched on the boat; commands wait until {@link #fleetRelease}. */
     public void fleetStop() {
         fleetStopped = true;
-        abandonRun();
+        driver.abandon();
         fleetRequests.clear();
-        fleetRequests.send(new FleetStop(wireId("fleet-stop")), nowMs);
+        fleetRequests.send(new FleetStop(driver.wireId("fleet-stop")), nowMs);
     }
 
     /** Ends the fleet stop; the boat then goes on with its commands. */
     public void fleetRelease() {
         fleetRequests.clear();
-        fleetRequests.send(new FleetRelease(wireId("fleet-release")), nowMs);
+        fleetRequests.send(new FleetRelease(driver.wireId("fleet-release")), nowMs);
     }
 
     /** Why the boat moves or does not. */
@@ -204,20 +191,8 @@ public final class BoatProxy {
 
     // ---- what the explainer asks
 
-    CommandQueue queue() {
-        return queue;
-    }
-
-    Optional<CommandRun> run() {
-        return run;
-    }
-
-    boolean isBeingStopped() {
-        return run.isEmpty() && requests.areWaiting();
-    }
-
-    int unansweredSends() {
-        return requests.sends();
+    CommandDriver driver() {
+        return driver;
     }
 
     /** What keeps every command from the boat, in words; empty if nothing does. */
@@ -277,8 +252,8 @@ public final class BoatProxy {
             linkChanged();
         }
         if (restarted) {
-            abandonRun();
-            unconfirmedRestart = queue.current().isPresent();
+            driver.abandon();
+            unconfirmedRestart = driver.queue().current().isPresent();
             if (unconfirmedRestart) {
                 announce(BoatListener::onRestarted);
             }
@@ -298,156 +273,47 @@ public final class BoatProxy {
         if (telemetry.mode() == BoatMode.FLEET_STOP) {
             if (!fleetStopped) {
                 fleetStopped = true;
-                abandonRun();
+                driver.abandon();
             }
             return;
         }
         fleetStopped &= fleetRequests.areWaiting();
-        if (isDriving() && telemetry.mode() != BoatMode.PATH && !awaitingProgress) {
-            awaitingProgress = true; // it left its path by itself: it may have lost us when we did not lose it
-            link.hello(nowMs);
+        if (driver.isDriving() && telemetry.mode() != BoatMode.PATH && !awaitingProgress) {
+            resync(); // it left its path by itself: it may have lost us when we did not lose it
         }
     }
 
-    private boolean isDriving() {
-        return run.isPresent() && run.get().isDriving();
+    /** Has the boat say again what it holds; until then it is told nothing. */
+    private void resync() {
+        awaitingProgress = true;
+        link.hello(nowMs);
     }
 
     private void progressed(Progress progress) {
-        boolean told = run.isPresent() && run.get().isAbout(progress);
-        if (told) {
-            visited(run.get().queued(), progress.nextIndex());
-        }
         if (awaitingProgress) {
             awaitingProgress = false;
-            if (isRunWanted()) {
-                requests.clear();
-                conclude(run.get().resume(progress, nowMs));
-            }
-        } else if (told && progress.completed()) {
-            conclude(Verdict.COMPLETED);
-        }
-    }
-
-    private boolean isRunWanted() {
-        return run.isPresent()
-                && queue.current().isPresent()
-                && queue.current().get() == run.get().queued();
-    }
-
-    private void visited(QueuedCommand queued, int count) {
-        if (queued.visitedUpTo(count)) {
-            announcements.add(l -> l.onProgress(boatId, queued.command(), count));
+            driver.resume(progress, nowMs);
+        } else {
+            driver.progressed(progress);
         }
     }
 
     private void answered(String commandId, LinkMessage answer) {
-        if (fleetRequests.answered(commandId).isPresent()) {
-            return; // the next telemetry says what it has come to
-        }
-        Optional<CommandMessage> asked = requests.answered(commandId);
-        if (asked.isPresent() && run.isPresent()) {
-            conclude(run.get().answered(asked.get(), answer, nowMs));
+        if (fleetRequests.answered(commandId).isEmpty()) { // else the next telemetry says what it has come to
+            driver.answered(commandId, answer, nowMs);
         }
     }
 
     private void refused(Nack nack) {
-        Optional<CommandMessage> asked = requests.answered(nack.commandId());
-        if (asked.isPresent() && run.isPresent()) {
-            conclude(run.get().refused(nack));
+        if (driver.refused(nack)) {
+            resync();
         }
     }
-
-    private void giveUp(CommandMessage unanswered) {
-        if (run.isPresent()) {
-            String why = "the boat did not answer " + config.maxSends() + " requests";
-            conclude(run.get().because(Verdict.FAILED, why));
-        } else {
-            requests.send(unanswered, nowMs); // a boat that must stop is told until it answers
-        }
-    }
-
-    /** Draws the consequence of a verdict on the running command. */
-    private void conclude(Verdict verdict) {
-        if (verdict == Verdict.GO_ON) {
-            return;
-        }
-        CommandRun ended = run.orElseThrow();
-        QueuedCommand queued = ended.queued();
-        abandonRun();
-        if (verdict == Verdict.COMPLETED) {
-            finish(queued);
-        } else if (verdict == Verdict.FAILED || (verdict == Verdict.RETRY && queued.failedTry() >= MAX_TRIES)) {
-            mustStop = true;
-            queue.finish(queued);
-            announcements.add(l -> l.onFailed(boatId, queued.command(), ended.why()));
-        } else if (verdict == Verdict.WAIT) {
-            awaitingProgress = true;
-            link.hello(nowMs);
-        }
-    }
-
-    private void finish(QueuedCommand queued) {
-        if (queued.command() instanceof FollowPath path) {
-            visited(queued, path.points().size());
-        }
-        queue.finish(queued);
-        announcements.add(l -> l.onCompleted(boatId, queued.command()));
-    }
-
-    // ---- what the boat is told
 
     /** Brings the boat to the command whose turn it is, then tells the listener what has happened. */
     private void settle() {
-        completeEmptyPaths();
-        if (obstacle().isEmpty()) {
-            if (run.isPresent() && !isRunWanted()) {
-                abandonRun();
-                mustStop = true;
-            }
-            Optional<QueuedCommand> wanted = queue.current();
-            if (run.isEmpty() && wanted.isPresent()) {
-                mustStop = false;
-                begin(wanted.get());
-            } else if (run.isEmpty() && mustStop) {
-                mustStop = false;
-                requests.clear();
-                requests.send(new StopMotors(wireId("idle") + "/stop"), nowMs);
-            }
-        }
+        driver.settle(obstacle().isEmpty(), nowMs);
         announcements.deliver();
-    }
-
-    /** A path of which nothing is left needs no boat. */
-    private void completeEmptyPaths() {
-        for (var current = queue.current();
-                current.isPresent()
-                        && run.isEmpty()
-                        && current.get().command() instanceof FollowPath path
-                        && current.get().visited() >= path.points().size();
-                current = queue.current()) {
-            finish(current.get());
-        }
-    }
-
-    private void begin(QueuedCommand queued) {
-        requests.clear();
-        String wireId = wireId(queued.command().commandId());
-        CommandRun next = queued.command() instanceof FollowPath path
-                ? new PathRun(queued, path, wireId, config.cruiseSpeedMps(), requests)
-                : new StopRun(queued, wireId, requests);
-        run = Optional.of(next);
-        next.begin(nowMs);
-    }
-
-    private void abandonRun() {
-        run = Optional.empty();
-        requests.clear();
-    }
-
-    /** An id on the link that was never used before: of the command, the start of this base, and a count. */
-    private String wireId(String of) {
-        return of + "#" + config.epoch() + "." + ++wireIds;
     }
 
     private void linkChanged() {

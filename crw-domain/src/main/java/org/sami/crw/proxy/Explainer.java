@@ -13,18 +13,18 @@ final class Explainer {
     Explanation explain() {
         String obstacle = proxy.obstacle();
         if (!obstacle.isEmpty()) {
-            int commands = proxy.queue().size();
+            int commands = proxy.driver().queue().size();
             return waits(obstacle + (commands == 0 ? "" : "; " + counted(commands)));
         }
-        if (proxy.run().isPresent()) {
-            return running(proxy.run().get());
+        if (proxy.driver().run().isPresent()) {
+            return running(proxy.driver().run().get());
         }
-        if (proxy.isBeingStopped()) {
+        if (proxy.driver().isStopping()) {
             return waits("no mission wants anything of it; it is being stopped");
         }
-        Optional<Long> blocker = proxy.queue().blockedBy();
+        Optional<Long> blocker = proxy.driver().queue().blockedBy();
         if (blocker.isPresent()) {
-            int commands = proxy.queue().size();
+            int commands = proxy.driver().queue().size();
             return waits("mission " + blocker.get() + " keeps it where it is"
                     + (commands == 0 ? "" : "; " + counted(commands)));
         }
@@ -52,7 +52,7 @@ final class Explainer {
     }
 
     private String sends() {
-        int sends = proxy.unansweredSends();
+        int sends = proxy.driver().sends();
         return sends > 1 ? ", sent " + sends + " times without an answer" : "";
     }
 

@@ -1,0 +1,221 @@
+package org.sami.crw.proxy;
+
+import java.util.List;
+import java.util.Optional;
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Nack;
+import org.sami.boat.link.Progress;
+import org.sami.boat.link.StopMotors;
+import org.sami.crw.proxy.CommandRun.Verdict;
+
+/**
+ * Keeps the boat at the command whose turn it is: begins a try, draws the consequences of the boat's answers, tries again,
+ * stops the boat when nothing is left. Whether the boat may be commanded at all is the proxy's to know.
+ */
+final class CommandDriver {
+    private static final int MAX_TRIES = 3;
+
+    private final String boatId;
+    private final ProxyConfig config;
+    private final Announcements announcements;
+    private final Requests requests; // of the running command, or to stop for want of one
+    private final CommandQueue queue = new CommandQueue();
+    private Optional<CommandRun> run = Optional.empty();
+    private int wireIds;
+    private boolean mustStop;
+
+    CommandDriver(String boatId, ProxyConfig config, ProxyLink link, Announcements announcements) {
+        this.boatId = boatId;
+        this.config = config;
+        this.announcements = announcements;
+        requests = new Requests(link, config);
+    }
+
+    CommandQueue queue() {
+        return queue;
+    }
+
+    /** The try that is under way. */
+    Optional<CommandRun> run() {
+        return run;
+    }
+
+    boolean isDriving() {
+        return run.isPresent() && run.get().isDriving();
+    }
+
+    /** Whether the boat has been told to stop for want of a command and has not answered yet. */
+    boolean isStopping() {
+        return run.isEmpty() && requests.areWaiting();
+    }
+
+    /** How often the oldest unanswered request has been sent. */
+    int sends() {
+        return requests.sends();
+    }
+
+    void submit(BoatCommand command) {
+        queue.submit(command)
+                .forEach((displaced, why) -> announcements.add(l -> l.onWithdrawn(boatId, displaced, why)));
+    }
+
+    List<BoatCommand> withdraw(long mission) {
+        return queue.withdraw(mission);
+    }
+
+    /** Forgets the try that is under way, because the boat has been taken out of its hands; a new one follows. */
+    void abandon() {
+        run = Optional.empty();
+        requests.clear();
+    }
+
+    /** Wants the boat stopped unless a command is waiting for it. */
+    void stopUnlessWanted() {
+        mustStop = true;
+    }
+
+    /** An id on the link that was never used before: of the command, the start of this base, and a count. */
+    String wireId(String of) {
+        return of + "#" + config.epoch() + "." + ++wireIds;
+    }
+
+    /**
+     * Brings the boat to the command whose turn it is.
+     *
+     * @param mayCommand whether the boat takes commands now; if not, only what needs no boat is done
+     */
+    void settle(boolean mayCommand, long nowMs) {
+        completeEmptyPaths();
+        if (!mayCommand) {
+            return;
+        }
+        if (run.isPresent() && !isRunWanted()) {
+            abandon();
+            mustStop = true;
+        }
+        Optional<QueuedCommand> wanted = queue.current();
+        if (run.isEmpty() && wanted.isPresent()) {
+            mustStop = false;
+            begin(wanted.get(), nowMs);
+        } else if (run.isEmpty() && mustStop) {
+            mustStop = false;
+            requests.clear();
+            requests.send(new StopMotors(wireId("idle") + "/stop"), nowMs);
+        }
+    }
+
+    /** A path of which nothing is left needs no boat. */
+    private void completeEmptyPaths() {
+        for (var current = queue.current();
+                current.isPresent()
+                        && run.isEmpty()
+                        && current.get().command() instanceof FollowPath path
+                        && current.get().visited() >= path.points().size();
+                current = queue.current()) {
+            finish(current.get());
+        }
+    }
+
+    private void begin(QueuedCommand queued, long nowMs) {
+        requests.clear();
+        String wireId = wireId(queued.command().commandId());
+        CommandRun next = queued.command() instanceof FollowPath path
+                ? new PathRun(queued, path, wireId, config.cruiseSpeedMps(), requests)
+                : new StopRun(queued, wireId, requests);
+        run = Optional.of(next);
+        next.begin(nowMs);
+    }
+
+    private boolean isRunWanted() {
+        return run.isPresent()
+                && queue.current().isPresent()
+                && queue.current().get() == run.get().queued();
+    }
+
+    /** Sends again what is due; gives up a command that stays unanswered, but never a stop. */
+    void tick(long nowMs) {
+        for (CommandMessage unanswered : requests.tick(nowMs)) {
+            if (run.isPresent()) {
+                String why = "the boat did not answer " + config.maxSends() + " requests";
+                conclude(run.get().because(Verdict.FAILED, why));
+            } else {
+                requests.send(unanswered, nowMs);
+            }
+        }
+    }
+
+    void answered(String commandId, LinkMessage answer, long nowMs) {
+        Optional<CommandMessage> asked = requests.answered(commandId);
+        if (asked.isPresent() && run.isPresent()) {
+            conclude(run.get().answered(asked.get(), answer, nowMs));
+        }
+    }
+
+    /** The boat has refused something. Returns whether it did so for a reason that will pass. */
+    boolean refused(Nack nack) {
+        Optional<CommandMessage> asked = requests.answered(nack.commandId());
+        if (asked.isEmpty() || run.isEmpty()) {
+            return false;
+        }
+        Verdict verdict = run.get().refused(nack);
+        conclude(verdict);
+        return verdict == Verdict.WAIT;
+    }
+
+    /** The boat has said how far it is. */
+    void progressed(Progress progress) {
+        if (noteVisited(progress) && progress.completed()) {
+            conclude(Verdict.COMPLETED);
+        }
+    }
+
+    /** The boat has said how far it is, after a time when it could not be told anything. */
+    void resume(Progress held, long nowMs) {
+        noteVisited(held);
+        if (isRunWanted()) {
+            requests.clear();
+            conclude(run.get().resume(held, nowMs));
+        }
+    }
+
+    /** Returns whether the report was about the command under way. */
+    private boolean noteVisited(Progress progress) {
+        boolean told = run.isPresent() && run.get().isAbout(progress);
+        if (told) {
+            visited(run.get().queued(), progress.nextIndex());
+        }
+        return told;
+    }
+
+    private void visited(QueuedCommand queued, int count) {
+        if (queued.visitedUpTo(count)) {
+            announcements.add(l -> l.onProgress(boatId, queued.command(), count));
+        }
+    }
+
+    /** Draws the consequence of a verdict on the running command. */
+    private void conclude(Verdict verdict) {
+        if (verdict == Verdict.GO_ON) {
+            return;
+        }
+        CommandRun ended = run.orElseThrow();
+        QueuedCommand queued = ended.queued();
+        abandon();
+        if (verdict == Verdict.COMPLETED) {
+            finish(queued);
+        } else if (verdict == Verdict.FAILED || (verdict == Verdict.RETRY && queued.failedTry() >= MAX_TRIES)) {
+            mustStop = true;
+            queue.finish(queued);
+            announcements.add(l -> l.onFailed(boatId, queued.command(), ended.why()));
+        }
+    }
+
+    private void finish(QueuedCommand queued) {
+        if (queued.command() instanceof FollowPath path) {
+            visited(queued, path.points().size());
+        }
+        queue.finish(queued);
+        announcements.add(l -> l.onCompleted(boatId, queued.command()));
+    }
+}
