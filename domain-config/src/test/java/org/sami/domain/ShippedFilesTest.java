@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.json.CanonicalJson;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectWriter;
@@ -42,6 +43,17 @@ class ShippedFilesTest {
         DomainLibrary fromClassPath = DomainLibrary.fromClassPath(CRW).orThrow();
         assertThat(fromFolder.projects()).isEqualTo(fromClassPath.projects());
         assertThat(fromFolder.files()).isEqualTo(fromClassPath.files());
+    }
+
+    @Test
+    void everyShippedPlanPassesAllChecks() {
+        DomainLibrary library = DomainLibrary.fromClassPath(CRW).orThrow();
+
+        assertThat(library.projects()).isNotEmpty();
+        library.projects()
+                .values()
+                .forEach(project -> assertThat(PlanChecks.check(project, library.vocabulary()))
+                        .isEmpty());
     }
 
     /** With {@code -PcanonicalWrite} the files are put into that form instead. */

@@ -9,6 +9,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.spn.analysis.PlanChecks;
+import org.sami.spn.finding.Finding;
 import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -43,6 +45,28 @@ public final class ProjectReader {
     /** Reads one document; it may not name other files. */
     public Reading<Project> read(String text) {
         return read(text, name -> Optional.empty());
+    }
+
+    /**
+     * Reads a file or folder and checks its plans. Where there are findings and a result, the document can be shown and
+     * edited; with an error no plan of it is to be started (thesis 5.1).
+     */
+    public Reading<Project> readAndCheck(Path path) {
+        return checked(read(path));
+    }
+
+    /** Reads one document and checks its plans. */
+    public Reading<Project> readAndCheck(String text) {
+        return checked(read(text));
+    }
+
+    private Reading<Project> checked(Reading<Project> reading) {
+        if (reading.result().isEmpty()) {
+            return reading;
+        }
+        List<Finding> findings = new ArrayList<>(reading.findings());
+        findings.addAll(PlanChecks.check(reading.result().get(), vocabulary));
+        return new Reading<>(reading.result(), findings);
     }
 
     Reading<Project> read(String text, VocabularyFiles.Source beside) {

@@ -1,0 +1,60 @@
+package org.sami.spn.analysis;
+
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.vocabulary.DecisionType;
+import org.sami.spn.vocabulary.EventRole;
+
+/** What a place asks for, a transition after it waits for (thesis 4.3.3, Events). */
+final class AnswersOfOutputs implements PlanCheck {
+    private static final Set<EventRole> ANSWERED_BY_THE_MISSION =
+            Set.of(EventRole.ABORT_MISSION, EventRole.COMPLETE_MISSION);
+
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        for (PlacedOutput output : plan.outputs()) {
+            if (output.type().answers().isEmpty()
+                    || output.place().end()
+                    || ANSWERED_BY_THE_MISSION.contains(output.type().role())) {
+                continue;
+            }
+            List<String> awaited = plan.outTransitions(output.place()).stream()
+                    .flatMap(t -> t.inputs().stream())
+                    .map(InputEventSpec::type)
+                    .map(name ->
+                            plan.vocabulary().event(name).map(t -> t.name()).orElse(name))
+                    .toList();
+            if (output.type().answers().stream().noneMatch(awaited::contains)) {
+                report.accept(Finding.warning(
+                        "W-UNANSWERED",
+                        output.pointer(),
+                        "The " + PlanContext.name(output.place()) + " asks for "
+                                + output.type().name() + ", but no transition after it waits for "
+                                + String.join(" or ", output.type().answers()),
+                        output.place().id(),
+                        output.spec().id()));
+            } else {
+                output.type().decision().ifPresent(d -> checkBothAnswers(output, d, awaited, report));
+            }
+        }
+    }
+
+    private static void checkBothAnswers(
+            PlacedOutput output, DecisionType decision, List<String> awaited, Consumer<Finding> report) {
+        for (String answer : List.of(decision.accepted(), decision.rejected())) {
+            if (!answer.isEmpty() && !awaited.contains(answer)) {
+                report.accept(Finding.warning(
+                        "W-ANSWER-IGNORED",
+                        output.pointer(),
+                        "When the operator answers " + answer + " at the " + PlanContext.name(output.place())
+                                + ", nothing happens: no transition after it waits for that",
+                        output.place().id(),
+                        output.spec().id()));
+            }
+        }
+    }
+}

@@ -1,0 +1,50 @@
+package org.sami.spn.analysis;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.MarkupSpec;
+import org.sami.spn.value.EnumValue;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.AutonomyAnswer;
+import org.sami.spn.vocabulary.Reserved;
+
+/** Where autonomy is to answer it can, and knows when (markup Mixed Initiative Trigger, appendix .2.3). */
+final class Autonomy implements PlanCheck {
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        for (PlacedOutput output : plan.outputs()) {
+            for (MarkupSpec markup : output.spec().markups()) {
+                if (markup.type().equals(Reserved.MIXED_INITIATIVE_TRIGGER)) {
+                    check(output, markup, report);
+                }
+            }
+        }
+    }
+
+    private static void check(PlacedOutput output, MarkupSpec markup, Consumer<Finding> report) {
+        Optional<Value> trigger = markup.option(Reserved.TRIGGER);
+        String constant = trigger.isPresent() && trigger.get() instanceof EnumValue e ? e.constant() : Reserved.NEVER;
+        if (constant.equals(Reserved.TIMER) && markup.option(Reserved.TIMEOUT).isEmpty()) {
+            report.accept(Finding.error(
+                    "E-NO-TIMEOUT",
+                    output.pointer(),
+                    output.type().name() + " at the " + PlanContext.name(output.place())
+                            + " lets autonomy answer after a time, but does not say after which",
+                    output.place().id(),
+                    output.spec().id()));
+        }
+        boolean canAnswer = output.type().decision().isPresent()
+                && output.type().decision().get().autonomy() != AutonomyAnswer.NONE;
+        if (!constant.equals(Reserved.NEVER) && !canAnswer) {
+            report.accept(Finding.warning(
+                    "W-NO-AUTOMATIC-ANSWER",
+                    output.pointer(),
+                    "Autonomy has no answer to " + output.type().name() + " at the " + PlanContext.name(output.place())
+                            + ": the operator must answer",
+                    output.place().id(),
+                    output.spec().id()));
+        }
+    }
+}

@@ -1,0 +1,24 @@
+package org.sami.spn.analysis;
+
+import java.util.function.Consumer;
+import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.vocabulary.EventFlag;
+
+/** A command at an end place is sent, but nobody waits for it and it ends with the mission (SEMANTICS, Firing). */
+final class CommandsAtTheEnd implements PlanCheck {
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        for (PlacedOutput output : plan.outputs()) {
+            if (output.place().end() && output.type().flags().contains(EventFlag.COMMAND)) {
+                report.accept(Finding.warning(
+                        "W-COMMAND-AT-END",
+                        output.pointer(),
+                        output.type().name() + " at the end " + PlanContext.name(output.place())
+                                + " is sent as the mission ends: nobody waits for it",
+                        output.place().id(),
+                        output.spec().id()));
+            }
+        }
+    }
+}

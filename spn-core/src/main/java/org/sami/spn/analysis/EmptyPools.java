@@ -1,0 +1,32 @@
+package org.sami.spn.analysis;
+
+import java.util.function.Consumer;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.Action;
+import org.sami.spn.model.OutEdge;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.model.Transition;
+
+/** What is taken or consumed comes from the places before the transition (thesis 4.1.3); without any there is nothing. */
+final class EmptyPools implements PlanCheck {
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        for (Transition t : plan.plan().transitions()) {
+            if (!plan.inEdges(t).isEmpty()) {
+                continue;
+            }
+            for (OutEdge e : plan.outEdges(t)) {
+                boolean removes = e.requirements().stream()
+                        .anyMatch(r -> r.kind() != TokenKind.UNCONDITIONAL && r.action() != Action.ADD);
+                if (removes) {
+                    report.accept(Finding.warning(
+                            "W-EMPTY-POOL",
+                            plan.at(e),
+                            "The " + PlanContext.name(t) + " has no place before it to take tokens from",
+                            e.id(),
+                            t.id()));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,39 @@
+package org.sami.spn.analysis;
+
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.Place;
+
+/** A plan can reach an end, and nothing follows an end (thesis 4.3.3, Start and End Places). */
+final class EndPlaces implements PlanCheck {
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        List<Place> ends = plan.plan().places().stream().filter(Place::end).toList();
+        Set<String> reached = Reachability.from(plan);
+        if (ends.isEmpty()) {
+            report.accept(Finding.warning(
+                    "W-NO-END",
+                    plan.pointer(),
+                    "The plan \"" + plan.plan().id() + "\" has no end place: it runs until it is aborted or completed",
+                    plan.plan().id()));
+        } else if (ends.stream().noneMatch(p -> reached.contains(p.id()))) {
+            report.accept(Finding.warning(
+                    "W-END-UNREACHABLE",
+                    plan.pointer(),
+                    "No end place of the plan \"" + plan.plan().id() + "\" can be reached from its start",
+                    ends.stream().map(Place::id).toArray(String[]::new)));
+        }
+        for (Place end : ends) {
+            if (!plan.outTransitions(end).isEmpty()) {
+                report.accept(Finding.error(
+                        "E-END-GOES-ON",
+                        plan.at(end),
+                        "The end " + PlanContext.name(end) + " has a transition after it: nothing happens after an end",
+                        end.id(),
+                        plan.outTransitions(end).get(0).id()));
+            }
+        }
+    }
+}

@@ -1,0 +1,53 @@
+package org.sami.spn.analysis;
+
+import java.util.function.Consumer;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.OutEdge;
+import org.sami.spn.model.OutputEventSpec;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Transition;
+import org.sami.spn.vocabulary.Direction;
+import org.sami.spn.vocabulary.EventType;
+
+/** What a plan speaks of exists: event types on their side, both ends of edges. Readers refuse such files already. */
+final class KnownNames implements PlanCheck {
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        for (Place place : plan.plan().places()) {
+            for (OutputEventSpec spec : place.outputs()) {
+                event(plan, spec.type(), Direction.OUTPUT, plan.at(place), place.id(), report);
+            }
+        }
+        for (Transition t : plan.plan().transitions()) {
+            t.inputs().forEach(i -> event(plan, i.type(), Direction.INPUT, plan.at(t), t.id(), report));
+        }
+        for (InEdge e : plan.plan().inEdges()) {
+            edge(plan, e.place(), e.transition(), plan.at(e), e.id(), report);
+        }
+        for (OutEdge e : plan.plan().outEdges()) {
+            edge(plan, e.place(), e.transition(), plan.at(e), e.id(), report);
+        }
+    }
+
+    private static void event(
+            PlanContext plan, String name, Direction side, String pointer, String id, Consumer<Finding> report) {
+        if (plan.vocabulary()
+                .event(name)
+                .map(EventType::direction)
+                .filter(side::equals)
+                .isEmpty()) {
+            String kind = side == Direction.OUTPUT ? "output" : "input";
+            report.accept(
+                    Finding.error("E-UNKNOWN-EVENT", pointer, "There is no " + kind + " event \"" + name + "\"", id));
+        }
+    }
+
+    private static void edge(
+            PlanContext plan, String place, String transition, String pointer, String id, Consumer<Finding> report) {
+        if (plan.plan().place(place).isEmpty()
+                || plan.plan().transition(transition).isEmpty()) {
+            report.accept(Finding.error("E-DANGLING", pointer, "The edge " + id + " hangs in the air", id));
+        }
+    }
+}

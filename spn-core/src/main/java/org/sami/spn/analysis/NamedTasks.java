@@ -1,0 +1,67 @@
+package org.sami.spn.analysis;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.OutEdge;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.SubMissionSpec;
+import org.sami.spn.model.TokenKind;
+
+/** A requirement names a task of the plan or a class of tasks; a sub-mission is given tasks that both plans have. */
+final class NamedTasks implements PlanCheck {
+    private static final String CODE = "E-UNKNOWN-TASK";
+
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        for (InEdge e : plan.plan().inEdges()) {
+            e.requirements().stream()
+                    .filter(r -> r.kind() == TokenKind.TASK)
+                    .forEach(r -> named(plan, r.task(), plan.at(e), e.id(), report));
+        }
+        for (OutEdge e : plan.plan().outEdges()) {
+            e.requirements().stream()
+                    .filter(r -> r.kind() == TokenKind.TASK)
+                    .forEach(r -> named(plan, r.task(), plan.at(e), e.id(), report));
+        }
+        for (Place place : plan.plan().places()) {
+            for (int i = 0; i < place.subMissions().size(); i++) {
+                mapped(plan, place.subMissions().get(i), plan.at(place) + "/subMissions/" + i, report);
+            }
+        }
+    }
+
+    private static void named(PlanContext plan, String task, String pointer, String edge, Consumer<Finding> report) {
+        if (!has(plan.plan(), task) && !plan.vocabulary().taskClasses().containsKey(task)) {
+            report.accept(Finding.error(
+                    CODE, pointer, "\"" + task + "\" is neither a task of this plan nor a class of tasks", edge));
+        }
+    }
+
+    private static void mapped(PlanContext plan, SubMissionSpec s, String pointer, Consumer<Finding> report) {
+        Optional<Plan> child = plan.child(s);
+        s.tasks().forEach((parentTask, childTask) -> {
+            if (!has(plan.plan(), parentTask)) {
+                report.accept(Finding.error(
+                        CODE,
+                        pointer,
+                        "The sub-mission " + s.id() + " is given the task \"" + parentTask
+                                + "\", which this plan does not have",
+                        s.id()));
+            }
+            if (child.isPresent() && !has(child.get(), childTask)) {
+                report.accept(Finding.error(
+                        CODE,
+                        pointer,
+                        "The sub-mission " + s.id() + " has no task \"" + childTask + "\" to be given",
+                        s.id()));
+            }
+        });
+    }
+
+    private static boolean has(Plan plan, String task) {
+        return plan.tasks().stream().anyMatch(t -> t.name().equals(task));
+    }
+}

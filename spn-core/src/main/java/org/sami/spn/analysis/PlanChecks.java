@@ -1,0 +1,87 @@
+package org.sami.spn.analysis;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.model.SubMissionSpec;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * All checks of plans. A plan with an error is not started (thesis 5.1). Pointers are those of the project's document, whose
+ * order is the model's.
+ */
+public final class PlanChecks {
+    private static final List<PlanCheck> CHECKS = List.of(
+            new KnownNames(),
+            new StartPlace(),
+            new EndPlaces(),
+            new Reachability(),
+            new EdgesWithoutRequirement(),
+            new TransitionsThatNeverFire(),
+            new CausesOfInputs(),
+            new AnswersOfOutputs(),
+            new TokensForOutputs(),
+            new RequirementsAndEvents(),
+            new RelevantTokens(),
+            new RequiredFields(),
+            new FieldValues(),
+            new KnownVariables(),
+            new VariableTypes(),
+            new VariableUse(),
+            new Inhibitors(),
+            new EmptyPools(),
+            new SubMissions(),
+            new SubMissionTokens(),
+            new ReturnValues(),
+            new CommandsAtTheEnd(),
+            new Livelocks(),
+            new NamedTasks(),
+            new TaskFields(),
+            new InterruptNames(),
+            new Autonomy());
+
+    private PlanChecks() {}
+
+    /** The findings about all plans of a project, in the order of the document. */
+    public static List<Finding> check(Project project, Vocabulary vocabulary) {
+        return check(project, vocabulary, project.plans());
+    }
+
+    /**
+     * The findings that matter to a run of one plan: about it and about all plans that it runs as sub-missions. Empty where
+     * the project has no such plan.
+     */
+    public static List<Finding> check(Project project, Vocabulary vocabulary, String planId) {
+        return check(project, vocabulary, withDescendants(project, planId));
+    }
+
+    private static List<Finding> check(Project project, Vocabulary vocabulary, List<Plan> plans) {
+        List<Finding> findings = new ArrayList<>();
+        for (Plan plan : plans) {
+            PlanContext context = new PlanContext(project, vocabulary, plan);
+            CHECKS.forEach(check -> check.check(context, findings::add));
+        }
+        findings.sort(DocumentOrder.BY_POINTER);
+        return List.copyOf(findings);
+    }
+
+    private static List<Plan> withDescendants(Project project, String planId) {
+        Set<Plan> found = new LinkedHashSet<>();
+        Deque<String> open = new ArrayDeque<>(List.of(planId));
+        while (!open.isEmpty()) {
+            project.plan(open.pop()).filter(found::add).ifPresent(plan -> {
+                for (Place place : plan.places()) {
+                    place.subMissions().stream().map(SubMissionSpec::plan).forEach(open::push);
+                }
+            });
+        }
+        return List.copyOf(found);
+    }
+}

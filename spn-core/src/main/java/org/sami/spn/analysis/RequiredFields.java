@@ -1,0 +1,46 @@
+package org.sami.spn.analysis;
+
+import java.util.Set;
+import java.util.function.Consumer;
+import org.sami.spn.analysis.PlanContext.PlacedInput;
+import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.FieldType;
+
+/** Every field that an event needs has a source (thesis 3.1, Events). */
+final class RequiredFields implements PlanCheck {
+    /** Input events whose fields say what they wait for; the fields of the others are filled by what arrives. */
+    private static final Set<EventRole> SELECTED_BY_FIELDS = Set.of(EventRole.INTERRUPT, EventRole.CHECK_RETURN);
+
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        for (PlacedOutput output : plan.outputs()) {
+            for (FieldType field : output.type().fields()) {
+                if (field.required() && !output.spec().fields().containsKey(field.name())) {
+                    report.accept(Finding.error(
+                            "E-FIELD-MISSING",
+                            output.pointer(),
+                            output.type().name() + " at the " + PlanContext.name(output.place()) + " lacks its field "
+                                    + field.name(),
+                            output.place().id(),
+                            output.spec().id()));
+                }
+            }
+        }
+        for (PlacedInput input : plan.inputs()) {
+            for (FieldType field : input.type().fields()) {
+                if (SELECTED_BY_FIELDS.contains(input.type().role())
+                        && !input.spec().fields().containsKey(field.name())) {
+                    report.accept(Finding.error(
+                            "E-FIELD-MISSING",
+                            input.pointer(),
+                            input.type().name() + " on the " + PlanContext.name(input.transition())
+                                    + " lacks its field " + field.name(),
+                            input.transition().id(),
+                            input.spec().id()));
+                }
+            }
+        }
+    }
+}

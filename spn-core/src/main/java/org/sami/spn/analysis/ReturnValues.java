@@ -1,0 +1,69 @@
+package org.sami.spn.analysis;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.sami.spn.analysis.PlanContext.PlacedInput;
+import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.FieldSource;
+import org.sami.spn.model.Plan;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.Reserved;
+
+/** Who waits for what a sub-mission reports has one before it, and one that can return the awaited value (appendix .2.2). */
+final class ReturnValues implements PlanCheck {
+    private static final Set<EventRole> REPORTED = Set.of(EventRole.CHECK_RETURN, EventRole.SUB_MISSION_ABORTED);
+
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        for (PlacedInput input : plan.inputs()) {
+            if (!REPORTED.contains(input.type().role())) {
+                continue;
+            }
+            List<Plan> children = plan.inPlaces(input.transition()).stream()
+                    .flatMap(p -> p.subMissions().stream())
+                    .map(plan::child)
+                    .flatMap(Optional::stream)
+                    .toList();
+            if (children.isEmpty()) {
+                report.accept(Finding.error(
+                        "E-NO-SUB-MISSION",
+                        input.pointer(),
+                        "The " + PlanContext.name(input.transition()) + " waits for "
+                                + input.type().name() + ", but no place before it has a sub-mission",
+                        input.transition().id(),
+                        input.spec().id()));
+            } else if (input.type().role() == EventRole.CHECK_RETURN) {
+                checkValue(plan, input, children, report);
+            }
+        }
+    }
+
+    private static void checkValue(PlanContext plan, PlacedInput input, List<Plan> children, Consumer<Finding> report) {
+        Value wanted = input.spec().fields().get(Reserved.VALUE);
+        Set<Value> fixed = new HashSet<>();
+        for (Plan child : children) {
+            for (PlacedOutput output : new PlanContext(plan.project(), plan.vocabulary(), child).outputs()) {
+                if (output.type().role() == EventRole.RETURN_VALUE) {
+                    if (!(output.spec().fields().get(Reserved.VALUE) instanceof FieldSource.Fixed value)) {
+                        return; // known only when it runs
+                    }
+                    fixed.add(value.value());
+                }
+            }
+        }
+        if (wanted != null && !fixed.contains(wanted)) {
+            report.accept(Finding.warning(
+                    "W-NEVER-RETURNED",
+                    input.pointer(),
+                    "The " + PlanContext.name(input.transition())
+                            + " waits for a value that no sub-mission before it returns",
+                    input.transition().id(),
+                    input.spec().id()));
+        }
+    }
+}

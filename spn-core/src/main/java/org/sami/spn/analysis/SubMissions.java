@@ -1,0 +1,71 @@
+package org.sami.spn.analysis;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.SubMissionSpec;
+
+/** Sub-missions exist, do not contain themselves, and can come to an end where somebody waits for it (thesis 3.1). */
+final class SubMissions implements PlanCheck {
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        for (Place place : plan.plan().places()) {
+            for (int i = 0; i < place.subMissions().size(); i++) {
+                check(plan, place, place.subMissions().get(i), plan.at(place) + "/subMissions/" + i, report);
+            }
+            if (place.start() && place.subMissions().stream().anyMatch(SubMissionSpec::shared)) {
+                report.accept(Finding.warning(
+                        "W-SHARED-AT-START",
+                        plan.at(place),
+                        "A shared sub-mission on the start " + PlanContext.name(place) + " gets every token there is",
+                        place.id()));
+            }
+        }
+    }
+
+    private static void check(
+            PlanContext plan, Place place, SubMissionSpec s, String pointer, Consumer<Finding> report) {
+        Optional<Plan> child = plan.child(s);
+        if (child.isEmpty()) {
+            report.accept(Finding.error(
+                    "E-UNKNOWN-PLAN",
+                    pointer,
+                    "The " + PlanContext.name(place) + " runs the plan \"" + s.plan() + "\", which is not there",
+                    s.id()));
+            return;
+        }
+        if (contains(plan, child.get(), plan.plan().id(), new HashSet<>())) {
+            report.accept(Finding.error(
+                    "E-RECURSION",
+                    pointer,
+                    "The " + PlanContext.name(place) + " runs \"" + s.plan() + "\", which runs \""
+                            + plan.plan().id() + "\" again, without end",
+                    s.id()));
+        }
+        List<Place> ends = child.get().places().stream().filter(Place::end).toList();
+        if (ends.isEmpty() && !plan.outTransitions(place).isEmpty()) {
+            report.accept(Finding.warning(
+                    "W-SUB-MISSION-ENDLESS",
+                    pointer,
+                    "Transitions after the " + PlanContext.name(place) + " wait for the end of \"" + s.plan()
+                            + "\", which has no end place",
+                    s.id()));
+        }
+    }
+
+    private static boolean contains(PlanContext plan, Plan child, String wanted, Set<String> seen) {
+        if (child.id().equals(wanted)) {
+            return true;
+        }
+        return seen.add(child.id())
+                && VariableScope.subMissions(child)
+                        .map(plan::child)
+                        .flatMap(Optional::stream)
+                        .anyMatch(grandchild -> contains(plan, grandchild, wanted, seen));
+    }
+}

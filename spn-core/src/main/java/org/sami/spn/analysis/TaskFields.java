@@ -1,0 +1,36 @@
+package org.sami.spn.analysis;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.FieldSource;
+import org.sami.spn.value.ValueType;
+import org.sami.spn.vocabulary.FieldType;
+
+/** {@code @task} reads a field of the entering tasks: some class of tasks has that field, of that type (thesis 9.3.4). */
+final class TaskFields implements PlanCheck {
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        for (PlacedOutput output : plan.outputs()) {
+            output.spec().fields().forEach((name, source) -> {
+                Optional<ValueType> type = output.type().field(name).map(FieldType::type);
+                if (source instanceof FieldSource.FromTask && type.isPresent() && !offered(plan, name, type.get())) {
+                    report.accept(Finding.error(
+                            "E-TASK-FIELD",
+                            output.pointer() + "/fields/" + name,
+                            output.type().name() + " at the " + PlanContext.name(output.place()) + " reads the field "
+                                    + name + " from a task, but no class of tasks has it with that type",
+                            output.place().id(),
+                            output.spec().id()));
+                }
+            });
+        }
+    }
+
+    private static boolean offered(PlanContext plan, String name, ValueType type) {
+        return plan.vocabulary().taskClasses().values().stream()
+                .flatMap(c -> c.fields().stream())
+                .anyMatch(f -> f.name().equals(name) && f.type().equals(type));
+    }
+}

@@ -1,0 +1,30 @@
+package org.sami.spn.analysis;
+
+import java.util.function.Consumer;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.Transition;
+import org.sami.spn.model.WaitFor;
+
+/** A transition has an occasion to fire: an in place or an input event (SEMANTICS, When a transition is looked at). */
+final class TransitionsThatNeverFire implements PlanCheck {
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        for (Transition t : plan.plan().transitions()) {
+            if (t.inputs().isEmpty() && plan.inEdges(t).isEmpty()) {
+                report.accept(Finding.warning(
+                        "W-NEVER-FIRES",
+                        plan.at(t),
+                        "The " + PlanContext.name(t)
+                                + " has neither a place before it nor an input event: it never fires",
+                        t.id()));
+            }
+            if (t.inputs().isEmpty() && t.waitFor() == WaitFor.ALL) {
+                report.accept(Finding.warning(
+                        "W-WAITS-FOR-NOTHING",
+                        plan.at(t),
+                        "The " + PlanContext.name(t) + " waits for all, but has no input event to wait for",
+                        t.id()));
+            }
+        }
+    }
+}

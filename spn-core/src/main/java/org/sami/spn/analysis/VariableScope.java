@@ -1,0 +1,175 @@
+package org.sami.spn.analysis;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.sami.spn.analysis.PlanContext.PlacedInput;
+import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.model.FieldSource;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.SubMissionSpec;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.value.ValueType;
+import org.sami.spn.value.VariableReference;
+import org.sami.spn.vocabulary.DecisionForm;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.FieldType;
+
+/** Who declares, reads and writes which variable, as seen from one plan (SEMANTICS, Variables; thesis 3.1). */
+final class VariableScope {
+    private final PlanContext plan;
+
+    VariableScope(PlanContext plan) {
+        this.plan = plan;
+    }
+
+    /** One use of a variable by a field of an event. */
+    record Use(String variable, Optional<ValueType> type, String pointer, String event) {}
+
+    /** Fields that read a variable, in document order. */
+    List<Use> reads() {
+        List<Use> reads = new ArrayList<>();
+        for (PlacedOutput output : plan.outputs()) {
+            output.spec().fields().forEach((field, source) -> {
+                if (source instanceof FieldSource.FromVariable from) {
+                    reads.add(use(
+                            from.variable(),
+                            output.type(),
+                            field,
+                            output.pointer() + "/fields/" + field,
+                            output.spec().id()));
+                }
+            });
+        }
+        return reads;
+    }
+
+    /** Events that write a variable: from a field, or by asking the operator for it. */
+    List<Use> writes() {
+        List<Use> writes = new ArrayList<>();
+        for (PlacedOutput output : plan.outputs()) {
+            output.spec()
+                    .writes()
+                    .forEach((field, variable) -> writes.add(use(
+                            variable,
+                            output.type(),
+                            field,
+                            output.pointer() + "/writes/" + field,
+                            output.spec().id())));
+        }
+        for (PlacedInput input : plan.inputs()) {
+            input.spec()
+                    .writes()
+                    .forEach((field, variable) -> writes.add(use(
+                            variable,
+                            input.type(),
+                            field,
+                            input.pointer() + "/writes/" + field,
+                            input.spec().id())));
+        }
+        writes.addAll(redefinitions());
+        return writes;
+    }
+
+    /** Variables whose name stands in a field and which the operator is asked to redefine. */
+    List<Use> redefinitions() {
+        List<Use> uses = new ArrayList<>();
+        for (PlacedOutput output : plan.outputs()) {
+            boolean redefines = output.type().decision().isPresent()
+                    && output.type().decision().get().form() == DecisionForm.REDEFINE_VARIABLE;
+            output.spec().fields().forEach((field, source) -> {
+                if (redefines
+                        && source instanceof FieldSource.Fixed fixed
+                        && fixed.value() instanceof VariableReference reference) {
+                    uses.add(new Use(
+                            reference.variable(),
+                            Optional.empty(),
+                            output.pointer() + "/fields/" + field,
+                            output.spec().id()));
+                }
+            });
+        }
+        return uses;
+    }
+
+    private static Use use(String variable, EventType type, String field, String pointer, String event) {
+        return new Use(variable, type.field(field).map(FieldType::type), pointer, event);
+    }
+
+    /** The declared type: by the plan itself, by a plan that runs it, or by the project. */
+    Optional<ValueType> declared(String variable) {
+        return declared(plan, variable, new HashSet<>());
+    }
+
+    private static Optional<ValueType> declared(PlanContext plan, String variable, Set<String> seen) {
+        Optional<ValueType> own = type(plan.plan().variables(), variable);
+        if (own.isPresent() || !seen.add(plan.plan().id() + " " + variable)) {
+            return own;
+        }
+        for (Plan parent : plan.parents()) {
+            PlanContext context = new PlanContext(plan.project(), plan.vocabulary(), parent);
+            for (SubMissionSpec s : subMissions(parent).toList()) {
+                if (s.plan().equals(plan.plan().id())) {
+                    Optional<ValueType> inherited =
+                            declared(context, s.variables().getOrDefault(variable, variable), seen);
+                    if (inherited.isPresent()) {
+                        return inherited;
+                    }
+                }
+            }
+        }
+        return type(plan.project().globals(), variable);
+    }
+
+    private static Optional<ValueType> type(List<VariableSpec> variables, String name) {
+        return variables.stream()
+                .filter(v -> v.name().equals(name))
+                .map(VariableSpec::type)
+                .findFirst();
+    }
+
+    /** Whether a plan, or one that it runs, reads a variable under the name that it has there. */
+    static boolean readBelow(PlanContext plan, String variable, Set<String> seen) {
+        if (!seen.add(plan.plan().id() + " " + variable)) {
+            return false;
+        }
+        VariableScope scope = new VariableScope(plan);
+        return plan.plan().reads().contains(variable)
+                || scope.reads().stream().anyMatch(u -> u.variable().equals(variable))
+                || below(plan, variable).anyMatch(e -> readBelow(e.getKey(), e.getValue(), seen));
+    }
+
+    /** Whether a plan, or one that it runs, writes a variable under the name that it has there. */
+    static boolean writtenBelow(PlanContext plan, String variable, Set<String> seen) {
+        if (!seen.add(plan.plan().id() + " " + variable)) {
+            return false;
+        }
+        VariableScope scope = new VariableScope(plan);
+        return scope.writes().stream().anyMatch(u -> u.variable().equals(variable))
+                || below(plan, variable).anyMatch(e -> writtenBelow(e.getKey(), e.getValue(), seen));
+    }
+
+    /** The plans that a plan runs, with the names that a variable of the parent has in them. */
+    private static Stream<Map.Entry<PlanContext, String>> below(PlanContext plan, String variable) {
+        return subMissions(plan.plan())
+                .flatMap(s -> plan.child(s).stream().flatMap(child -> {
+                    PlanContext context = new PlanContext(plan.project(), plan.vocabulary(), child);
+                    Stream<String> mapped = s.variables().entrySet().stream()
+                            .filter(e -> e.getValue().equals(variable))
+                            .map(Map.Entry::getKey);
+                    boolean hidden = s.variables().containsKey(variable)
+                            || child.variables().stream().anyMatch(v -> v.name().equals(variable));
+                    Stream<String> same = hidden ? Stream.of() : Stream.of(variable);
+                    return Stream.concat(mapped, same).map(name -> Map.entry(context, name));
+                }));
+    }
+
+    static Stream<SubMissionSpec> subMissions(Plan plan) {
+        return plan.places().stream().map(Place::subMissions).flatMap(List::stream);
+    }
+}

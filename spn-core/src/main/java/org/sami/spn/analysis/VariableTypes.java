@@ -1,0 +1,66 @@
+package org.sami.spn.analysis;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.value.ValueType;
+
+/** A variable fits every field that reads or writes it. The type of one that is not declared is that of its first write. */
+final class VariableTypes implements PlanCheck {
+    @Override
+    public void check(PlanContext plan, Consumer<Finding> report) {
+        VariableScope scope = new VariableScope(plan);
+        Map<String, ValueType> written = new LinkedHashMap<>();
+        for (VariableScope.Use write : scope.writes()) {
+            write.type().ifPresent(type -> {
+                Optional<ValueType> variable = scope.declared(write.variable());
+                ValueType target = variable.orElseGet(() -> written.computeIfAbsent(write.variable(), v -> type));
+                check(type, target, write, "is written with", report);
+            });
+        }
+        for (VariableScope.Use read : scope.reads()) {
+            Optional<ValueType> variable =
+                    scope.declared(read.variable()).or(() -> Optional.ofNullable(written.get(read.variable())));
+            variable.ifPresent(
+                    source -> read.type().ifPresent(type -> check(source, type, read, "is read as", report)));
+        }
+        for (VariableSpec v : plan.plan().variables()) {
+            if (v.initial().isPresent()
+                    && !v.type().accepts(v.initial().get(), plan.vocabulary().types())) {
+                report.accept(Finding.error(
+                        "E-VARIABLE-TYPE",
+                        plan.pointer() + "/variables/" + plan.plan().variables().indexOf(v),
+                        "The first value of " + v.name() + " is not of its type",
+                        v.name()));
+            }
+        }
+    }
+
+    private static void check(
+            ValueType from, ValueType to, VariableScope.Use use, String verb, Consumer<Finding> report) {
+        if (!assignable(from, to)) {
+            report.accept(Finding.error(
+                    "E-VARIABLE-TYPE",
+                    use.pointer(),
+                    "The variable " + use.variable() + " " + verb + " a field of another type in the event "
+                            + use.event(),
+                    use.event()));
+        }
+    }
+
+    private static boolean assignable(ValueType from, ValueType to) {
+        if (from.equals(to) || from == ValueType.Simple.ANY || to == ValueType.Simple.ANY) {
+            return true;
+        }
+        if (from instanceof ValueType.ListOf a && to instanceof ValueType.ListOf b) {
+            return assignable(a.element(), b.element());
+        }
+        if (from instanceof ValueType.MapOf a && to instanceof ValueType.MapOf b) {
+            return assignable(a.key(), b.key()) && assignable(a.value(), b.value());
+        }
+        return from == ValueType.Simple.INTEGER && to == ValueType.Simple.REAL;
+    }
+}
