@@ -1,0 +1,389 @@
+package org.sami.spn.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.sami.spn.testing.NetBuilder.project;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.FieldSource;
+import org.sami.spn.model.MarkupSpec;
+import org.sami.spn.model.Mode;
+import org.sami.spn.model.OutEdge;
+import org.sami.spn.model.OutRequirement;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.testing.NetBuilder;
+import org.sami.spn.value.DurationValue;
+import org.sami.spn.value.EnumValue;
+import org.sami.spn.value.IntegerValue;
+import org.sami.spn.value.RealValue;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
+import org.sami.spn.value.ValueType;
+import org.sami.spn.value.VariableReference;
+
+/** For each code a tiny plan that must be found, and one like it that must pass without that finding. */
+class PlanChecksTest {
+    private static final Path SOURCES = Path.of("src/main/java/org/sami/spn/analysis");
+    private static final int LEAST_CODES = 30;
+    private static final FieldSource SPEED = new FieldSource.Fixed(new RealValue(1));
+    private static final ValueType REAL = ValueType.Simple.REAL;
+    private static final ValueType TEXT = ValueType.Simple.TEXT;
+
+    record Case(String code, Project bad, Project good) {
+        @Override
+        public String toString() {
+            return code;
+        }
+    }
+
+    private static Case of(String code, NetBuilder bad, NetBuilder good) {
+        return new Case(code, project(bad.build()), project(good.build()));
+    }
+
+    /** Start, a command to boats, an end. */
+    private static NetBuilder drive() {
+        return begin().output("go", "Drive", Map.of("speed", SPEED), Map.of())
+                .transition("driven", "Driven")
+                .in("go", "driven", "relevant all")
+                .out("driven", "end", "take all relevant");
+    }
+
+    /** Start, and a transition that lets all boats into the place go. */
+    private static NetBuilder begin() {
+        return new NetBuilder("plan")
+                .start("start")
+                .end("end")
+                .in("start", "first", "generic >= 1")
+                .out("first", "go", "take all any");
+    }
+
+    private static NetBuilder passOn(NetBuilder net) {
+        return net.in("go", "last", "any >= 1").out("last", "end", "take all any");
+    }
+
+    private static NetBuilder parent(String... returned) {
+        NetBuilder parent =
+                new NetBuilder("plan").start("start").sub("start", "child").end("end");
+        for (String value : returned) {
+            parent.input("check", "CheckReturn", Map.of("value", new TextValue(value)), Map.of());
+        }
+        return parent.in("start", "check", "any >= 1").out("check", "end", "take all sub");
+    }
+
+    private static NetBuilder child() {
+        return new NetBuilder("child")
+                .start("a")
+                .output("b", "ReturnValue", Map.of("value", new FieldSource.Fixed(new TextValue("yes"))), Map.of())
+                .end("b")
+                .in("a", "t", "any >= 1")
+                .out("t", "b", "take all any");
+    }
+
+    private static Case withChild(String code, NetBuilder bad, NetBuilder good) {
+        return new Case(code, project(bad.build(), child().build()), project(good.build(), child().build()));
+    }
+
+    private static MarkupSpec initiative(String trigger, boolean timeout) {
+        Map<String, Value> options = new LinkedHashMap<>();
+        options.put("trigger", new EnumValue("Trigger", trigger));
+        if (timeout) {
+            options.put("timeout", new DurationValue(1000));
+        }
+        return new MarkupSpec("MixedInitiativeTrigger", options);
+    }
+
+    static List<Case> cases() {
+        List<Case> cases = new ArrayList<>();
+        addNetCases(cases);
+        addEventCases(cases);
+        addTokenCases(cases);
+        addVariableCases(cases);
+        addSubMissionCases(cases);
+        return cases;
+    }
+
+    private static void addNetCases(List<Case> cases) {
+        cases.add(of("E-NO-START", new NetBuilder("plan").places("a").end("end"), drive()));
+        cases.add(of("E-TWO-STARTS", drive().start("go"), drive()));
+        cases.add(of("E-START-IS-END", drive().end("start"), drive()));
+        cases.add(of("W-NO-END", new NetBuilder("plan").start("start"), drive()));
+        cases.add(of("W-END-UNREACHABLE", new NetBuilder("plan").start("start").end("end"), drive()));
+        cases.add(
+                of("E-END-GOES-ON", drive().in("end", "more", "any >= 1").out("more", "go", "take all any"), drive()));
+        cases.add(of("W-UNREACHABLE", drive().places("island"), drive()));
+        cases.add(of("E-NO-REQUIREMENT", begin().in("go", "last").out("last", "end", "always"), passOn(begin())));
+        cases.add(of("W-NEVER-FIRES", drive().out("ghost", "end", "always"), drive()));
+        cases.add(of("W-WAITS-FOR-NOTHING", passOn(begin()).waitForAll("last"), drive().waitForAll("driven")));
+        cases.add(new Case("E-DANGLING", project(dangling(drive().build())), project(drive().build())));
+        cases.add(of(
+                "W-INHIBITORS-ONLY",
+                begin().in("go", "last", "any = 0").out("last", "end", "always"),
+                begin().in("go", "last", "any = 0")
+                        .in("start", "last", "any >= 1")
+                        .out("last", "end", "always")));
+        cases.add(of(
+                "W-EMPTY-POOL",
+                passOn(begin()).transition("news", "News").out("news", "go", "take all proxy"),
+                passOn(begin()).transition("news", "News").out("news", "go", "add 1 generic")));
+        cases.add(of(
+                "W-LIVELOCK",
+                passOn(begin()).in("go", "back", "any >= 1").out("back", "start", "take all any"),
+                passOn(begin())
+                        .transition("back", "News")
+                        .in("go", "back", "any >= 1")
+                        .out("back", "start", "take all any")));
+    }
+
+    private static Plan dangling(Plan plan) {
+        List<OutEdge> edges = new ArrayList<>(plan.outEdges());
+        edges.add(new OutEdge("loose", "driven", "nowhere", Mode.NOMINAL, List.of(OutRequirement.unconditional())));
+        return new Plan(
+                plan.id(),
+                plan.name(),
+                plan.description(),
+                plan.places(),
+                plan.transitions(),
+                plan.inEdges(),
+                edges,
+                plan.variables(),
+                plan.reads(),
+                plan.tasks(),
+                plan.layout(),
+                plan.notes(),
+                plan.testCases());
+    }
+
+    private static void addEventCases(List<Case> cases) {
+        cases.add(of("E-UNKNOWN-EVENT", passOn(begin()).output("go", "Dance"), drive()));
+        cases.add(of("E-NO-CAUSE", passOn(begin()).transition("last", "Done"), drive()));
+        cases.add(of(
+                "W-CAUSE-ELSEWHERE",
+                drive().in("go", "leave", "generic >= 1")
+                        .out("leave", "later", "take all any")
+                        .transition("late", "Driven")
+                        .in("later", "late", "relevant all")
+                        .out("late", "end", "take all relevant"),
+                drive()));
+        cases.add(of("W-UNANSWERED", passOn(begin()).output("go", "Do"), drive()));
+        cases.add(of(
+                "W-ANSWER-IGNORED",
+                passOn(begin()).output("go", "Approve").transition("last", "Yes"),
+                passOn(begin())
+                        .output("go", "Approve")
+                        .transition("last", "Yes")
+                        .transition("no", "No")
+                        .in("go", "no", "always")
+                        .out("no", "end", "always")));
+        cases.add(of("E-FIELD-MISSING", drive().output("start", "Drive"), drive()));
+        cases.add(of(
+                "E-FIELD-TYPE",
+                passOn(begin())
+                        .output("go", "Do", Map.of("speed", new FieldSource.Fixed(new TextValue("fast"))), Map.of()),
+                drive()));
+        cases.add(
+                of("E-UNKNOWN-FIELD", passOn(begin()).output("go", "Do", Map.of("colour", SPEED), Map.of()), drive()));
+        cases.add(of(
+                "W-COMMAND-AT-END",
+                drive().output("end", "Drive", Map.of("speed", SPEED), Map.of()),
+                drive().output("end", "Do")));
+        cases.add(of(
+                "W-INTERRUPT-TWICE",
+                button(button(drive(), "one", "go"), "two", "go"),
+                button(button(drive(), "one", "go"), "two", "start")));
+        cases.add(of(
+                "E-NO-TIMEOUT",
+                drive().output("go", "Approve", initiative("TIMER", false)),
+                drive().output("go", "Approve", initiative("TIMER", true))));
+        cases.add(of(
+                "W-NO-AUTOMATIC-ANSWER",
+                drive().output("go", "Provide", initiative("IMMEDIATELY", false)),
+                drive().output("go", "Approve", initiative("IMMEDIATELY", false))));
+    }
+
+    private static NetBuilder button(NetBuilder net, String transition, String place) {
+        return net.input(transition, "Interrupt", Map.of("interruptName", new TextValue("stop")), Map.of())
+                .in(place, transition, "always")
+                .out(transition, "end", "take all any");
+    }
+
+    private static void addTokenCases(List<Case> cases) {
+        NetBuilder onlyGeneric = new NetBuilder("plan")
+                .start("start")
+                .in("start", "first", "generic >= 1")
+                .out("first", "go", "take 1 generic")
+                .output("go", "Drive", Map.of("speed", SPEED), Map.of());
+        NetBuilder byNobody = new NetBuilder("plan")
+                .start("start")
+                .in("start", "first", "generic >= 1")
+                .out("first", "go", "always")
+                .output("go", "Drive", Map.of("speed", SPEED), Map.of());
+        cases.add(of("E-NO-TOKENS", onlyGeneric, drive()));
+        cases.add(of("W-NO-TOKENS", byNobody, drive()));
+        cases.add(of(
+                "W-NAMED-IGNORED",
+                begin().output("go", "Drive", Map.of("speed", SPEED), Map.of())
+                        .transition("driven", "Driven")
+                        .in("go", "driven", "always")
+                        .out("driven", "end", "always"),
+                drive()));
+        cases.add(of("E-RELEVANT-WITHOUT-EVENT", passOn(begin()).in("start", "last", "relevant all"), drive()));
+        cases.add(of(
+                "W-RELEVANT-NOBODY",
+                passOn(begin()).transition("last", "News").in("start", "last", "relevant all"),
+                drive()));
+        NetBuilder tasks = passOn(begin()).task("T", "Measure", Map.of());
+        cases.add(of(
+                "E-UNKNOWN-TASK",
+                passOn(begin()).in("start", "last", "task:T >= 1"),
+                tasks.in("start", "last", "task:T >= 1", "task:Look >= 1")));
+        cases.add(of(
+                "E-TASK-FIELD",
+                passOn(begin()).output("go", "Do", Map.of("speed", new FieldSource.FromTask()), Map.of()),
+                passOn(begin()).output("go", "Do", Map.of("point", new FieldSource.FromTask()), Map.of())));
+    }
+
+    private static NetBuilder reading(String variable) {
+        return passOn(begin()).output("go", "Do", Map.of("speed", new FieldSource.FromVariable(variable)), Map.of());
+    }
+
+    private static void addVariableCases(List<Case> cases) {
+        cases.add(of("E-VARIABLE-UNKNOWN", reading("@v"), reading("@v").variable("@v", REAL)));
+        cases.add(of(
+                "E-VARIABLE-TYPE",
+                reading("@v").variable("@v", TEXT),
+                reading("@v").variable("@v", ValueType.Simple.INTEGER)));
+        cases.add(of(
+                "E-VARIABLE-TYPE",
+                reading("@v").variable("@v", REAL, new TextValue("fast")),
+                reading("@v").variable("@v", REAL, new IntegerValue(1))));
+        cases.add(of(
+                "E-VARIABLE-TYPE",
+                reading("@v").input("last", "Failed", Map.of(), Map.of("reason", "@v")),
+                reading("@v").input("last", "Done", Map.of(), Map.of("value", "@v"))));
+        cases.add(of(
+                "W-VARIABLE-UNREAD",
+                passOn(begin()).variable("@v", REAL),
+                reading("@v").variable("@v", REAL)));
+        cases.add(of(
+                "W-VARIABLE-UNREAD",
+                passOn(begin()).input("last", "News", Map.of(), Map.of("value", "@v")),
+                reading("@v").input("last", "News", Map.of(), Map.of("value", "@v"))));
+        cases.add(of(
+                "W-VARIABLE-NEVER-WRITTEN",
+                reading("@v").variable("@v", REAL),
+                reading("@v").variable("@v", REAL, new RealValue(1))));
+        FieldSource name = new FieldSource.Fixed(new VariableReference("@v"));
+        cases.add(of(
+                "E-VARIABLE-UNKNOWN",
+                passOn(begin()).output("go", "Redefine", Map.of("variable", name), Map.of()),
+                reading("@v").variable("@v", REAL).output("go", "Redefine", Map.of("variable", name), Map.of())));
+        cases.add(withChild(
+                "E-VARIABLE-UNKNOWN",
+                parent().sub("start", "child", false, Map.of(), Map.of("@c", "@p")),
+                parent().sub("start", "child", false, Map.of(), Map.of("@c", "@p"))
+                        .variable("@p", REAL)));
+    }
+
+    private static void addSubMissionCases(List<Case> cases) {
+        cases.add(new Case("E-UNKNOWN-PLAN", project(parent().build()), project(parent().build(), child().build())));
+        cases.add(withChild("E-RECURSION", parent().sub("start", "plan"), parent()));
+        cases.add(new Case(
+                "W-SUB-MISSION-ENDLESS",
+                project(parent().build(), new NetBuilder("child").start("a").build()),
+                project(parent().build(), child().build())));
+        cases.add(withChild("W-SHARED-AT-START", parent().shared("start", "child"), parent()));
+        cases.add(of(
+                "E-NO-SUB-MISSION", begin().in("go", "last", "any >= 1").out("last", "end", "take all sub"), drive()));
+        cases.add(of(
+                "E-NO-SUB-MISSION",
+                passOn(begin()).input("last", "CheckReturn", Map.of("value", new TextValue("yes")), Map.of()),
+                drive()));
+        cases.add(withChild("W-NEVER-RETURNED", parent("no"), parent("yes")));
+        cases.add(withChild(
+                "E-UNKNOWN-TASK", parent().sub("start", "child", false, Map.of("T", "U"), Map.of()), parent()));
+    }
+
+    @ParameterizedTest
+    @MethodSource("cases")
+    void badPlanIsFoundAndGoodOneIsNot(Case c) {
+        assertThat(PlanChecks.check(c.bad(), BoatWords.WORDS))
+                .extracting(Finding::code)
+                .contains(c.code());
+        assertThat(PlanChecks.check(c.good(), BoatWords.WORDS))
+                .extracting(Finding::code)
+                .doesNotContain(c.code());
+    }
+
+    @Test
+    void everyCodeIsTried() throws IOException {
+        Set<String> codes = new TreeSet<>();
+        try (Stream<Path> files = Files.list(SOURCES)) {
+            for (Path file : files.toList()) {
+                Matcher code = Pattern.compile("\"([EW]-[A-Z-]+)\"").matcher(Files.readString(file));
+                while (code.find()) {
+                    codes.add(code.group(1));
+                }
+            }
+        }
+
+        assertThat(codes).hasSizeGreaterThan(LEAST_CODES);
+        assertThat(new TreeSet<>(cases().stream().map(Case::code).toList())).isEqualTo(codes);
+    }
+
+    @Test
+    void ordinaryPlanHasNoFinding() {
+        assertThat(PlanChecks.check(project(drive().build()), BoatWords.WORDS)).isEmpty();
+    }
+
+    @Test
+    void findingNamesItsElementAndItsPlaceInTheDocument() {
+        Project project = project(drive().places("island").build());
+
+        List<Finding> findings = PlanChecks.check(project, BoatWords.WORDS);
+
+        assertThat(findings)
+                .containsExactly(Finding.warning(
+                        "W-UNREACHABLE", "/plans/0/places/3", "Nothing leads to the place \"island\"", "island"));
+    }
+
+    @Test
+    void findingsComeInTheOrderOfTheDocument() {
+        NetBuilder net = drive().in("go", "a", "any >= 1").out("a", "end");
+        for (int i = 0; i < 11; i++) {
+            net.places("island" + i);
+        }
+
+        List<Finding> findings = PlanChecks.check(project(drive().build(), net.build()), BoatWords.WORDS);
+
+        assertThat(findings).hasSize(12);
+        assertThat(findings.get(0).pointer()).isEqualTo("/plans/1/places/3");
+        assertThat(findings.get(10).pointer()).isEqualTo("/plans/1/places/13");
+        assertThat(findings.get(11).pointer()).isEqualTo("/plans/1/outEdges/2");
+    }
+
+    @Test
+    void runOfAPlanIsConcernedByItselfAndItsSubMissionsOnly() {
+        Plan broken = new NetBuilder("broken").places("a").build();
+        Project project = project(parent("yes").build(), child().build(), broken);
+
+        assertThat(PlanChecks.check(project, BoatWords.WORDS)).isNotEmpty();
+        assertThat(PlanChecks.check(project, BoatWords.WORDS, "plan")).isEmpty();
+        assertThat(PlanChecks.check(project, BoatWords.WORDS, "broken")).isNotEmpty();
+        assertThat(PlanChecks.check(project, BoatWords.WORDS, "absent")).isEmpty();
+    }
+}
