@@ -2,6 +2,7 @@ package org.sami.domain;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.networknt.schema.Schema;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,11 +19,16 @@ import org.sami.spn.model.Plan;
 class ShippedFilesTest {
     private static final String CRW = "/org/sami/domain/crw";
     private static final Path RESOURCES = Path.of("src/main/resources");
-    private static final int LEAST_FILES = 7;
+    private static final Path TEST_RESOURCES = Path.of("src/test/resources");
+    private static final int LEAST_FILES = 9;
 
     private static List<Path> jsonFiles() throws IOException {
-        try (Stream<Path> files = Files.walk(RESOURCES)) {
-            return files.filter(f -> f.toString().endsWith(".json")).sorted().toList();
+        try (Stream<Path> main = Files.walk(RESOURCES);
+                Stream<Path> test = Files.walk(TEST_RESOURCES)) {
+            return Stream.concat(main, test)
+                    .filter(f -> f.toString().endsWith(".json"))
+                    .sorted()
+                    .toList();
         }
     }
 
@@ -54,6 +60,21 @@ class ShippedFilesTest {
                 .values()
                 .forEach(project -> assertThat(PlanChecks.check(project, library.vocabulary()))
                         .isEmpty());
+    }
+
+    @Test
+    void everyShippedFileIsValidByItsSchema() throws IOException {
+        for (Path file : jsonFiles()) {
+            String path = file.toString().replace('\\', '/');
+            if (!path.contains("/schemas/")) {
+                boolean project = path.contains("/plans/") || path.contains("everything");
+                Schema schema = Schemas.load(project ? "project-1.schema.json" : "vocabulary-1.schema.json");
+
+                assertThat(Schemas.errors(schema, Schemas.MAPPER.readTree(Files.readString(file))))
+                        .as(path)
+                        .isEmpty();
+            }
+        }
     }
 
     /** With {@code -PcanonicalWrite} the files are put into that form instead. */

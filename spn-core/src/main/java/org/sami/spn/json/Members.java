@@ -49,7 +49,7 @@ final class Members {
         return node.has(member);
     }
 
-    /** The member as it stands, null in the file being the same as absent nowhere: it is a wrong type. */
+    /** The member as it stands. JSON's null is a value like others, and of the wrong type everywhere. */
     Optional<JsonNode> node(String member) {
         known.add(member);
         return Optional.ofNullable(node.get(member));

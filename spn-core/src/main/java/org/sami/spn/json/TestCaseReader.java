@@ -53,9 +53,7 @@ final class TestCaseReader {
             case "occur" -> occur(s);
             case "press" -> Optional.of(new TestStep.Press(s.text("interrupt"), s.texts("proxies")));
             case "advance" -> advance(s);
-            case "expect tokens" ->
-                Optional.of(new TestStep.ExpectTokens(
-                        known(s, "place", places), s.integer("generic", 0), s.texts("proxies")));
+            case "expect tokens" -> Optional.of(expectTokens(s));
             case "expect ended" -> Optional.of(new TestStep.ExpectEnded());
             default -> {
                 s.problem(
@@ -65,6 +63,14 @@ final class TestCaseReader {
                 yield Optional.empty();
             }
         };
+    }
+
+    private TestStep expectTokens(Members s) {
+        int generic = s.integer("generic", 0);
+        if (generic < 0) {
+            s.problem(Codes.BAD_VALUE, "generic", "A number of tokens is not negative: " + generic);
+        }
+        return new TestStep.ExpectTokens(known(s, "place", places), Math.max(0, generic), s.texts("proxies"));
     }
 
     private Optional<TestStep> answer(Members s) {
@@ -77,7 +83,9 @@ final class TestCaseReader {
         } else if (s.has("option")) {
             reply = Optional.of(new TestStep.Reply.Option(s.integer("option", 0)));
         } else if (s.has("rejected")) {
-            s.flag("rejected");
+            if (!s.flag("rejected")) {
+                s.problem(Codes.BAD_VALUE, "rejected", "\"rejected\" is true or not there");
+            }
             reply = Optional.of(new TestStep.Reply.Rejected());
         } else if (s.has("values")) {
             Map<String, Value> values = new LinkedHashMap<>();
