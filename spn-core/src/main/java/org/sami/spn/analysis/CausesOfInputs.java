@@ -12,7 +12,7 @@ import org.sami.spn.vocabulary.EventType;
 
 /**
  * An input event that answers has its cause on a place before its transition (thesis 4.3.3, Events). News have no cause;
- * interrupts, aborts and what sub-missions report come from elsewhere. Differs from 4.3.3 in one point: as a boat goes on
+ * interrupts, aborts and what sub-missions report come from elsewhere. Differs from 4.3.3 in one point: as a robot goes on
  * with a command when it leaves the place, the cause may be a command on another place; that is a warning.
  */
 final class CausesOfInputs implements PlanCheck {

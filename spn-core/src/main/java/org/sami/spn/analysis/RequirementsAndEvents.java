@@ -13,7 +13,7 @@ import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
 import org.sami.spn.vocabulary.TokenNeed;
 
-/** A transition whose input events name boats or tasks does something with them (thesis 4.3.3, Token Requirements). */
+/** A transition whose input events name proxies or tasks does something with them (thesis 4.3.3, Token Requirements). */
 final class RequirementsAndEvents implements PlanCheck {
     private static final Set<TokenKind> NOT_ABOUT_ANYBODY = EnumSet.of(TokenKind.GENERIC, TokenKind.UNCONDITIONAL);
 
@@ -36,7 +36,7 @@ final class RequirementsAndEvents implements PlanCheck {
                         plan.at(t),
                         "The " + PlanContext.name(t) + " waits for "
                                 + naming.get(0).type().name()
-                                + ", which names boats or tasks, but none of its requirements speaks of them",
+                                + ", which names proxies or tasks, but none of its requirements speaks of them",
                         t.id()));
             }
         }

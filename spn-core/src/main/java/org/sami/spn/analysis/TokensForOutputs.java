@@ -12,8 +12,8 @@ import org.sami.spn.model.TokenKind;
 import org.sami.spn.vocabulary.TokenNeed;
 
 /**
- * An output event that needs boats or tasks stands where some edge can bring them (thesis 4.3.3, Token Requirements). An
- * allocated task brings its boat. Where an unconditional edge enters, nobody was meant to come: that is a warning.
+ * An output event that needs proxies or tasks stands where some edge can bring them (thesis 4.3.3, Token Requirements). An
+ * allocated task brings its proxy. Where an unconditional edge enters, nobody was meant to come: that is a warning.
  */
 final class TokensForOutputs implements PlanCheck {
     private static final Set<TokenKind> BRING_TASKS = EnumSet.of(
@@ -40,7 +40,7 @@ final class TokensForOutputs implements PlanCheck {
             Set<TokenKind> useful = need == TokenNeed.TASK ? BRING_TASKS : BRING_PROXIES;
             if (!entering.isEmpty() && entering.stream().noneMatch(r -> useful.contains(r.kind()))) {
                 boolean byNobody = entering.stream().anyMatch(r -> r.kind() == TokenKind.UNCONDITIONAL);
-                String what = need == TokenNeed.TASK ? "tasks" : "boats";
+                String what = need == TokenNeed.TASK ? "tasks" : "proxies";
                 String message = output.type().name() + " at the " + PlanContext.name(output.place()) + " needs " + what
                         + ", but no edge brings any there";
                 report.accept(

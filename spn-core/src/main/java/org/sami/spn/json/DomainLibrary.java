@@ -31,7 +31,7 @@ public record DomainLibrary(Vocabulary vocabulary, VocabularyFiles files, Map<St
     /**
      * Loads a domain from the class path.
      *
-     * @param folder absolute, such as {@code /org/sami/domain/crw}
+     * @param folder absolute, such as {@code /org/sami/domain/NAME}
      */
     public static Reading<DomainLibrary> fromClassPath(String folder) {
         return load(VocabularyFiles.fromClassPath(folder), name -> VocabularyFiles.resource(folder + "/" + name));

@@ -26,7 +26,7 @@ public record VocabularyFiles(Map<String, String> texts) {
     /**
      * Finds the files among the resources of the class path.
      *
-     * @param folder absolute, such as {@code /org/sami/domain/crw}
+     * @param folder absolute, such as {@code /org/sami/domain/NAME}
      */
     public static Reading<VocabularyFiles> fromClassPath(String folder) {
         return load(name -> resource(folder + "/" + name));

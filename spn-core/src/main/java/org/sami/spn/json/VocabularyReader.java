@@ -34,7 +34,7 @@ public final class VocabularyReader {
         return new VocabularyReader(files).read();
     }
 
-    /** The vocabulary of a domain on the class path, its folder given as {@code /org/sami/domain/crw}. */
+    /** The vocabulary of a domain on the class path, its folder given as {@code /org/sami/domain/NAME}. */
     public static Reading<Vocabulary> fromClassPath(String folder) {
         Reading<VocabularyFiles> found = VocabularyFiles.fromClassPath(folder);
         return found.result()

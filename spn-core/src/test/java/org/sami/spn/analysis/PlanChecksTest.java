@@ -55,7 +55,7 @@ class PlanChecksTest {
         return new Case(code, project(bad.build()), project(good.build()));
     }
 
-    /** Start, a command to boats, an end. */
+    /** Start, a command to proxies, an end. */
     private static NetBuilder drive() {
         return begin().output("go", "Drive", Map.of("speed", SPEED), Map.of())
                 .transition("driven", "Driven")
@@ -63,7 +63,7 @@ class PlanChecksTest {
                 .out("driven", "end", "take all relevant");
     }
 
-    /** Start, and a transition that lets all boats into the place go. */
+    /** Start, and a transition that lets all proxies into the place go. */
     private static NetBuilder begin() {
         return new NetBuilder("plan")
                 .start("start")
@@ -321,10 +321,10 @@ class PlanChecksTest {
     @ParameterizedTest
     @MethodSource("cases")
     void badPlanIsFoundAndGoodOneIsNot(Case c) {
-        assertThat(PlanChecks.check(c.bad(), BoatWords.WORDS))
+        assertThat(PlanChecks.check(c.bad(), CheckWords.WORDS))
                 .extracting(Finding::code)
                 .contains(c.code());
-        assertThat(PlanChecks.check(c.good(), BoatWords.WORDS))
+        assertThat(PlanChecks.check(c.good(), CheckWords.WORDS))
                 .extracting(Finding::code)
                 .doesNotContain(c.code());
     }
@@ -347,14 +347,14 @@ class PlanChecksTest {
 
     @Test
     void ordinaryPlanHasNoFinding() {
-        assertThat(PlanChecks.check(project(drive().build()), BoatWords.WORDS)).isEmpty();
+        assertThat(PlanChecks.check(project(drive().build()), CheckWords.WORDS)).isEmpty();
     }
 
     @Test
     void findingNamesItsElementAndItsPlaceInTheDocument() {
         Project project = project(drive().places("island").build());
 
-        List<Finding> findings = PlanChecks.check(project, BoatWords.WORDS);
+        List<Finding> findings = PlanChecks.check(project, CheckWords.WORDS);
 
         assertThat(findings)
                 .containsExactly(Finding.warning(
@@ -368,7 +368,7 @@ class PlanChecksTest {
             net.places("island" + i);
         }
 
-        List<Finding> findings = PlanChecks.check(project(drive().build(), net.build()), BoatWords.WORDS);
+        List<Finding> findings = PlanChecks.check(project(drive().build(), net.build()), CheckWords.WORDS);
 
         assertThat(findings).hasSize(12);
         assertThat(findings.get(0).pointer()).isEqualTo("/plans/1/places/3");
@@ -381,9 +381,9 @@ class PlanChecksTest {
         Plan broken = new NetBuilder("broken").places("a").build();
         Project project = project(parent("yes").build(), child().build(), broken);
 
-        assertThat(PlanChecks.check(project, BoatWords.WORDS)).isNotEmpty();
-        assertThat(PlanChecks.check(project, BoatWords.WORDS, "plan")).isEmpty();
-        assertThat(PlanChecks.check(project, BoatWords.WORDS, "broken")).isNotEmpty();
-        assertThat(PlanChecks.check(project, BoatWords.WORDS, "absent")).isEmpty();
+        assertThat(PlanChecks.check(project, CheckWords.WORDS)).isNotEmpty();
+        assertThat(PlanChecks.check(project, CheckWords.WORDS, "plan")).isEmpty();
+        assertThat(PlanChecks.check(project, CheckWords.WORDS, "broken")).isNotEmpty();
+        assertThat(PlanChecks.check(project, CheckWords.WORDS, "absent")).isEmpty();
     }
 }

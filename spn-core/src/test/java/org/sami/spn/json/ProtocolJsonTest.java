@@ -65,7 +65,7 @@ class ProtocolJsonTest {
                 new Input.SetVariable(0, "@x", new IntegerValue(1)),
                 new Input.AllocateTasks(allocation),
                 new Input.AddTasks(2, List.of(new TaskSpec("T1", "Camera", values))),
-                new Input.HandlerFailed(7, "no such boat"),
+                new Input.HandlerFailed(7, "no such robot"),
                 new Input.Remember(1, "progress", new TextValue("half")));
     }
 

@@ -15,13 +15,13 @@ import org.sami.spn.vocabulary.TokenNeed;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * The test vocabulary and, beside it, {@code Drive(speed)}, a command to boats that {@code Driven} answers, naming them,
+ * The test vocabulary and, beside it, {@code Drive(speed)}, a command to proxies that {@code Driven} answers, naming them,
  * and {@code Work}, a request about tasks.
  */
-final class BoatWords {
+final class CheckWords {
     static final Vocabulary WORDS = build();
 
-    private BoatWords() {}
+    private CheckWords() {}
 
     private static Vocabulary build() {
         Vocabulary base = TestVocabulary.TEST;
