@@ -35,10 +35,14 @@ final class DocumentOrder {
     }
 
     private static int compareStep(String a, String b) {
-        if (a.matches("\\d{1,9}") && b.matches("\\d{1,9}")) {
-            return Integer.compare(Integer.parseInt(a), Integer.parseInt(b));
+        if (isIndex(a) && isIndex(b)) {
+            return a.length() == b.length() ? a.compareTo(b) : Integer.compare(a.length(), b.length());
         }
         int rank = Integer.compare(MEMBERS.indexOf(a), MEMBERS.indexOf(b));
         return rank != 0 ? rank : a.compareTo(b);
+    }
+
+    private static boolean isIndex(String step) {
+        return !step.isEmpty() && step.chars().allMatch(c -> c >= '0' && c <= '9');
     }
 }

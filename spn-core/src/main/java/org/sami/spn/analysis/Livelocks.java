@@ -1,9 +1,12 @@
 package org.sami.spn.analysis;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.finding.Finding;
@@ -13,19 +16,36 @@ import org.sami.spn.model.Transition;
 
 /**
  * A ring of transitions without input events can fire without end, and the engine then halts the mission (SEMANTICS, When a
- * transition is looked at). A ring that waits for a sub-mission, or that consumes tokens on its way, comes to rest.
+ * transition is looked at). A ring that waits for a sub-mission, or that consumes tokens on its way, comes to rest. Rings
+ * that share a transition are reported as one.
  */
 final class Livelocks implements PlanCheck {
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
+        Map<String, List<String>> next = new LinkedHashMap<>();
         for (Transition t : plan.plan().transitions()) {
-            if (free(plan, t) && follows(plan, t).contains(t)) {
-                report.accept(Finding.warning(
-                        "W-LIVELOCK",
-                        plan.at(t),
-                        "The " + PlanContext.name(t)
-                                + " stands in a ring of transitions without input events, which may fire without end",
-                        t.id()));
+            if (free(plan, t)) {
+                next.put(t.id(), new ArrayList<>());
+            }
+        }
+        Map<String, List<String>> before = new LinkedHashMap<>();
+        next.keySet().forEach(id -> before.put(id, new ArrayList<>()));
+        next.forEach((id, following) -> {
+            for (Place place : plan.outPlaces(plan.transition(id).orElseThrow())) {
+                plan.outTransitions(place).stream()
+                        .map(Transition::id)
+                        .filter(next::containsKey)
+                        .forEach(following::add);
+            }
+            following.forEach(f -> before.get(f).add(id));
+        });
+        Set<String> done = new HashSet<>();
+        for (String id : next.keySet()) {
+            Set<String> ring = reached(next, id);
+            if (!done.contains(id) && ring.contains(id)) {
+                ring.retainAll(reached(before, id));
+                done.addAll(ring);
+                report(plan, id, ring, report);
             }
         }
     }
@@ -39,17 +59,27 @@ final class Livelocks implements PlanCheck {
                         .noneMatch(r -> r.action() == Action.CONSUME);
     }
 
-    /** The free transitions that can fire in turn after one, itself included where the ring closes. */
-    private static Set<Transition> follows(PlanContext plan, Transition first) {
-        Set<Transition> found = new HashSet<>();
-        Deque<Transition> open = new ArrayDeque<>(List.of(first));
+    /** What can be reached in one step or more; the beginning itself where a ring closes. */
+    private static Set<String> reached(Map<String, List<String>> steps, String begin) {
+        Set<String> found = new HashSet<>();
+        Deque<String> open = new ArrayDeque<>(List.of(begin));
         while (!open.isEmpty()) {
-            for (Place place : plan.outPlaces(open.pop())) {
-                plan.outTransitions(place).stream()
-                        .filter(next -> free(plan, next) && found.add(next))
-                        .forEach(open::push);
-            }
+            steps.get(open.pop()).stream().filter(found::add).forEach(open::push);
         }
         return found;
+    }
+
+    private static void report(PlanContext plan, String first, Set<String> ring, Consumer<Finding> report) {
+        Transition t = plan.transition(first).orElseThrow();
+        String[] ids = plan.plan().transitions().stream()
+                .map(Transition::id)
+                .filter(ring::contains)
+                .toArray(String[]::new);
+        report.accept(Finding.warning(
+                "W-LIVELOCK",
+                plan.at(t),
+                "The " + PlanContext.name(t)
+                        + " stands in a ring of transitions without input events, which may fire without end",
+                ids));
     }
 }

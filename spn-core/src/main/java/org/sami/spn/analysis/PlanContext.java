@@ -1,8 +1,14 @@
 package org.sami.spn.analysis;
 
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.OutEdge;
@@ -24,11 +30,48 @@ final class PlanContext {
     private final List<PlacedOutput> outputs = new ArrayList<>();
     private final List<PlacedInput> inputs = new ArrayList<>();
 
+    private final Map<String, Place> places = new LinkedHashMap<>();
+    private final Map<String, Transition> transitions = new LinkedHashMap<>();
+    private final List<Plan> parents;
+    private final Map<String, Integer> placeIndex;
+    private final Map<String, Integer> transitionIndex;
+    private final Map<String, Integer> edgeIndex;
+    private final Map<String, List<PlacedInput>> inputsByTransition;
+    private final Map<String, List<InEdge>> inEdges;
+    private final Map<String, List<OutEdge>> outEdges;
+    private final Map<String, List<InEdge>> edgesOutOf;
+    private final Map<String, List<OutEdge>> edgesInto;
+
     PlanContext(Project project, Vocabulary vocabulary, Plan plan) {
         this.project = project;
         this.vocabulary = vocabulary;
         this.plan = plan;
         this.pointer = "/plans/" + project.plans().indexOf(plan);
+        plan.places().forEach(p -> places.putIfAbsent(p.id(), p));
+        plan.transitions().forEach(t -> transitions.putIfAbsent(t.id(), t));
+        placeIndex = index(plan.places(), Place::id);
+        transitionIndex = index(plan.transitions(), Transition::id);
+        edgeIndex = index(plan.inEdges(), InEdge::id);
+        edgeIndex.putAll(index(plan.outEdges(), OutEdge::id));
+        inEdges = plan.inEdges().stream().collect(Collectors.groupingBy(InEdge::transition));
+        outEdges = plan.outEdges().stream().collect(Collectors.groupingBy(OutEdge::transition));
+        edgesOutOf = plan.inEdges().stream().collect(Collectors.groupingBy(InEdge::place));
+        edgesInto = plan.outEdges().stream().collect(Collectors.groupingBy(OutEdge::place));
+        parents = findParents();
+        findEvents();
+        inputsByTransition = inputs.stream()
+                .collect(Collectors.groupingBy(i -> i.transition().id()));
+    }
+
+    private static <T> Map<String, Integer> index(List<T> elements, Function<T, String> id) {
+        Map<String, Integer> index = new HashMap<>();
+        for (int i = 0; i < elements.size(); i++) {
+            index.putIfAbsent(id.apply(elements.get(i)), i);
+        }
+        return index;
+    }
+
+    private void findEvents() {
         for (Place place : plan.places()) {
             for (int i = 0; i < place.outputs().size(); i++) {
                 OutputEventSpec spec = place.outputs().get(i);
@@ -76,47 +119,48 @@ final class PlanContext {
     }
 
     List<PlacedInput> inputsOf(Transition transition) {
-        return inputs.stream().filter(i -> i.transition().equals(transition)).toList();
-    }
-
-    List<PlacedOutput> outputsOf(Place place) {
-        return outputs.stream().filter(o -> o.place().equals(place)).toList();
+        return inputsByTransition.getOrDefault(transition.id(), List.of());
     }
 
     List<InEdge> inEdges(Transition transition) {
-        return plan.inEdgesOf(transition.id());
+        return inEdges.getOrDefault(transition.id(), List.of());
     }
 
     List<OutEdge> outEdges(Transition transition) {
-        return plan.outEdgesOf(transition.id());
+        return outEdges.getOrDefault(transition.id(), List.of());
     }
 
     List<OutEdge> edgesInto(Place place) {
-        return plan.outEdges().stream()
-                .filter(e -> e.place().equals(place.id()))
-                .toList();
+        return edgesInto.getOrDefault(place.id(), List.of());
     }
 
     List<Place> inPlaces(Transition transition) {
         return inEdges(transition).stream()
-                .map(e -> plan.place(e.place()))
-                .flatMap(Optional::stream)
+                .map(e -> places.get(e.place()))
+                .filter(Objects::nonNull)
                 .toList();
     }
 
     List<Place> outPlaces(Transition transition) {
         return outEdges(transition).stream()
-                .map(e -> plan.place(e.place()))
-                .flatMap(Optional::stream)
+                .map(e -> places.get(e.place()))
+                .filter(Objects::nonNull)
                 .toList();
     }
 
     List<Transition> outTransitions(Place place) {
-        return plan.inEdges().stream()
-                .filter(e -> e.place().equals(place.id()))
-                .map(e -> plan.transition(e.transition()))
-                .flatMap(Optional::stream)
+        return edgesOutOf.getOrDefault(place.id(), List.of()).stream()
+                .map(e -> transitions.get(e.transition()))
+                .filter(Objects::nonNull)
                 .toList();
+    }
+
+    Optional<Place> place(String id) {
+        return Optional.ofNullable(places.get(id));
+    }
+
+    Optional<Transition> transition(String id) {
+        return Optional.ofNullable(transitions.get(id));
     }
 
     Optional<Plan> child(SubMissionSpec subMission) {
@@ -125,6 +169,10 @@ final class PlanContext {
 
     /** Plans that run this one as a sub-mission. */
     List<Plan> parents() {
+        return parents;
+    }
+
+    private List<Plan> findParents() {
         return project.plans().stream()
                 .filter(p -> p.places().stream()
                         .flatMap(place -> place.subMissions().stream())
@@ -133,19 +181,19 @@ final class PlanContext {
     }
 
     String at(Place place) {
-        return pointer + "/places/" + plan.places().indexOf(place);
+        return pointer + "/places/" + placeIndex.get(place.id());
     }
 
     String at(Transition transition) {
-        return pointer + "/transitions/" + plan.transitions().indexOf(transition);
+        return pointer + "/transitions/" + transitionIndex.get(transition.id());
     }
 
     String at(InEdge edge) {
-        return pointer + "/inEdges/" + plan.inEdges().indexOf(edge);
+        return pointer + "/inEdges/" + edgeIndex.get(edge.id());
     }
 
     String at(OutEdge edge) {
-        return pointer + "/outEdges/" + plan.outEdges().indexOf(edge);
+        return pointer + "/outEdges/" + edgeIndex.get(edge.id());
     }
 
     /** A place as messages speak of it. */

@@ -7,8 +7,6 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.finding.Finding;
-import org.sami.spn.model.InEdge;
-import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Transition;
 
@@ -57,14 +55,12 @@ final class Reachability implements PlanCheck {
     }
 
     private static List<String> next(PlanContext plan, String vertex) {
-        List<String> transitions = plan.plan().inEdges().stream()
-                .filter(e -> e.place().equals(vertex))
-                .map(InEdge::transition)
-                .toList();
-        List<String> places = plan.plan().outEdges().stream()
-                .filter(e -> e.transition().equals(vertex))
-                .map(OutEdge::place)
-                .toList();
-        return transitions.isEmpty() ? places : transitions;
+        return plan.transition(vertex)
+                .map(t -> plan.outPlaces(t).stream().map(Place::id).toList())
+                .or(() -> plan.place(vertex)
+                        .map(p -> plan.outTransitions(p).stream()
+                                .map(Transition::id)
+                                .toList()))
+                .orElse(List.of());
     }
 }

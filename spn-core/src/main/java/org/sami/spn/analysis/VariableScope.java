@@ -23,9 +23,15 @@ import org.sami.spn.vocabulary.FieldType;
 /** Who declares, reads and writes which variable, as seen from one plan (SEMANTICS, Variables; thesis 3.1). */
 final class VariableScope {
     private final PlanContext plan;
+    private final List<Use> redefinitions;
+    private final List<Use> reads;
+    private final List<Use> writes;
 
     VariableScope(PlanContext plan) {
         this.plan = plan;
+        this.redefinitions = findRedefinitions();
+        this.reads = findReads();
+        this.writes = findWrites();
     }
 
     /** One use of a variable by a field of an event. */
@@ -33,11 +39,15 @@ final class VariableScope {
 
     /** Fields that read a variable, in document order. */
     List<Use> reads() {
-        List<Use> reads = new ArrayList<>();
+        return reads;
+    }
+
+    private List<Use> findReads() {
+        List<Use> found = new ArrayList<>();
         for (PlacedOutput output : plan.outputs()) {
             output.spec().fields().forEach((field, source) -> {
                 if (source instanceof FieldSource.FromVariable from) {
-                    reads.add(use(
+                    found.add(use(
                             from.variable(),
                             output.type(),
                             field,
@@ -46,16 +56,20 @@ final class VariableScope {
                 }
             });
         }
-        return reads;
+        return found;
     }
 
     /** Events that write a variable: from a field, or by asking the operator for it. */
     List<Use> writes() {
-        List<Use> writes = new ArrayList<>();
+        return writes;
+    }
+
+    private List<Use> findWrites() {
+        List<Use> found = new ArrayList<>();
         for (PlacedOutput output : plan.outputs()) {
             output.spec()
                     .writes()
-                    .forEach((field, variable) -> writes.add(use(
+                    .forEach((field, variable) -> found.add(use(
                             variable,
                             output.type(),
                             field,
@@ -65,19 +79,23 @@ final class VariableScope {
         for (PlacedInput input : plan.inputs()) {
             input.spec()
                     .writes()
-                    .forEach((field, variable) -> writes.add(use(
+                    .forEach((field, variable) -> found.add(use(
                             variable,
                             input.type(),
                             field,
                             input.pointer() + "/writes/" + field,
                             input.spec().id())));
         }
-        writes.addAll(redefinitions());
-        return writes;
+        found.addAll(redefinitions);
+        return found;
     }
 
     /** Variables whose name stands in a field and which the operator is asked to redefine. */
     List<Use> redefinitions() {
+        return redefinitions;
+    }
+
+    private List<Use> findRedefinitions() {
         List<Use> uses = new ArrayList<>();
         for (PlacedOutput output : plan.outputs()) {
             boolean redefines = output.type().decision().isPresent()
