@@ -19,7 +19,7 @@ public final class Hello extends LinkMessage {
 
     /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
     public Hello(String boatId, String clientId, Role role, double telemetryHz, String auth) {
-        this.boatId = Checks.id("boat", boatId);
+        this.boatId = Checks.optionalId("boat", boatId);
         this.clientId = Checks.id("client", clientId);
         this.role = Objects.requireNonNull(role, "role");
         this.telemetryHz = Checks.range("telemetryHz", telemetryHz, 0, 50);
@@ -35,7 +35,7 @@ public final class Hello extends LinkMessage {
                 in.text("auth"));
     }
 
-    /** The boat that the client means; another boat refuses. */
+    /** The boat that the client means; another boat refuses. Empty for whichever boat answers. */
     public String boatId() {
         return boatId;
     }

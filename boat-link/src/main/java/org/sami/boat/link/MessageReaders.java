@@ -29,6 +29,10 @@ final class MessageReaders {
         BY_TYPE.put(HoldPosition.TYPE, HoldPosition::read);
         BY_TYPE.put(FleetStop.TYPE, FleetStop::read);
         BY_TYPE.put(FleetRelease.TYPE, FleetRelease::read);
+        BY_TYPE.put(AskForCommand.TYPE, AskForCommand::read);
+        BY_TYPE.put(GrantCommand.TYPE, GrantCommand::read);
+        BY_TYPE.put(TakeCommand.TYPE, TakeCommand::read);
+        BY_TYPE.put(CommandAsked.TYPE, CommandAsked::read);
         BY_TYPE.put(Teleoperate.TYPE, Teleoperate::read);
         BY_TYPE.put(SetGains.TYPE, SetGains::read);
         BY_TYPE.put(SetVelocityMultiplier.TYPE, SetVelocityMultiplier::read);

@@ -6,6 +6,8 @@ public enum NackReason {
     NOT_GREETED,
     /** The sender only observes. */
     NOT_COMMANDER,
+    /** No other client of the name in the grant is linked. */
+    UNKNOWN_CLIENT,
     /** The frame could not be read. */
     MALFORMED,
     /** The boat does not hold the waypoint list that the command speaks of. */

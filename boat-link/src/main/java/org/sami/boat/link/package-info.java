@@ -10,7 +10,9 @@
  * <p>Units are SI: metres, metres per second, milliseconds; headings are radians clockwise from true north; positions are
  * WGS 84 latitude and longitude in degrees. Messages are immutable and check their values when they are made.
  *
- * <p>Not here: sockets, threads, clocks, resending, and what a message makes a boat or a proxy do. Java 8 level, because
+ * <p>{@link org.sami.boat.link.SteadyClock} is the clock of both ends.
+ *
+ * <p>Not here: sockets, threads, resending, and what a message makes a boat or a proxy do. Java 8 level, because
  * it runs on the phone on the hull.
  */
 package org.sami.boat.link;

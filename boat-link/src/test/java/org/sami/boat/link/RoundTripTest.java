@@ -37,6 +37,10 @@ class RoundTripTest {
                 new HoldPosition("c"),
                 new FleetStop("c"),
                 new FleetRelease("c"),
+                new AskForCommand("c"),
+                new GrantCommand("c", "base2"),
+                new TakeCommand("c"),
+                new CommandAsked("base2"),
                 new Teleoperate(-1, 0.25),
                 new SetGains("c", GainAxis.SPEED, 0.1, 0, 1000),
                 new SetVelocityMultiplier("c", 0.5),
@@ -65,7 +69,7 @@ class RoundTripTest {
     void tableAboveHoldsEveryKindOfMessage() {
         assertThat(messages().map(LinkMessage::type).collect(Collectors.toSet()))
                 .isEqualTo(MessageReaders.types())
-                .hasSize(21);
+                .hasSize(25);
     }
 
     @Test

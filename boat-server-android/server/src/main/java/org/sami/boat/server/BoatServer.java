@@ -4,9 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.boat.link.Ack;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.BatteryReport;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.CommandAsked;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.Frame;
@@ -21,6 +23,7 @@ import org.sami.boat.link.NackReason;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.ReadBack;
 import org.sami.boat.link.Role;
+import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Teleoperate;
@@ -34,7 +37,8 @@ import org.sami.boat.link.Welcome;
  *
  * <p>One client commands, others observe. When nothing has come from the commander for the configured time, or its link
  * closes, the boat does what is set for a lost link, in every mode but the latched fleet stop. Regaining the link starts
- * nothing: the boat goes on with that until it gets a command.
+ * nothing: the boat goes on with that until it gets a command. The command changes hands only by a message that says so
+ * ({@link CommandTransfer}), or when a client asks for it in its hello and nobody has it.
  */
 public final class BoatServer {
     private final ServerConfig config;
@@ -62,6 +66,21 @@ public final class BoatServer {
         pilot = new Pilot(config, vehicle);
         executor = new CommandExecutor(config, pilot);
         reportedLevel = batteryLevel();
+    }
+
+    /**
+     * Takes back what an earlier start of this server had executed, in its order, before anybody connects: the ids that are
+     * not to be executed again, the waypoint list, the settings and the latched fleet stop. It moves nothing: what only
+     * concerned motion is remembered, not done.
+     *
+     * @param answer what the boat had answered
+     */
+    public void restore(CommandMessage command, LinkMessage answer) {
+        ledger.record(command.commandId(), answer);
+        boolean lasting = !(command instanceof StartWaypoints) && !isStoppingOnly(command);
+        if (answer instanceof Ack && lasting && !CommandTransfer.isOne(command)) {
+            executor.execute(command);
+        }
     }
 
     /** A link to a client has opened; the client then says hello. */
@@ -132,28 +151,46 @@ public final class BoatServer {
     }
 
     private void greet(ServerSession session, Hello hello, long nowMs) {
-        if (!hello.boatId().equals(config.boatId())) {
+        if (!hello.boatId().isEmpty() && !hello.boatId().equals(config.boatId())) {
             session.send(new Goodbye(config.boatId(), "this boat is " + config.boatId()), nowMs);
             return;
         }
         boolean vacant = !hasCommander() || isCommander(session);
-        Role granted = hello.role() == Role.COMMANDER && vacant ? Role.COMMANDER : Role.OBSERVER;
-        if (granted == Role.COMMANDER) {
-            commander = Optional.of(session);
-            commanderLost = false;
-        } else if (isCommander(session)) { // it steps down, and nobody has taken over
-            loseCommander();
-            commander = Optional.empty();
+        session.greeted(hello, config.telemetryHz());
+        if (hello.role() == Role.COMMANDER && vacant) {
+            appoint(session, nowMs);
+        } else {
+            if (isCommander(session)) { // it steps down, and nobody has taken over
+                loseCommander();
+                commander = Optional.empty();
+            }
+            introduce(session, Role.OBSERVER, nowMs);
         }
-        session.greeted(granted, hello, config.telemetryHz());
-        session.send(new Welcome(config.boatId(), config.bootId(), granted, ""), nowMs);
+    }
+
+    /** From now on this client commands; who did so before observes and is told. The boat goes on with what it does. */
+    private void appoint(ServerSession next, long nowMs) {
+        Optional<ServerSession> former = commander.filter(session -> session != next);
+        commander = Optional.of(next);
+        commanderLost = false;
+        former.ifPresent(session -> introduce(session, Role.OBSERVER, nowMs));
+        introduce(next, Role.COMMANDER, nowMs);
+    }
+
+    /** Tells a client what it is and what the boat holds. */
+    private void introduce(ServerSession session, Role role, long nowMs) {
+        session.setRole(role);
+        session.send(new Welcome(config.boatId(), config.bootId(), role, ""), nowMs);
         session.send(battery(), nowMs);
         session.send(pilot.track().progress(), nowMs);
     }
 
     private void command(ServerSession session, CommandMessage command, long sequence, long nowMs) {
         Optional<LinkMessage> known = ledger.answerTo(command.commandId());
-        if (!isCommander(session)) {
+        if (session.role().isPresent() && CommandTransfer.isOne(command)) {
+            LinkMessage answer = known.orElseGet(() -> transfer(session, command, nowMs));
+            session.send(answer, nowMs);
+        } else if (!isCommander(session)) {
             NackReason reason = session.role().isPresent() ? NackReason.NOT_COMMANDER : NackReason.NOT_GREETED;
             session.send(CommandExecutor.nack(command, reason, "this client does not command"), nowMs);
         } else if (command instanceof ReadBack) { // changes nothing, so each one is answered afresh
@@ -168,13 +205,29 @@ public final class BoatServer {
         }
     }
 
+    private LinkMessage transfer(ServerSession session, CommandMessage command, long nowMs) {
+        Optional<ServerSession> present = commander.filter(commanding -> !commanderLost);
+        CommandTransfer transfer = CommandTransfer.of(command, session, present, sessions);
+        transfer.asked().ifPresent(commanding -> commanding.send(new CommandAsked(session.clientId()), nowMs));
+        transfer.appointed().ifPresent(next -> appoint(next, nowMs));
+        if (transfer.answer() instanceof Ack) { // a refusal may be otherwise the next time
+            ledger.record(command.commandId(), transfer.answer());
+        }
+        log.answered(nowMs, command, transfer.answer());
+        return transfer.answer();
+    }
+
     private boolean isCommander(ServerSession session) {
         return commander.isPresent() && commander.get() == session;
     }
 
     /** What only stops the boat is obeyed however late it comes. */
     private static boolean isStopping(CommandMessage command) {
-        return command instanceof StopMotors || command instanceof FleetStop || command instanceof HoldPosition;
+        return command instanceof FleetStop || isStoppingOnly(command);
+    }
+
+    private static boolean isStoppingOnly(CommandMessage command) {
+        return command instanceof StopMotors || command instanceof HoldPosition;
     }
 
     private void execute(ServerSession session, CommandMessage command, long sequence, long nowMs) {

@@ -21,6 +21,7 @@ public final class ServerSession {
     private final BoatServer server;
     private final FrameSink toClient;
     private Optional<Role> role = Optional.empty();
+    private String clientId = "";
     private long sequence;
     private long lastReceivedMs;
     private long lastSentMs;
@@ -69,8 +70,17 @@ public final class ServerSession {
         return refusedFrames;
     }
 
-    void greeted(Role granted, Hello hello, double defaultHz) {
+    /** The name in the client's hello; empty before it. */
+    public String clientId() {
+        return clientId;
+    }
+
+    void setRole(Role granted) {
         role = Optional.of(granted);
+    }
+
+    void greeted(Hello hello, double defaultHz) {
+        clientId = hello.clientId();
         double hz = hello.telemetryHz() > 0 ? hello.telemetryHz() : defaultHz;
         telemetryPeriodMs = Math.max(1, Math.round(1000 / hz));
         nextTelemetryMs = Long.MIN_VALUE; // with the next tick
