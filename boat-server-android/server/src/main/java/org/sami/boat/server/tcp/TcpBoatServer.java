@@ -1,0 +1,242 @@
+package org.sami.boat.server.tcp;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.LongConsumer;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.BoatServer;
+import org.sami.boat.server.ServerSession;
+
+/**
+ * One boat on a TCP port: accepts clients, has their frames and the ticks run on one thread of its own, and drops whoever
+ * connects in numbers, says nothing or does not read.
+ *
+ * <p>The {@link BoatServer} belongs to that thread from {@link #start} to the end of {@link #close}; nobody else may touch it
+ * meanwhile. Safe for use by several threads.
+ */
+public final class TcpBoatServer implements Closeable {
+    private static final long STOP_MS = 5000;
+    private static final long PAUSE_NANOS = 100_000_000;
+
+    private final BoatServer boat;
+    private final TcpServerConfig config;
+    private final SteadyClock clock;
+    private final LongConsumer beforeTick;
+    private final TcpServerListener listener;
+    private final String name;
+    private final ServerSocket socket = new ServerSocket();
+    private final ScheduledExecutorService boatThread;
+    private final Thread acceptor;
+    private final Set<ClientConnection> connections = ConcurrentHashMap.newKeySet();
+    private final Map<ClientConnection, Client> clients = new LinkedHashMap<>(); // for the boat's thread
+    private volatile boolean stopping;
+    private volatile Future<?> ticks = CompletableFuture.completedFuture(null);
+
+    /**
+     * A server that does not listen yet.
+     *
+     * @param name of the boat, for the names of threads
+     * @param clock what all timeouts of the boat are counted by
+     * @param beforeTick called with the time in ms before each tick, on the boat's thread: a simulated hull moves there
+     */
+    public TcpBoatServer(
+            String name,
+            BoatServer boat,
+            TcpServerConfig config,
+            SteadyClock clock,
+            LongConsumer beforeTick,
+            TcpServerListener listener)
+            throws IOException {
+        this.name = Objects.requireNonNull(name, "name");
+        this.boat = Objects.requireNonNull(boat, "boat");
+        this.config = Objects.requireNonNull(config, "config");
+        this.clock = Objects.requireNonNull(clock, "clock");
+        this.beforeTick = Objects.requireNonNull(beforeTick, "beforeTick");
+        this.listener = Objects.requireNonNull(listener, "listener");
+        boatThread = Executors.newSingleThreadScheduledExecutor(work -> daemon(work, name + "-boat"));
+        acceptor = daemon(this::accept, name + "-accepts");
+    }
+
+    private static Thread daemon(Runnable work, String name) {
+        Thread thread = new Thread(work, name);
+        thread.setDaemon(true);
+        return thread;
+    }
+
+    /**
+     * Begins to listen and to tick the boat.
+     *
+     * @throws IOException if the address cannot be had; the server is then closed
+     */
+    public void start() throws IOException {
+        try {
+            socket.setReuseAddress(true);
+            socket.bind(config.address());
+        } catch (IOException e) {
+            close();
+            throw e;
+        }
+        ticks = boatThread.scheduleWithFixedDelay(this::tick, 0, config.tickMs(), TimeUnit.MILLISECONDS);
+        acceptor.start();
+    }
+
+    /** Where it listens, with the port that it got. */
+    public InetSocketAddress address() {
+        return (InetSocketAddress) socket.getLocalSocketAddress();
+    }
+
+    /** How many clients are connected. */
+    public int clientCount() {
+        return connections.size();
+    }
+
+    /**
+     * Stops listening, drops all clients and ends all threads; for the boat that is a lost link. Waits for the threads for a
+     * few seconds. Closing again does nothing.
+     */
+    @Override
+    public void close() throws IOException {
+        stopping = true;
+        socket.close();
+        try {
+            acceptor.join(STOP_MS); // from now on nobody comes in
+            List<ClientConnection> open = new ArrayList<>(connections);
+            open.forEach(connection -> connection.close("the boat's server stops"));
+            ticks.cancel(false);
+            boatThread.shutdown(); // the ends of the links still reach the boat
+            boatThread.awaitTermination(STOP_MS, TimeUnit.MILLISECONDS);
+            for (ClientConnection connection : open) {
+                connection.join(STOP_MS);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } finally {
+            boatThread.shutdownNow();
+        }
+    }
+
+    private void accept() {
+        while (!stopping) {
+            try {
+                admit(socket.accept());
+            } catch (IOException | RuntimeException e) {
+                if (!stopping) {
+                    listener.failed("a client could not be let in", e);
+                    LockSupport.parkNanos(PAUSE_NANOS); // it may be for want of file handles
+                }
+            }
+        }
+    }
+
+    private void admit(Socket accepted) throws IOException {
+        if (connections.size() >= config.maxClients()) {
+            listener.closed(String.valueOf(accepted.getRemoteSocketAddress()), "there are too many clients");
+            accepted.close();
+            return;
+        }
+        ClientConnection connection;
+        try {
+            connection = new ClientConnection(accepted, config, name, new Hand());
+        } catch (IOException e) {
+            accepted.close();
+            throw e;
+        }
+        connections.add(connection);
+        listener.connected(connection.name());
+        onBoat(() -> clients.put(connection, new Client(boat.connect(connection), now())));
+        connection.start();
+    }
+
+    private void tick() {
+        try {
+            long nowMs = now();
+            beforeTick.accept(nowMs);
+            boat.tick(nowMs);
+            clients.forEach((connection, client) -> {
+                if (client.isOverdue(nowMs, config.helloWithinMs())) {
+                    connection.close("it does not say who it is");
+                }
+            });
+        } catch (RuntimeException e) {
+            listener.failed("a tick of the boat failed", e);
+        }
+    }
+
+    private long now() {
+        return clock.getAsLong();
+    }
+
+    private void onBoat(Runnable work) {
+        try {
+            boatThread.execute(() -> {
+                try {
+                    work.run();
+                } catch (RuntimeException e) {
+                    listener.failed("a message could not be handled", e);
+                }
+            });
+        } catch (RejectedExecutionException e) {
+            if (!stopping) {
+                throw e;
+            }
+        }
+    }
+
+    /** Brings what connections tell to the boat's thread. */
+    private final class Hand implements ClientConnection.Owner {
+        @Override
+        public void arrived(ClientConnection from, byte[] frame, Runnable done) {
+            onBoat(() -> {
+                done.run();
+                Client client = clients.get(from);
+                if (client != null) {
+                    client.session.receive(frame, now());
+                }
+            });
+        }
+
+        @Override
+        public void closed(ClientConnection connection, String why) {
+            connections.remove(connection);
+            listener.closed(connection.name(), why);
+            onBoat(() -> {
+                Client client = clients.remove(connection);
+                if (client != null) {
+                    client.session.closed(now());
+                }
+            });
+        }
+    }
+
+    /** What the boat's thread knows of a connection. */
+    private static final class Client {
+        private final ServerSession session;
+        private final long sinceMs;
+
+        Client(ServerSession session, long sinceMs) {
+            this.session = session;
+            this.sinceMs = sinceMs;
+        }
+
+        boolean isOverdue(long nowMs, long helloWithinMs) {
+            return !session.role().isPresent() && nowMs - sinceMs > helloWithinMs;
+        }
+    }
+}

@@ -1,0 +1,105 @@
+package org.sami.boat.server.tcp;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.Objects;
+
+/** What is set for a boat's TCP side before it starts. Immutable; a value that makes no sense is refused. */
+public final class TcpServerConfig {
+    private final InetSocketAddress address;
+    private final long tickMs;
+    private final int maxClients;
+    private final int helloWithinMs;
+    private final int silentAfterMs;
+    private final int maxQueuedFrames;
+    private final int maxQueuedBytes;
+
+    private TcpServerConfig(
+            InetSocketAddress address,
+            long tickMs,
+            int maxClients,
+            int helloWithinMs,
+            int silentAfterMs,
+            int maxQueuedFrames,
+            int maxQueuedBytes) {
+        this.address = Objects.requireNonNull(address, "address");
+        this.tickMs = positive("time between ticks", tickMs);
+        this.maxClients = (int) positive("number of clients", maxClients);
+        this.helloWithinMs = (int) positive("time for the hello", helloWithinMs);
+        this.silentAfterMs = (int) positive("time of silence", silentAfterMs);
+        this.maxQueuedFrames = (int) positive("number of frames in a queue", maxQueuedFrames);
+        this.maxQueuedBytes = (int) positive("number of bytes in a queue", maxQueuedBytes);
+    }
+
+    /** The defaults on a port of the loopback address; port 0 takes a free one. */
+    public static TcpServerConfig onLoopback(int port) {
+        return on(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
+    }
+
+    /**
+     * The defaults on an address: ticks every 100 ms, 16 clients, hello within 10 s, dropped after 10 s without a byte, 512 frames
+     * or 8 MiB that a client does not take.
+     */
+    public static TcpServerConfig on(InetSocketAddress address) {
+        return new TcpServerConfig(address, 100, 16, 10_000, 10_000, 512, 8 << 20);
+    }
+
+    /** The same with other bounds on what waits for a client that reads too slowly. */
+    public TcpServerConfig withQueue(int frames, int bytes) {
+        return new TcpServerConfig(address, tickMs, maxClients, helloWithinMs, silentAfterMs, frames, bytes);
+    }
+
+    /** The same with other limits on clients that say nothing: for the hello, and between two bytes. */
+    public TcpServerConfig withPatience(int newHelloWithinMs, int newSilentAfterMs) {
+        return new TcpServerConfig(
+                address, tickMs, maxClients, newHelloWithinMs, newSilentAfterMs, maxQueuedFrames, maxQueuedBytes);
+    }
+
+    /** The same with another bound on clients at a time. */
+    public TcpServerConfig withMaxClients(int clients) {
+        return new TcpServerConfig(
+                address, tickMs, clients, helloWithinMs, silentAfterMs, maxQueuedFrames, maxQueuedBytes);
+    }
+
+    /** Where it listens. */
+    public InetSocketAddress address() {
+        return address;
+    }
+
+    /** Time in ms between two ticks of the boat. */
+    public long tickMs() {
+        return tickMs;
+    }
+
+    /** How many clients there may be at a time; one more is closed at once. */
+    public int maxClients() {
+        return maxClients;
+    }
+
+    /** A client that has not said a hello after this time in ms is dropped. */
+    public int helloWithinMs() {
+        return helloWithinMs;
+    }
+
+    /** A client from which no byte has come for this time in ms is dropped, long after its link has counted as lost. */
+    public int silentAfterMs() {
+        return silentAfterMs;
+    }
+
+    /** A client that lets more frames wait is dropped. */
+    public int maxQueuedFrames() {
+        return maxQueuedFrames;
+    }
+
+    /** A client that lets more bytes wait is dropped. */
+    public int maxQueuedBytes() {
+        return maxQueuedBytes;
+    }
+
+    private static long positive(String name, long value) {
+        if (value <= 0) {
+            throw new IllegalArgumentException("the " + name + " is positive, not " + value);
+        }
+        return value;
+    }
+}

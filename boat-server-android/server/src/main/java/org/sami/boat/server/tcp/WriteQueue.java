@@ -1,0 +1,55 @@
+package org.sami.boat.server.tcp;
+
+import java.util.ArrayDeque;
+import java.util.Optional;
+
+/** The frames that wait for a client to take them: bounded, in order, closed once and for all. Safe for several threads. */
+final class WriteQueue {
+    private final ArrayDeque<byte[]> frames = new ArrayDeque<>();
+    private final int maxFrames;
+    private final int maxBytes;
+    private long bytes;
+    private boolean closed;
+
+    WriteQueue(int maxFrames, int maxBytes) {
+        this.maxFrames = maxFrames;
+        this.maxBytes = maxBytes;
+    }
+
+    /** Adds a frame. Returns false, and takes nothing, if it does not fit; a single frame always fits. */
+    synchronized boolean offer(byte[] frame) {
+        boolean fits = frames.isEmpty() || (frames.size() < maxFrames && bytes + frame.length <= maxBytes);
+        if (fits && !closed) {
+            frames.add(frame);
+            bytes += frame.length;
+            notifyAll();
+        }
+        return fits;
+    }
+
+    /** The next frame, waited for; empty once the queue is closed. */
+    synchronized Optional<byte[]> take() throws InterruptedException {
+        while (frames.isEmpty() && !closed) {
+            wait();
+        }
+        if (closed) {
+            return Optional.empty();
+        }
+        byte[] frame = frames.remove();
+        bytes -= frame.length;
+        return Optional.of(frame);
+    }
+
+    /** Whether nothing waits. */
+    synchronized boolean isEmpty() {
+        return frames.isEmpty();
+    }
+
+    /** Forgets what waits and takes nothing more. */
+    synchronized void close() {
+        closed = true;
+        frames.clear();
+        bytes = 0;
+        notifyAll();
+    }
+}

@@ -1,0 +1,175 @@
+package org.sami.boat.server.tcp;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.LongSupplier;
+import java.util.function.UnaryOperator;
+import org.sami.boat.link.Frame;
+import org.sami.boat.link.FrameReader;
+import org.sami.boat.link.Hello;
+import org.sami.boat.link.LinkCodec;
+import org.sami.boat.link.LinkException;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Role;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.BoatServer;
+import org.sami.boat.server.ServerConfig;
+import org.sami.boat.server.Vehicle;
+
+/** A boat that lies still behind a real port of the loopback address, and clients of it. */
+final class TcpBench implements AutoCloseable {
+    private static final AtomicLong NAMES = new AtomicLong();
+
+    final String name = "bench" + NAMES.incrementAndGet();
+    final List<String> executed = java.util.Collections.synchronizedList(new ArrayList<>());
+    final ConcurrentLinkedQueue<String> failures = new ConcurrentLinkedQueue<>();
+    final ConcurrentLinkedQueue<String> goodbyes = new ConcurrentLinkedQueue<>();
+    final TcpBoatServer server;
+    private final List<Client> clients = new ArrayList<>();
+
+    TcpBench() throws IOException {
+        this(UnaryOperator.identity(), UnaryOperator.identity(), TcpBench::machineMs);
+    }
+
+    TcpBench(UnaryOperator<ServerConfig.Builder> boat, UnaryOperator<TcpServerConfig> tcp, LongSupplier clockMs)
+            throws IOException {
+        BoatServer boatServer = new BoatServer(
+                boat.apply(ServerConfig.of("boat1", "boot1")).build(),
+                new Moored(),
+                (nowMs, command, answer) -> executed.add(command.commandId() + " " + answer.type()));
+        server = new TcpBoatServer(
+                name,
+                boatServer,
+                tcp.apply(TcpServerConfig.onLoopback(0)),
+                new SteadyClock(clockMs),
+                nowMs -> {},
+                new TcpServerListener() {
+                    @Override
+                    public void closed(String client, String why) {
+                        goodbyes.add(why);
+                    }
+
+                    @Override
+                    public void failed(String what, Exception cause) {
+                        failures.add(what + ": " + cause);
+                    }
+                });
+        server.start();
+    }
+
+    static long machineMs() {
+        return System.nanoTime() / 1_000_000;
+    }
+
+    Client connect() throws IOException {
+        Client client = new Client(server.address());
+        clients.add(client);
+        return client;
+    }
+
+    Client greet(String clientId, Role role, double telemetryHz) throws Exception {
+        Client client = connect();
+        client.say(new Hello("boat1", clientId, role, telemetryHz, ""));
+        client.await(org.sami.boat.link.Welcome.class);
+        return client;
+    }
+
+    @Override
+    public void close() throws IOException {
+        for (Client client : clients) {
+            client.close();
+        }
+        server.close();
+    }
+
+    /** A client on a socket, for one thread. */
+    static final class Client implements AutoCloseable {
+        private static final int PATIENCE_MS = 10_000;
+        final Socket socket = new Socket();
+        private final LinkCodec codec = new LinkCodec();
+        private final FrameReader frames;
+        private long sequence;
+
+        Client(InetSocketAddress address) throws IOException {
+            socket.setReceiveBufferSize(16 << 10);
+            socket.setTcpNoDelay(true);
+            socket.setSoTimeout(PATIENCE_MS);
+            socket.connect(address, PATIENCE_MS);
+            frames = new FrameReader(socket.getInputStream(), codec);
+        }
+
+        void say(LinkMessage message) throws IOException {
+            send(codec.encode(sequence++, message));
+        }
+
+        void send(byte[] bytes) throws IOException {
+            socket.getOutputStream().write(bytes);
+        }
+
+        /** The next message of a kind; others before it are read and forgotten. */
+        <M extends LinkMessage> M await(Class<M> kind) throws IOException, LinkException {
+            while (true) {
+                Frame frame =
+                        codec.decode(frames.next().orElseThrow(() -> new IOException("the boat has closed the link")));
+                if (kind.isInstance(frame.message())) {
+                    return kind.cast(frame.message());
+                }
+            }
+        }
+
+        /** Whether the boat closes this link, whatever it says before. */
+        boolean isClosedByTheBoat() {
+            try {
+                while (frames.next().isPresent()) {
+                    // reads on
+                }
+                return true;
+            } catch (java.net.SocketTimeoutException e) {
+                return false;
+            } catch (IOException | LinkException e) {
+                return true;
+            }
+        }
+
+        @Override
+        public void close() throws IOException {
+            socket.close();
+        }
+    }
+
+    /** A boat that lies still. */
+    private static final class Moored implements Vehicle {
+        @Override
+        public double latDeg() {
+            return 45;
+        }
+
+        @Override
+        public double lonDeg() {
+            return 10;
+        }
+
+        @Override
+        public double headingRad() {
+            return 0;
+        }
+
+        @Override
+        public double speedMps() {
+            return 0;
+        }
+
+        @Override
+        public double batteryPercent() {
+            return 100;
+        }
+
+        @Override
+        public void setMotors(double port, double starboard) {}
+    }
+}

@@ -1,0 +1,247 @@
+package org.sami.boat.server.tcp;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.net.ServerSocket;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.UnaryOperator;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.sami.boat.link.Ack;
+import org.sami.boat.link.AskForCommand;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.CommandAsked;
+import org.sami.boat.link.GrantCommand;
+import org.sami.boat.link.Heartbeat;
+import org.sami.boat.link.HeldWaypoints;
+import org.sami.boat.link.Hello;
+import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.Nack;
+import org.sami.boat.link.NackReason;
+import org.sami.boat.link.ReadBack;
+import org.sami.boat.link.Role;
+import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.StopMotors;
+import org.sami.boat.link.Telemetry;
+import org.sami.boat.link.Teleoperate;
+import org.sami.boat.link.UploadWaypoints;
+import org.sami.boat.link.Waypoint;
+import org.sami.boat.link.Welcome;
+import org.sami.boat.server.tcp.TcpBench.Client;
+
+@Timeout(60)
+class TcpBoatServerTest {
+    private static final List<Waypoint> PATH = List.of(new Waypoint(45.1, 10, 1.5), new Waypoint(45.2, 10, 1.6));
+    private static final UnaryOperator<TcpServerConfig> AS_IT_IS = UnaryOperator.identity();
+
+    @Test
+    void carriesCommandsAnswersAndTelemetry() throws Exception {
+        try (TcpBench bench = new TcpBench()) {
+            Client client = bench.greet("base", Role.COMMANDER, 10);
+            client.say(new UploadWaypoints("u", "l1", PATH));
+            assertThat(client.await(Ack.class).commandId()).isEqualTo("u");
+            client.say(new ReadBack("r"));
+            assertThat(client.await(HeldWaypoints.class).waypoints()).isEqualTo(PATH);
+            client.say(new StartWaypoints("s", "l1", 1));
+            assertThat(client.await(Ack.class).commandId()).isEqualTo("s");
+
+            assertThat(client.await(Telemetry.class).mode()).isEqualTo(BoatMode.PATH);
+            assertThat(bench.executed).containsExactly("u ack", "s ack");
+        }
+    }
+
+    @Test
+    void listensOnLoopbackUnlessToldOtherwise() throws Exception {
+        try (TcpBench bench = new TcpBench()) {
+            assertThat(bench.server.address().getAddress().isLoopbackAddress()).isTrue();
+        }
+    }
+
+    @Test
+    void observersAreRefusedUntilTheCommandIsHandedOver() throws Exception {
+        try (TcpBench bench = new TcpBench()) {
+            Client commander = bench.greet("a", Role.COMMANDER, 1);
+            Client observer = bench.greet("b", Role.COMMANDER, 1);
+            observer.say(new StopMotors("s1"));
+            assertThat(observer.await(Nack.class).reason()).isEqualTo(NackReason.NOT_COMMANDER);
+
+            observer.say(new AskForCommand("ask"));
+            assertThat(commander.await(CommandAsked.class).clientId()).isEqualTo("b");
+            commander.say(new GrantCommand("grant", "b"));
+            assertThat(commander.await(Welcome.class).role()).isEqualTo(Role.OBSERVER);
+            assertThat(observer.await(Welcome.class).role()).isEqualTo(Role.COMMANDER);
+            observer.say(new StopMotors("s2"));
+            assertThat(observer.await(Ack.class).commandId()).isEqualTo("s2");
+        }
+    }
+
+    @Test
+    void clientThatDoesNotReadIsDroppedAndKeepsNobodyWaiting() throws Exception {
+        try (TcpBench bench =
+                new TcpBench(UnaryOperator.identity(), tcp -> tcp.withQueue(16, 1 << 20), TcpBench::machineMs)) {
+            Client other = bench.greet("other", Role.OBSERVER, 50);
+            Client slow = bench.greet("slow", Role.COMMANDER, 50);
+            slow.say(new UploadWaypoints("u", "l", Collections.nCopies(5000, PATH.get(0))));
+            long slowest = 0;
+            for (int i = 0; bench.goodbyes.isEmpty() && i < 2000; i++) {
+                try {
+                    slow.say(new ReadBack("r" + i)); // 100 kB for each of these, never read
+                } catch (IOException e) {
+                    break; // dropped
+                }
+                long asked = System.nanoTime();
+                other.say(new Hello("boat1", "other", Role.OBSERVER, 50, ""));
+                other.await(Welcome.class);
+                slowest = Math.max(slowest, System.nanoTime() - asked);
+            }
+            Await.until("the slow client is dropped", 5, () -> bench.server.clientCount() == 1);
+
+            assertThat(bench.goodbyes).first().asString().contains("does not take");
+            assertThat(slowest / 1e6).as("slowest answer to the other, ms").isLessThan(500);
+            other.say(new Hello("boat1", "other", Role.COMMANDER, 1, ""));
+            assertThat(other.await(Welcome.class).role()).isEqualTo(Role.COMMANDER);
+            assertThat(bench.failures).isEmpty();
+        }
+    }
+
+    @Test
+    void heartbeatsOfAnotherClientDoNotMaskALostCommander() throws Exception {
+        try (TcpBench bench = new TcpBench(
+                boat -> boat.lostLinkAfterMs(700).lostLinkAction(LostLinkAction.HOLD), AS_IT_IS, TcpBench::machineMs)) {
+            Client observer = bench.greet("other program", Role.OBSERVER, 20);
+            Client commander = bench.greet("base", Role.COMMANDER, 1);
+            commander.say(new UploadWaypoints("u", "l", PATH));
+            commander.say(new StartWaypoints("s", "l", 0));
+            while (observer.await(Telemetry.class).mode() != BoatMode.PATH) {
+                observer.say(new Heartbeat(1));
+            }
+            long silentSince = System.nanoTime();
+
+            while (observer.await(Telemetry.class).mode() == BoatMode.PATH) {
+                observer.say(new Heartbeat(1));
+            }
+            assertThat((System.nanoTime() - silentSince) / 1e6).as("ms").isBetween(400.0, 1700.0);
+        }
+    }
+
+    @Test
+    void closedSocketOfTheCommanderIsALostLinkAtOnce() throws Exception {
+        try (TcpBench bench = new TcpBench()) {
+            Client observer = bench.greet("observer", Role.OBSERVER, 50);
+            Client commander = bench.greet("base", Role.COMMANDER, 1);
+            commander.say(new UploadWaypoints("u", "l", PATH));
+            commander.say(new StartWaypoints("s", "l", 0));
+            while (observer.await(Telemetry.class).mode() != BoatMode.PATH) {}
+            long cut = System.nanoTime();
+            commander.close();
+
+            while (observer.await(Telemetry.class).mode() != BoatMode.HOLD) {}
+            assertThat((System.nanoTime() - cut) / 1e6).as("ms").isLessThan(1000);
+        }
+    }
+
+    @Test
+    void clockSetBackAnHourFiresNothingEarlyOrLate() throws Exception {
+        AtomicLong backMs = new AtomicLong();
+        try (TcpBench bench = new TcpBench(
+                boat -> boat.deadmanMs(1000), AS_IT_IS, () -> System.nanoTime() / 1_000_000 - backMs.get())) {
+            Client client = bench.greet("base", Role.COMMANDER, 50);
+            long set = System.nanoTime();
+            client.say(new Teleoperate(0.5, 0));
+            while (client.await(Telemetry.class).mode() != BoatMode.TELEOPERATION) {}
+            backMs.set(3_600_000);
+
+            while (client.await(Telemetry.class).mode() == BoatMode.TELEOPERATION) {
+                client.say(new Heartbeat(1));
+            }
+            assertThat((System.nanoTime() - set) / 1e6).as("ms").isBetween(950.0, 1900.0);
+        }
+    }
+
+    @Test
+    void hundredClientsComeAndGoAndLeaveNoThread() throws Exception {
+        try (TcpBench bench = new TcpBench()) {
+            Client watching = bench.greet("watching", Role.OBSERVER, 10);
+            long before = Await.threads(bench.name);
+            for (int i = 0; i < 100; i++) {
+                bench.greet("client" + i, i % 2 == 0 ? Role.COMMANDER : Role.OBSERVER, 50)
+                        .close();
+            }
+
+            Await.until("their threads end", 10, () -> Await.threads(bench.name) == before);
+            assertThat(bench.server.clientCount()).isEqualTo(1);
+            watching.await(Telemetry.class);
+            assertThat(bench.failures).isEmpty();
+        }
+    }
+
+    @Test
+    void stoppingEndsAllThreadsAndFreesThePort() throws Exception {
+        TcpBench bench = new TcpBench();
+        Client client = bench.greet("base", Role.COMMANDER, 50);
+        int port = bench.server.address().getPort();
+        bench.server.close();
+
+        assertThat(client.isClosedByTheBoat()).isTrue();
+        Await.until("all threads end", 5, () -> Await.threads(bench.name) == 0);
+        try (ServerSocket again = new ServerSocket()) {
+            again.setReuseAddress(true);
+            again.bind(new java.net.InetSocketAddress(java.net.InetAddress.getLoopbackAddress(), port));
+        }
+        bench.close();
+    }
+
+    @Test
+    void portThatIsTakenIsSaidAndLeavesNoThread() throws Exception {
+        try (TcpBench bench = new TcpBench()) {
+            int taken = bench.server.address().getPort();
+            long before = Await.threads("bench");
+
+            assertThatThrownBy(() -> new TcpBench(
+                            UnaryOperator.identity(), tcp -> TcpServerConfig.onLoopback(taken), TcpBench::machineMs))
+                    .isInstanceOf(IOException.class);
+            assertThat(Await.threads("bench")).isEqualTo(before);
+        }
+    }
+
+    @Test
+    void clientThatDoesNotSayWhoItIsIsDropped() throws Exception {
+        try (TcpBench bench =
+                new TcpBench(UnaryOperator.identity(), tcp -> tcp.withPatience(200, 5000), TcpBench::machineMs)) {
+            Client silent = bench.connect();
+
+            assertThat(silent.isClosedByTheBoat()).isTrue();
+            Await.until("it is said why", 5, () -> bench.goodbyes.contains("it does not say who it is"));
+        }
+    }
+
+    @Test
+    void clientOfWhichNothingMoreComesIsDropped() throws Exception {
+        try (TcpBench bench =
+                new TcpBench(UnaryOperator.identity(), tcp -> tcp.withPatience(5000, 200), TcpBench::machineMs)) {
+            Client halfOpen = bench.greet("base", Role.OBSERVER, 10);
+
+            assertThat(halfOpen.isClosedByTheBoat()).isTrue();
+            Await.until("it is said why", 5, () -> bench.goodbyes.contains("it has been silent for too long"));
+        }
+    }
+
+    @Test
+    void oneClientTooManyIsTurnedAway() throws Exception {
+        try (TcpBench bench =
+                new TcpBench(UnaryOperator.identity(), tcp -> tcp.withMaxClients(2), TcpBench::machineMs)) {
+            Client first = bench.greet("a", Role.COMMANDER, 10);
+            bench.greet("b", Role.OBSERVER, 10);
+
+            assertThat(bench.connect().isClosedByTheBoat()).isTrue();
+            first.await(Telemetry.class);
+            first.close();
+            Await.until("there is room", 5, () -> bench.server.clientCount() == 1);
+            bench.greet("c", Role.OBSERVER, 10);
+        }
+    }
+}
