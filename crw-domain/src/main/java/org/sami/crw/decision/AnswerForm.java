@@ -1,0 +1,117 @@
+package org.sami.crw.decision;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.json.Reading;
+import org.sami.spn.json.ValueJson;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.DecisionForm;
+import org.sami.spn.vocabulary.DecisionType;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.FieldType;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/** Whether an answer in a file has the form that its decision asks for, as far as the vocabulary tells. */
+final class AnswerForm {
+    static final String SILENT = "silent";
+    static final String YES = "yes";
+    static final String BOATS = "boats";
+    static final String OPTION = "option";
+    static final String REJECT = "reject";
+    static final String VALUES = "values";
+    static final String VALUE = "value";
+
+    private AnswerForm() {}
+
+    /** Checks an answer to an output event's decision. */
+    static void check(
+            JsonNode answer, String pointer, DecisionType decision, Vocabulary vocabulary, List<Finding> findings) {
+        Optional<String> member = only(answer, pointer, membersFor(decision.form()), findings);
+        if (member.isEmpty()) {
+            return;
+        }
+        checkMember(answer.get(member.get()), pointer + "/" + member.get(), member.get(), findings);
+        if (decision.form() == DecisionForm.PROVIDE && member.get().equals(VALUES)) {
+            checkFields(answer.get(VALUES), pointer + "/" + VALUES, decision.accepted(), vocabulary, findings);
+        }
+    }
+
+    /** Checks an answer to what is asked at the start. */
+    static void checkStart(JsonNode answer, String pointer, List<Finding> findings) {
+        only(answer, pointer, List.of(VALUE), findings);
+    }
+
+    private static List<String> membersFor(DecisionForm form) {
+        return switch (form) {
+            case APPROVE -> List.of(YES, SILENT);
+            case CHOOSE_PROXIES -> List.of(BOATS, SILENT);
+            case CHOOSE_OPTION -> List.of(OPTION, REJECT, SILENT);
+            case PROVIDE, REDEFINE_VARIABLE -> List.of(VALUES, SILENT);
+        };
+    }
+
+    private static Optional<String> only(
+            JsonNode answer, String pointer, List<String> allowed, List<Finding> findings) {
+        List<String> names = new ArrayList<>();
+        answer.fieldNames().forEachRemaining(names::add);
+        if (names.size() != 1 || !allowed.contains(names.get(0))) {
+            findings.add(Finding.error(
+                    "E-DECISION", pointer, "The answer has one member of " + allowed + ", not " + names));
+            return Optional.empty();
+        }
+        return Optional.of(names.get(0));
+    }
+
+    private static void checkMember(JsonNode value, String pointer, String member, List<Finding> findings) {
+        String wanted =
+                switch (member) {
+                    case SILENT, REJECT -> value.isBoolean() && value.booleanValue() ? "" : "true";
+                    case YES -> value.isBoolean() ? "" : "true or false";
+                    case OPTION -> isCount(value) ? "" : "an option's number, from 0";
+                    case BOATS -> isBoats(value) ? "" : "a list of boats, a number of boats or \"all\"";
+                    default -> value.isObject() ? "" : "an object with a value per field";
+                };
+        if (!wanted.isEmpty()) {
+            String message = "\"" + member + "\" is " + wanted + ", not " + AnswersFileReader.shown(value);
+            findings.add(Finding.error("E-BAD-VALUE", pointer, message));
+        }
+    }
+
+    private static boolean isCount(JsonNode value) {
+        return value.isInt() && value.intValue() >= 0;
+    }
+
+    private static boolean isBoats(JsonNode value) {
+        if (value.isArray()) {
+            for (JsonNode boat : value) {
+                if (!boat.isTextual()) {
+                    return false;
+                }
+            }
+            return true;
+        }
+        return isCount(value) || value.asText().equals("all");
+    }
+
+    private static void checkFields(
+            JsonNode values, String pointer, String event, Vocabulary vocabulary, List<Finding> findings) {
+        EventType type = vocabulary.event(event).orElseThrow();
+        for (Map.Entry<String, JsonNode> given : values.properties()) {
+            String at = pointer + "/" + given.getKey();
+            Optional<FieldType> field = type.field(given.getKey());
+            if (field.isEmpty()) {
+                findings.add(Finding.error(
+                        "E-UNKNOWN-FIELD", at, type.name() + " has no field \"" + given.getKey() + "\""));
+                continue;
+            }
+            Reading<Value> reading = ValueJson.read(given.getValue(), field.get().type(), vocabulary.types());
+            for (Finding f : reading.findings()) {
+                findings.add(new Finding(f.severity(), f.code(), at + f.pointer(), f.message(), f.elements()));
+            }
+        }
+    }
+}

@@ -1,0 +1,14 @@
+package org.sami.crw.decision;
+
+import java.util.Optional;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Answerer;
+
+/** Hears of changes of a {@link DecisionQueue}, on the thread that owns it, after each. */
+public interface DecisionListener {
+    /** A decision waits. */
+    void opened(PendingDecision decision);
+
+    /** A decision waits no longer; without an answer, its visit or mission ended. */
+    void closed(PendingDecision decision, Optional<Answer> answer, Optional<Answerer> by);
+}

@@ -1,0 +1,196 @@
+package org.sami.crw.decision;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.json.Reading;
+import org.sami.spn.json.ValueJson;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Question;
+import org.sami.spn.value.NamedType;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * An operator that is simulated: it says what is answered; when, its host's clock decides. Rules of an answers file come first;
+ * where none fits it chooses all boats (or as many as may be chosen), takes the first option, says yes, keeps defaults,
+ * and makes up locations from its seed. The same decisions in the same order get the same answers. For one thread.
+ */
+public final class SimulatedOperator {
+    private final Vocabulary vocabulary;
+    private final List<CountedRule> rules = new ArrayList<>();
+    private final MadeUpValues madeUp;
+
+    /** An operator with rules and what it does without them. */
+    public SimulatedOperator(Vocabulary vocabulary, OperatorDefaults defaults, AnswersFile answers) {
+        this.vocabulary = vocabulary;
+        madeUp = new MadeUpValues(defaults);
+        answers.rules().forEach(rule -> rules.add(new CountedRule(rule)));
+    }
+
+    /**
+     * The answer to a decision. Called once for each, as rules count decisions.
+     *
+     * @param plan id of the plan whose mission asks
+     * @return no result and no finding where the operator stays silent; a finding, with its place in the answers file,
+     *     where a rule does not fit what is asked or nothing sensible can be answered
+     */
+    public Reading<Answer> answer(Decision decision, String plan) {
+        List<Finding> findings = new ArrayList<>();
+        Optional<AnswerRule> rule = ruleFor(decision, plan);
+        if (rule.isPresent() && rule.get().answer().has(AnswerForm.SILENT)) {
+            return new Reading<>(Optional.empty(), List.of());
+        }
+        Optional<Answer> answer = answer(decision, plan, rule, findings);
+        return new Reading<>(findings.isEmpty() ? answer : Optional.empty(), findings);
+    }
+
+    private Optional<Answer> answer(
+            Decision decision, String plan, Optional<AnswerRule> rule, List<Finding> findings) {
+        Question question = decision.question();
+        if (question instanceof Question.Approve) {
+            return Optional.of(new Answer.YesNo(
+                    rule.map(r -> r.answer().path(AnswerForm.YES).asBoolean(true)).orElse(true)));
+        }
+        if (question instanceof Question.ChooseProxies choice) {
+            return Optional.of(new Answer.Proxies(boats(choice, rule, findings)));
+        }
+        if (question instanceof Question.ChooseOption choice) {
+            return Optional.of(option(choice, rule, findings));
+        }
+        return Optional.of(fields(decision, (Question.FillIn) question, plan, rule, findings));
+    }
+
+    private static List<String> boats(
+            Question.ChooseProxies choice, Optional<AnswerRule> rule, List<Finding> findings) {
+        JsonNode given = rule.map(r -> r.answer().path(AnswerForm.BOATS)).orElse(null);
+        int most = Math.min(choice.max(), choice.proxies().size());
+        List<String> chosen = new ArrayList<>(choice.proxies().subList(0, most));
+        if (given != null && given.isInt()) {
+            chosen = new ArrayList<>(choice.proxies().subList(0, Math.min(given.intValue(), choice.proxies().size())));
+        } else if (given != null && given.isArray()) {
+            chosen.clear();
+            given.forEach(boat -> addBoat(boat.asText(), choice, chosen, rule, findings));
+        }
+        if (chosen.size() < choice.min() || chosen.size() > choice.max()) {
+            findings.add(finding(
+                    rule, "From " + choice.min() + " to " + choice.max() + " boats are to be chosen, not " + chosen));
+        }
+        return chosen;
+    }
+
+    private static void addBoat(
+            String boat,
+            Question.ChooseProxies choice,
+            List<String> chosen,
+            Optional<AnswerRule> rule,
+            List<Finding> findings) {
+        if (!choice.proxies().contains(boat)) {
+            findings.add(finding(rule, "The boat \"" + boat + "\" is none of " + choice.proxies()));
+        } else if (!chosen.contains(boat)) {
+            chosen.add(boat);
+        }
+    }
+
+    private static Answer option(
+            Question.ChooseOption choice, Optional<AnswerRule> rule, List<Finding> findings) {
+        boolean rejects = rule.isPresent() && rule.get().answer().has(AnswerForm.REJECT);
+        if (rejects || choice.options().isEmpty()) {
+            return new Answer.Rejected();
+        }
+        int index = rule.map(r -> r.answer().path(AnswerForm.OPTION).asInt()).orElse(0);
+        if (index >= choice.options().size()) {
+            findings.add(finding(rule, "There is no option " + index + " among " + choice.options().size()));
+        }
+        return new Answer.Option(index);
+    }
+
+    private Answer fields(
+            Decision decision,
+            Question.FillIn question,
+            String plan,
+            Optional<AnswerRule> rule,
+            List<Finding> findings) {
+        Map<String, Value> values = new LinkedHashMap<>();
+        for (Question.Item item : question.items()) {
+            Optional<Given> given = rule.flatMap(r -> given(r, item)).or(() -> startValue(decision, item, plan));
+            Optional<Value> value;
+            if (given.isPresent() && item.editable()) {
+                value = read(given.get(), item, findings);
+            } else {
+                value = item.defaultValue().or(() -> madeUp.of(item.type()));
+                if (value.isEmpty()) {
+                    findings.add(Finding.error(
+                            "E-NO-ANSWER", "", "The simulated operator has no value for \"" + item.key() + "\""));
+                }
+            }
+            value.ifPresent(v -> values.put(item.key(), v));
+        }
+        return new Answer.Fields(values);
+    }
+
+    private Optional<Value> read(Given given, Question.Item item, List<Finding> findings) {
+        Map<String, NamedType> types = vocabulary.types();
+        Reading<Value> reading = ValueJson.read(given.node(), item.type(), types);
+        for (Finding f : reading.findings()) {
+            findings.add(new Finding(
+                    f.severity(), f.code(), given.pointer() + f.pointer(), f.message(), f.elements()));
+        }
+        return reading.result();
+    }
+
+    private static Optional<Given> given(AnswerRule rule, Question.Item item) {
+        JsonNode node = rule.answer().path(AnswerForm.VALUES).get(item.key());
+        return Optional.ofNullable(node).map(n -> new Given(n, rule.pointer() + "/answer/values/" + item.key()));
+    }
+
+    private Optional<Given> startValue(Decision decision, Question.Item item, String plan) {
+        if (!decision.type().isEmpty()) {
+            return Optional.empty();
+        }
+        return first(rule -> rule.start() && rule.fitsPlan(plan) && rule.fitsItem(item.key()))
+                .map(rule -> new Given(rule.answer().get(AnswerForm.VALUE), rule.pointer() + "/answer/value"));
+    }
+
+    private Optional<AnswerRule> ruleFor(Decision decision, String plan) {
+        String type = vocabulary.event(decision.type()).map(EventType::name).orElse(decision.type());
+        return first(rule -> !rule.start() && rule.fitsPlan(plan) && rule.event().equals(type));
+    }
+
+    /** The first rule that fits and whose turn it is; all that fit count this time. */
+    private Optional<AnswerRule> first(java.util.function.Predicate<AnswerRule> fits) {
+        Optional<AnswerRule> found = Optional.empty();
+        for (CountedRule counted : rules) {
+            if (fits.test(counted.rule) && counted.hasTurn() && found.isEmpty()) {
+                found = Optional.of(counted.rule);
+            }
+        }
+        return found;
+    }
+
+    private static Finding finding(Optional<AnswerRule> rule, String message) {
+        return Finding.error("E-ANSWER", rule.map(r -> r.pointer() + "/answer").orElse(""), message);
+    }
+
+    private record Given(JsonNode node, String pointer) {}
+
+    private static final class CountedRule {
+        private final AnswerRule rule;
+        private int count;
+
+        CountedRule(AnswerRule rule) {
+            this.rule = rule;
+        }
+
+        boolean hasTurn() {
+            count++;
+            return rule.nth().isEmpty() || rule.nth().getAsInt() == count;
+        }
+    }
+}
