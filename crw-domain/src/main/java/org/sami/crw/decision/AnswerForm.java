@@ -59,22 +59,21 @@ final class AnswerForm {
         List<String> names = new ArrayList<>();
         answer.fieldNames().forEachRemaining(names::add);
         if (names.size() != 1 || !allowed.contains(names.get(0))) {
-            findings.add(Finding.error(
-                    "E-DECISION", pointer, "The answer has one member of " + allowed + ", not " + names));
+            findings.add(
+                    Finding.error("E-DECISION", pointer, "The answer has one member of " + allowed + ", not " + names));
             return Optional.empty();
         }
         return Optional.of(names.get(0));
     }
 
     private static void checkMember(JsonNode value, String pointer, String member, List<Finding> findings) {
-        String wanted =
-                switch (member) {
-                    case SILENT, REJECT -> value.isBoolean() && value.booleanValue() ? "" : "true";
-                    case YES -> value.isBoolean() ? "" : "true or false";
-                    case OPTION -> isCount(value) ? "" : "an option's number, from 0";
-                    case BOATS -> isBoats(value) ? "" : "a list of boats, a number of boats or \"all\"";
-                    default -> value.isObject() ? "" : "an object with a value per field";
-                };
+        String wanted = switch (member) {
+            case SILENT, REJECT -> value.isBoolean() && value.booleanValue() ? "" : "true";
+            case YES -> value.isBoolean() ? "" : "true or false";
+            case OPTION -> isCount(value) ? "" : "an option's number, from 0";
+            case BOATS -> isBoats(value) ? "" : "a list of boats, a number of boats or \"all\"";
+            default -> value.isObject() ? "" : "an object with a value per field";
+        };
         if (!wanted.isEmpty()) {
             String message = "\"" + member + "\" is " + wanted + ", not " + AnswersFileReader.shown(value);
             findings.add(Finding.error("E-BAD-VALUE", pointer, message));
@@ -104,11 +103,12 @@ final class AnswerForm {
             String at = pointer + "/" + given.getKey();
             Optional<FieldType> field = type.field(given.getKey());
             if (field.isEmpty()) {
-                findings.add(Finding.error(
-                        "E-UNKNOWN-FIELD", at, type.name() + " has no field \"" + given.getKey() + "\""));
+                findings.add(
+                        Finding.error("E-UNKNOWN-FIELD", at, type.name() + " has no field \"" + given.getKey() + "\""));
                 continue;
             }
-            Reading<Value> reading = ValueJson.read(given.getValue(), field.get().type(), vocabulary.types());
+            Reading<Value> reading =
+                    ValueJson.read(given.getValue(), field.get().type(), vocabulary.types());
             for (Finding f : reading.findings()) {
                 findings.add(new Finding(f.severity(), f.code(), at + f.pointer(), f.message(), f.elements()));
             }

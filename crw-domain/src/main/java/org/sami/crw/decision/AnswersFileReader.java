@@ -47,8 +47,7 @@ public final class AnswersFileReader {
         try {
             JsonNode top = MAPPER.readTree(text);
             List<AnswerRule> rules = top == null || !top.isObject() ? noObject("") : rules(top);
-            return new Reading<>(
-                    findings.isEmpty() ? Optional.of(new AnswersFile(rules)) : Optional.empty(), findings);
+            return new Reading<>(findings.isEmpty() ? Optional.of(new AnswersFile(rules)) : Optional.empty(), findings);
         } catch (JsonProcessingException e) {
             String place = e.getLocation() == null
                     ? ""

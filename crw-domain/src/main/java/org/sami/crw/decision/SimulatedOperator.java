@@ -51,12 +51,12 @@ public final class SimulatedOperator {
         return new Reading<>(findings.isEmpty() ? answer : Optional.empty(), findings);
     }
 
-    private Optional<Answer> answer(
-            Decision decision, String plan, Optional<AnswerRule> rule, List<Finding> findings) {
+    private Optional<Answer> answer(Decision decision, String plan, Optional<AnswerRule> rule, List<Finding> findings) {
         Question question = decision.question();
         if (question instanceof Question.Approve) {
             return Optional.of(new Answer.YesNo(
-                    rule.map(r -> r.answer().path(AnswerForm.YES).asBoolean(true)).orElse(true)));
+                    rule.map(r -> r.answer().path(AnswerForm.YES).asBoolean(true))
+                            .orElse(true)));
         }
         if (question instanceof Question.ChooseProxies choice) {
             return Optional.of(new Answer.Proxies(boats(choice, rule, findings)));
@@ -69,14 +69,17 @@ public final class SimulatedOperator {
 
     private static List<String> boats(
             Question.ChooseProxies choice, Optional<AnswerRule> rule, List<Finding> findings) {
-        JsonNode given = rule.map(r -> r.answer().path(AnswerForm.BOATS)).orElse(null);
-        int most = Math.min(choice.max(), choice.proxies().size());
-        List<String> chosen = new ArrayList<>(choice.proxies().subList(0, most));
-        if (given != null && given.isInt()) {
-            chosen = new ArrayList<>(choice.proxies().subList(0, Math.min(given.intValue(), choice.proxies().size())));
-        } else if (given != null && given.isArray()) {
-            chosen.clear();
-            given.forEach(boat -> addBoat(boat.asText(), choice, chosen, rule, findings));
+        int known = choice.proxies().size();
+        int most = Math.min(choice.max(), known);
+        List<String> chosen = new ArrayList<>();
+        Optional<JsonNode> given = rule.map(r -> r.answer().path(AnswerForm.BOATS));
+        if (given.isPresent() && given.get().isArray()) {
+            given.get().forEach(boat -> addBoat(boat.asText(), choice, chosen, rule, findings));
+        } else {
+            int count = given.filter(JsonNode::isInt)
+                    .map(n -> Math.min(n.intValue(), known))
+                    .orElse(most);
+            chosen.addAll(choice.proxies().subList(0, count));
         }
         if (chosen.size() < choice.min() || chosen.size() > choice.max()) {
             findings.add(finding(
@@ -98,15 +101,16 @@ public final class SimulatedOperator {
         }
     }
 
-    private static Answer option(
-            Question.ChooseOption choice, Optional<AnswerRule> rule, List<Finding> findings) {
+    private static Answer option(Question.ChooseOption choice, Optional<AnswerRule> rule, List<Finding> findings) {
         boolean rejects = rule.isPresent() && rule.get().answer().has(AnswerForm.REJECT);
         if (rejects || choice.options().isEmpty()) {
             return new Answer.Rejected();
         }
         int index = rule.map(r -> r.answer().path(AnswerForm.OPTION).asInt()).orElse(0);
         if (index >= choice.options().size()) {
-            findings.add(finding(rule, "There is no option " + index + " among " + choice.options().size()));
+            findings.add(finding(
+                    rule,
+                    "There is no option " + index + " among " + choice.options().size()));
         }
         return new Answer.Option(index);
     }
@@ -139,8 +143,7 @@ public final class SimulatedOperator {
         Map<String, NamedType> types = vocabulary.types();
         Reading<Value> reading = ValueJson.read(given.node(), item.type(), types);
         for (Finding f : reading.findings()) {
-            findings.add(new Finding(
-                    f.severity(), f.code(), given.pointer() + f.pointer(), f.message(), f.elements()));
+            findings.add(new Finding(f.severity(), f.code(), given.pointer() + f.pointer(), f.message(), f.elements()));
         }
         return reading.result();
     }
@@ -160,7 +163,8 @@ public final class SimulatedOperator {
 
     private Optional<AnswerRule> ruleFor(Decision decision, String plan) {
         String type = vocabulary.event(decision.type()).map(EventType::name).orElse(decision.type());
-        return first(rule -> !rule.start() && rule.fitsPlan(plan) && rule.event().equals(type));
+        return first(
+                rule -> !rule.start() && rule.fitsPlan(plan) && rule.event().equals(type));
     }
 
     /** The first rule that fits and whose turn it is; all that fit count this time. */

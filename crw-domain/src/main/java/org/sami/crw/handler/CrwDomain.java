@@ -1,0 +1,96 @@
+package org.sami.crw.handler;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.Executor;
+import org.sami.crw.decision.MessageSink;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatPose;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.service.BoatPositions;
+import org.sami.spn.host.ActivationHandler;
+import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.host.Registration;
+import org.sami.spn.protocol.Effect;
+
+/**
+ * The boats domain on a host: every handler registered, withdrawals passed on to the boats, what boats report posted as inputs. The
+ * composition of all programs that run plans on boats, simulated or not.
+ *
+ * <p>Made in this order: the host; this; the proxies, which get {@link #boatListener}, added to the registry; then the host
+ * resumes.
+ */
+public final class CrwDomain implements AutoCloseable {
+    private final Map<String, ActivationHandler> handlers = new LinkedHashMap<>();
+    private final List<Registration> registrations = new ArrayList<>();
+    private final BoatListener boatListener;
+
+    private CrwDomain(
+            EngineHost host, ProxyRegistry boats, Executor fleet, MessageSink messages, CrwServices services) {
+        MotionCommands motion = new MotionCommands(boats, messages);
+        boatListener = new BoatListeners(motion, new BoatNews(host, messages));
+        BoatPositions positions =
+                boat -> boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
+        handlers.put(ExecutePathHandler.TYPE, new ExecutePathHandler(motion));
+        handlers.put(GotoPointHandler.TYPE, new GotoPointHandler(motion));
+        handlers.put(GotoLatLonHandler.TYPE, new GotoLatLonHandler(motion));
+        handlers.put(BlockMovementHandler.TYPE, new BlockMovementHandler(motion));
+        handlers.put(AllocationHandler.TYPE, new AllocationHandler(services.allocation(), positions, messages));
+        handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions));
+        handlers.put(CompareDistanceHandler.TYPE, new CompareDistanceHandler(positions));
+        handlers.put(DisplayMessageHandler.TYPE, new DisplayMessageHandler(messages));
+        handlers.forEach((type, handler) -> registrations.add(host.register(type, handler, fleet)));
+        registrations.add(host.addListener(withdrawals(motion, fleet)));
+    }
+
+    /**
+     * Puts the domain on a host with the standard services.
+     *
+     * @param boats filled by the caller, now or later
+     * @param fleet the serial executor that drives the proxies of {@code boats}: handlers run there
+     * @param messages where the operator's messages go
+     */
+    public static CrwDomain install(EngineHost host, ProxyRegistry boats, Executor fleet, MessageSink messages) {
+        return install(host, boats, fleet, messages, CrwServices.STANDARD);
+    }
+
+    /** Puts the domain on a host. */
+    public static CrwDomain install(
+            EngineHost host, ProxyRegistry boats, Executor fleet, MessageSink messages, CrwServices services) {
+        return new CrwDomain(host, boats, fleet, messages, services);
+    }
+
+    /** What every proxy of the registry must be given; to be called on the fleet's thread. */
+    public BoatListener boatListener() {
+        return boatListener;
+    }
+
+    /** The output events that are handled here, by name. */
+    public Set<String> handledTypes() {
+        return Set.copyOf(handlers.keySet());
+    }
+
+    /** Takes handlers and listeners off the host; what boats have been told goes on. */
+    @Override
+    public void close() {
+        registrations.forEach(Registration::close);
+    }
+
+    /**
+     * Passes withdrawals on, in order with the activations: both are handed to the same executor, and what a step withdraws is
+     * handed over before what the same step asks for.
+     */
+    private static HostListener withdrawals(MotionCommands motion, Executor fleet) {
+        return (index, atMillis, input, effects, view) -> {
+            for (Effect effect : effects) {
+                if (effect instanceof Effect.CommandsWithdrawn withdrawn) {
+                    fleet.execute(() -> motion.withdraw(withdrawn.mission(), withdrawn.proxies()));
+                }
+            }
+        };
+    }
+}

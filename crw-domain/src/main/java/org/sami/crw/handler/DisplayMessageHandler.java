@@ -1,0 +1,44 @@
+package org.sami.crw.handler;
+
+import org.sami.crw.decision.MessageSink;
+import org.sami.crw.decision.OperatorMessage;
+import org.sami.spn.host.ActivationHandler;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.value.TextValue;
+
+/** Display Message: a message to the operator about the boats that entered, with its markups Priority and Keyword (6.3.4). */
+final class DisplayMessageHandler implements ActivationHandler {
+    static final String TYPE = "DisplayMessage";
+
+    private final MessageSink messages;
+
+    DisplayMessageHandler(MessageSink messages) {
+        this.messages = messages;
+    }
+
+    @Override
+    public void handle(Activation activation, HandlerContext context) {
+        if (!(Fields.required(activation, "message") instanceof TextValue text)) {
+            throw new IllegalArgumentException("\"message\" is no text: " + activation.value("message"));
+        }
+        messages.tell(new OperatorMessage(
+                context.nowMillis(),
+                activation.mission(),
+                OperatorMessage.Source.PLAN,
+                activation.priority(),
+                text.value(),
+                activation.proxies(),
+                keyword(activation)));
+    }
+
+    private static String keyword(Activation activation) {
+        return activation.markups().stream()
+                .filter(markup -> markup.type().equals("Keyword"))
+                .flatMap(markup -> markup.option("source").stream())
+                .filter(TextValue.class::isInstance)
+                .map(value -> ((TextValue) value).value())
+                .findFirst()
+                .orElse("");
+    }
+}

@@ -1,0 +1,19 @@
+package org.sami.crw.handler;
+
+/** The input events that this package answers with, as the domain's vocabulary names them. */
+final class EventNames {
+    static final String PATH_COMPLETED = "ProxyPathCompleted";
+    static final String PATH_FAILED = "ProxyPathFailed";
+    static final String ALLOCATION_RESPONSE = "AllocationResponse";
+    static final String ASSEMBLE_RESPONSE = "AssembleLocationResponse";
+    static final String QUANTITY_GREATER = "QuantityGreater";
+    static final String QUANTITY_LESS = "QuantityLess";
+    static final String QUANTITY_EQUAL = "QuantityEqual";
+    static final String PROXY_CREATED = "ProxyCreated";
+    static final String POSE_UPDATED = "ProxyPoseUpdated";
+    static final String BATTERY_NOMINAL = "BatteryNominal";
+    static final String BATTERY_LOW = "BatteryLow";
+    static final String BATTERY_CRITICAL = "BatteryCritical";
+
+    private EventNames() {}
+}

@@ -1,0 +1,64 @@
+package org.sami.crw.handler;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.sami.crw.event.ProxyMaps;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.spn.host.ActivationHandler;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.Value;
+
+/**
+ * Proxy Execute Path: each boat follows its own path of the map, from the first location that it has not visited in this mission
+ * (DESIGN, Commands and missions). A boat without a path, or with nothing left of it, completes at once.
+ */
+final class ExecutePathHandler implements ActivationHandler {
+    static final String TYPE = "ProxyExecutePath";
+    private static final String PATHS = "paths";
+
+    private final MotionCommands motion;
+
+    ExecutePathHandler(MotionCommands motion) {
+        this.motion = motion;
+    }
+
+    @Override
+    public void handle(Activation activation, HandlerContext context) {
+        List<Move> moves = new ArrayList<>();
+        for (Addressee addressee : Addressee.of(activation, context)) {
+            moves.add(move(activation, context, addressee, pathFor(addressee, activation)));
+        }
+        motion.send(activation, context, moves);
+    }
+
+    private static GeoPath pathFor(Addressee addressee, Activation activation) {
+        for (Value paths : addressee.values(activation, PATHS)) {
+            Map<String, GeoPath> byBoat = ProxyMaps.read(paths, GeoPath.class);
+            if (byBoat.containsKey(addressee.boat())) {
+                return byBoat.get(addressee.boat());
+            }
+        }
+        return new GeoPath(List.of());
+    }
+
+    private static Move move(Activation activation, HandlerContext context, Addressee addressee, GeoPath path) {
+        String key = PathProgress.key(addressee.boat(), path);
+        int visited = PathProgress.visited(
+                context, activation.mission(), key, path.points().size());
+        FollowPath command = new FollowPath(
+                Move.commandId(activation, addressee),
+                activation.mission(),
+                activation.id(),
+                path.points(),
+                OptionalDouble.empty(),
+                visited,
+                activation.priority(),
+                false);
+        return new Move(addressee, command, Optional.of(key), true);
+    }
+}

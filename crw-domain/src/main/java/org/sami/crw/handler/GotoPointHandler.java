@@ -1,0 +1,51 @@
+package org.sami.crw.handler;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.sami.crw.event.ProxyMaps;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.spn.host.ActivationHandler;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.Value;
+
+/**
+ * Proxy Goto Point: each boat goes straight to its own point of the map, again each time it is asked. A boat without a point
+ * completes at once.
+ */
+final class GotoPointHandler implements ActivationHandler {
+    static final String TYPE = "ProxyGotoPoint";
+    private static final String POINTS = "points";
+
+    private final MotionCommands motion;
+
+    GotoPointHandler(MotionCommands motion) {
+        this.motion = motion;
+    }
+
+    @Override
+    public void handle(Activation activation, HandlerContext context) {
+        List<Move> moves = new ArrayList<>();
+        for (Addressee addressee : Addressee.of(activation, context)) {
+            List<GeoPoint> points = new ArrayList<>();
+            for (Value byBoat : addressee.values(activation, POINTS)) {
+                Optional.ofNullable(ProxyMaps.read(byBoat, GeoPoint.class).get(addressee.boat()))
+                        .ifPresent(points::add);
+            }
+            moves.add(go(activation, addressee, points));
+        }
+        motion.send(activation, context, moves);
+    }
+
+    static Move go(Activation activation, Addressee addressee, List<GeoPoint> points) {
+        FollowPath command = FollowPath.of(
+                Move.commandId(activation, addressee),
+                activation.mission(),
+                activation.id(),
+                points,
+                activation.priority());
+        return new Move(addressee, command, Optional.empty(), true);
+    }
+}
