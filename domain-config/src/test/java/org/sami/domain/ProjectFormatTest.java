@@ -150,6 +150,17 @@ class ProjectFormatTest {
     }
 
     @Test
+    void oneProblemIsOneFinding() throws IOException {
+        JsonNode root = tree();
+        edit(root, "/plans/1/id", "5");
+        edit(root, "/missionTree/0/children/1/children/0/plan", "\"main\"");
+        edit(root, "/plans/0/places/2/subMissions", "[]");
+
+        assertThat(reader.read(root.toString()).findings())
+                .containsExactly(Finding.error("E-WRONG-TYPE", "/plans/1/id", "Text is expected here, not 5"));
+    }
+
+    @Test
     void planThatMakesNoSenseIsReadButNotWithoutAnError() throws IOException {
         JsonNode root = tree();
         edit(root, "/plans/0/places/1/start", "true");
@@ -238,8 +249,8 @@ class ProjectFormatTest {
                     /plans/0/testCases/0/steps/1/event                | "e9"                  | E-DANGLING       | /plans/0/testCases/0/steps/1/event    | no
                     /plans/0/testCases/0/steps/4/rejected             | false                 | E-BAD-VALUE      | /plans/0/testCases/0/steps/4/rejected | yes
                     /plans/0/testCases/0/steps/5/type                 | "Nothing"             | E-UNKNOWN-EVENT  | /plans/0/testCases/0/steps/5/type     | no
-                    /plans/0/testCases/0/steps/8/by                   | REMOVE                | E-MISSING-MEMBER | /plans/0/testCases/0/steps/8          | yes
-                    /plans/0/testCases/0/steps/9/generic              | -1                    | E-BAD-VALUE      | /plans/0/testCases/0/steps/9/generic  | yes
+                    /plans/0/testCases/0/steps/10/by                  | REMOVE                | E-MISSING-MEMBER | /plans/0/testCases/0/steps/10         | yes
+                    /plans/0/testCases/0/steps/11/generic              | -1                    | E-BAD-VALUE      | /plans/0/testCases/0/steps/11/generic  | yes
                     """)
     void brokenDocumentIsRefused(String at, String value, String code, String pointer, String schemaToo)
             throws IOException {

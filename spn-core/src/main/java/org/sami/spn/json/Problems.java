@@ -1,12 +1,13 @@
 package org.sami.spn.json;
 
-import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import org.sami.spn.finding.Finding;
 
-/** Collects the errors of one document while it is read. */
+/** Collects the errors of one document while it is read; the same error is kept once. */
 final class Problems {
-    private final List<Finding> findings = new ArrayList<>();
+    private final Set<Finding> findings = new LinkedHashSet<>();
 
     void add(String code, String pointer, String message, String... elements) {
         findings.add(Finding.error(code, pointer, message, elements));

@@ -52,6 +52,8 @@ final class TestCaseReader {
             case "answer" -> answer(s);
             case "occur" -> occur(s);
             case "press" -> Optional.of(new TestStep.Press(s.text("interrupt"), s.texts("proxies")));
+            case "join" -> Optional.of(new TestStep.Join(s.text("proxy")));
+            case "drop" -> Optional.of(new TestStep.Drop(s.text("proxy")));
             case "advance" -> advance(s);
             case "expect tokens" -> Optional.of(expectTokens(s));
             case "expect ended" -> Optional.of(new TestStep.ExpectEnded());
@@ -59,7 +61,7 @@ final class TestCaseReader {
                 s.problem(
                         Codes.UNKNOWN_WORD,
                         "",
-                        "A step is \"do\": answer, occur, press, advance; or \"expect\": tokens, ended");
+                        "A step is \"do\": answer, occur, press, join, drop, advance; or \"expect\": tokens, ended");
                 yield Optional.empty();
             }
         };

@@ -60,6 +60,10 @@ final class TestCaseWriter {
         } else if (step instanceof TestStep.Press s) {
             node.put("do", "press").put("interrupt", s.interrupt());
             PlanWriter.putTexts(node, "proxies", s.proxies());
+        } else if (step instanceof TestStep.Join s) {
+            node.put("do", "join").put("proxy", s.proxy());
+        } else if (step instanceof TestStep.Drop s) {
+            node.put("do", "drop").put("proxy", s.proxy());
         } else if (step instanceof TestStep.Advance s) {
             node.put("do", "advance").set("by", ValueWriter.leaf(new DurationValue(s.millis())));
         } else if (step instanceof TestStep.ExpectTokens s) {

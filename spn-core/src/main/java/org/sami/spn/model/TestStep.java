@@ -47,6 +47,20 @@ public sealed interface TestStep {
         }
     }
 
+    /** A robot becomes known while the mission runs. */
+    record Join(String proxy) implements TestStep {
+        public Join {
+            Objects.requireNonNull(proxy, "proxy");
+        }
+    }
+
+    /** The operator drops a robot from the mission. */
+    record Drop(String proxy) implements TestStep {
+        public Drop {
+            Objects.requireNonNull(proxy, "proxy");
+        }
+    }
+
     /** Time passes; timers that are due run down. */
     record Advance(long millis) implements TestStep {
         public Advance {
