@@ -4,16 +4,14 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedInput;
-import org.sami.spn.analysis.PlanContext.PlacedOutput;
 import org.sami.spn.finding.Finding;
-import org.sami.spn.vocabulary.EventFlag;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.EventType;
 
 /**
- * An input event that answers has its cause on a place before its transition (thesis 4.3.3, Events). News have no cause;
- * interrupts, aborts and what sub-missions report come from elsewhere. Differs from 4.3.3 in one point: as a robot goes on
- * with a command when it leaves the place, the cause may be a command on another place; that is a warning.
+ * An input event that answers has its cause on a place before its transition (thesis 4.3.3, Events), because an answer is
+ * for a transition only where the place that asked is an in place of it (SEMANTICS, Input events). News have no cause;
+ * interrupts, aborts and what sub-missions report come from elsewhere.
  */
 final class CausesOfInputs implements PlanCheck {
     private static final Set<EventRole> FROM_ELSEWHERE = Set.of(
@@ -30,34 +28,21 @@ final class CausesOfInputs implements PlanCheck {
             if (causes.isEmpty() || FROM_ELSEWHERE.contains(input.type().role())) {
                 continue;
             }
-            List<PlacedOutput> asking = plan.outputs().stream()
+            boolean before = plan.outputs().stream()
                     .filter(o -> causes.contains(o.type()))
-                    .toList();
-            boolean before = asking.stream()
                     .anyMatch(o -> plan.inPlaces(input.transition()).contains(o.place()));
-            if (before) {
-                continue;
+            if (!before) {
+                report.accept(Finding.error(
+                        "E-NO-CAUSE",
+                        input.pointer(),
+                        "The " + PlanContext.name(input.transition()) + " waits for "
+                                + input.type().name() + ", but no place before it has "
+                                + String.join(
+                                        " or ",
+                                        causes.stream().map(EventType::name).toList()),
+                        input.transition().id(),
+                        input.spec().id()));
             }
-            boolean commandElsewhere =
-                    asking.stream().anyMatch(o -> o.type().flags().contains(EventFlag.COMMAND));
-            String names =
-                    String.join(" or ", causes.stream().map(EventType::name).toList());
-            String message = "The " + PlanContext.name(input.transition()) + " waits for "
-                    + input.type().name() + ", but no place before it has " + names;
-            report.accept(
-                    commandElsewhere
-                            ? Finding.warning(
-                                    "W-CAUSE-ELSEWHERE",
-                                    input.pointer(),
-                                    message + "; only one elsewhere has",
-                                    input.transition().id(),
-                                    input.spec().id())
-                            : Finding.error(
-                                    "E-NO-CAUSE",
-                                    input.pointer(),
-                                    message,
-                                    input.transition().id(),
-                                    input.spec().id()));
         }
     }
 

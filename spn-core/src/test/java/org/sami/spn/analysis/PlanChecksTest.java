@@ -172,7 +172,7 @@ class PlanChecksTest {
         cases.add(of("E-UNKNOWN-EVENT", passOn(begin()).output("go", "Dance"), drive()));
         cases.add(of("E-NO-CAUSE", passOn(begin()).transition("last", "Done"), drive()));
         cases.add(of(
-                "W-CAUSE-ELSEWHERE",
+                "E-NO-CAUSE",
                 drive().in("go", "leave", "generic >= 1")
                         .out("leave", "later", "take all any")
                         .transition("late", "Driven")
