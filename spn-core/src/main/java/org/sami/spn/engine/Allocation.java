@@ -1,0 +1,119 @@
+package org.sami.spn.engine;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.spn.model.TaskSpec;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.MapValue;
+import org.sami.spn.value.ProxyValue;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.Reserved;
+
+/** Tasks made at run time, and which robot a task is allocated to (SEMANTICS, Tokens). */
+final class Allocation {
+    private final Rules rules;
+
+    Allocation(Rules rules) {
+        this.rules = rules;
+    }
+
+    /** Allocates or releases tasks, as an input. */
+    void allocate(Map<TaskId, Optional<String>> allocation) {
+        allocation.forEach((task, robot) -> {
+            TaskState state = rules.task(task);
+            if (state == null) {
+                rules.note(
+                        NoteKind.REJECTED_INPUT,
+                        rules.state.missions.containsKey(task.mission()) ? task.mission() : Ids.NONE,
+                        "There is no task '" + task.name() + "' of a running mission " + task.mission());
+            } else if (robot.isPresent() && !rules.state.proxies.contains(robot.get())) {
+                rules.note(
+                        NoteKind.REJECTED_INPUT,
+                        task.mission(),
+                        "Task '" + task.name() + "' cannot be allocated to '" + robot.get()
+                                + "': no such robot is known");
+            } else {
+                state.allocate(robot.orElse(""));
+            }
+        });
+        renewNames();
+    }
+
+    /** Applies the allocation in an activation. */
+    void apply(Sent sent) {
+        Value tasks = sent.activation.values().get(Reserved.TASKS);
+        if (!(tasks instanceof MapValue map)) {
+            rules.note(
+                    NoteKind.HANDLER_FAILED,
+                    sent.mission().id,
+                    sent.activation.type() + " at '" + sent.visit.place.place + "' has no allocation");
+            return;
+        }
+        Map<TaskId, Optional<String>> allocation = new LinkedHashMap<>();
+        map.entries().forEach((task, robot) -> {
+            if (task instanceof TaskId id && robot instanceof ProxyValue proxy) {
+                allocation.put(id, Optional.of(proxy.proxy()));
+            }
+        });
+        allocate(allocation);
+    }
+
+    private void renewNames() {
+        for (Mission m : rules.state.missions.values()) {
+            for (TransitionState t : m.transitions) {
+                if (t != null && t.pending > 0) {
+                    rules.pendings.renewNames(t);
+                }
+            }
+        }
+    }
+
+    /** Adds tasks to a running mission; a reason where it cannot. */
+    Optional<String> add(Input.AddTasks input) {
+        Mission m = rules.state.missions.get(input.mission());
+        if (m == null) {
+            return Optional.of("There is no running mission " + input.mission());
+        }
+        for (TaskSpec task : input.tasks()) {
+            if (m.tasks.containsKey(task.name())) {
+                return Optional.of("The mission has a task '" + task.name() + "' already");
+            }
+        }
+        input.tasks().forEach(t -> m.addTask(new TaskState(m.taskId(t.name()), t.taskClass(), t.fields(), null)));
+        return Optional.empty();
+    }
+
+    /** Makes one task per item of the list in an activation. */
+    List<TaskId> generate(Sent sent) {
+        Mission m = sent.mission();
+        String taskClass = sent.activation
+                .value(Reserved.TASK_CLASS)
+                .map(CompiledInput::text)
+                .orElse("");
+        Value locations = sent.activation.values().get(Reserved.LOCATIONS);
+        List<TaskId> made = new ArrayList<>();
+        if (locations instanceof ListValue list) {
+            for (Value location : list.items()) {
+                String name;
+                do {
+                    name = (taskClass.isEmpty() ? "Task" : taskClass) + " " + ++m.generatedTasks;
+                } while (m.tasks.containsKey(name));
+                m.addTask(new TaskState(m.taskId(name), taskClass, Map.of(Reserved.LOCATION, location), null));
+                made.add(m.taskId(name));
+            }
+        } else {
+            rules.note(
+                    NoteKind.HANDLER_FAILED,
+                    m.id,
+                    sent.activation.type() + " at '" + sent.visit.place.place + "' has no list of locations");
+        }
+        return made;
+    }
+}

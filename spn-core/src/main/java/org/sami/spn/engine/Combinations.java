@@ -1,0 +1,111 @@
+package org.sami.spn.engine;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Finds the earliest combination of pending occurrences that enables a transition (SEMANTICS, Input events). */
+final class Combinations {
+    /** Occurrences that enable a transition together. */
+    record Found(List<Pending> used, Relevant relevant, Pool.Reach reach) {}
+
+    private final Rules rules;
+
+    Combinations(Rules rules) {
+        this.rules = rules;
+    }
+
+    /** The earliest combination that enables a transition; null where there is none. */
+    Found find(TransitionState t) {
+        for (TransitionState.Queue q : t.queues) {
+            if (q.size == 0) {
+                return null;
+            }
+        }
+        Pool.Reach reach = t.transition.reach();
+        if (!rules.enabling.isReady(t, reach) || !rules.enabling.meetsPlain(t, reach)) {
+            return null;
+        }
+        if (t.barrier != null) {
+            return all(t, reach);
+        }
+        if (t.queues.length == 1) {
+            for (Pending p = t.queues[0].first; p != null; p = p.next) {
+                Found found = attempt(t, List.of(p), reach);
+                if (found != null) {
+                    return found;
+                }
+            }
+            return null;
+        }
+        return search(t, new ArrayList<>(), reach);
+    }
+
+    private Found search(TransitionState t, List<Pending> chosen, Pool.Reach reach) {
+        if (chosen.size() == t.queues.length) {
+            return attempt(t, List.copyOf(chosen), reach);
+        }
+        for (Pending p = t.queues[chosen.size()].first; p != null; p = p.next) {
+            if (joins(chosen, p)) {
+                chosen.add(p);
+                Found found = search(t, chosen, reach);
+                chosen.remove(chosen.size() - 1);
+                if (found != null) {
+                    return found;
+                }
+            }
+        }
+        return null;
+    }
+
+    /** Those that name tokens must name the same ones; those that name none join with any. */
+    private static boolean joins(List<Pending> chosen, Pending p) {
+        if (p.names.length == 0) {
+            return true;
+        }
+        for (Pending other : chosen) {
+            if (other.names.length > 0) {
+                return Pendings.namesSame(other, p);
+            }
+        }
+        return true;
+    }
+
+    /** Waits until every robot or task in the watched places has reported, then uses all reports. */
+    private Found all(TransitionState t, Pool.Reach reach) {
+        if (t.barrier.isEmpty()) {
+            return null;
+        }
+        List<Pending> used = new ArrayList<>();
+        for (TransitionState.Queue q : t.queues) {
+            if (q.naming > 0 && t.barrier.missing(q.first.input.index) > 0) {
+                return null;
+            }
+        }
+        boolean somebody = false;
+        for (TransitionState.Queue q : t.queues) {
+            for (Pending p = q.first; p != null; p = p.next) {
+                if (p.names.length == 0 || stands(t, p)) {
+                    used.add(p);
+                    somebody |= p.names.length > 0;
+                }
+            }
+        }
+        return somebody ? attempt(t, used, reach) : null;
+    }
+
+    private static boolean stands(TransitionState t, Pending p) {
+        for (Name n : p.names) {
+            for (int i = 0; i < n.tokens.length && !n.struck; i++) {
+                if (t.barrier.stands(n.tokens[i])) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private Found attempt(TransitionState t, List<Pending> used, Pool.Reach reach) {
+        Relevant relevant = Relevant.of(used);
+        return rules.enabling.isEnabled(t, relevant, reach) ? new Found(used, relevant, reach) : null;
+    }
+}

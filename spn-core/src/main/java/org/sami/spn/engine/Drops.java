@@ -1,0 +1,125 @@
+package org.sami.spn.engine;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Outcome;
+import org.sami.spn.protocol.Token;
+
+/** Takes robots out of missions: dropped by the operator, or withdrawn by an interrupt in a parent. */
+final class Drops {
+    private final Rules rules;
+
+    Drops(Rules rules) {
+        this.rules = rules;
+    }
+
+    /** The operator drops a robot; a reason where that makes no sense. */
+    Optional<String> drop(Input.ProxyDropped input) {
+        Mission root = rules.state.missions.get(input.mission());
+        if (input.mission() != Ids.NONE && root == null) {
+            return Optional.of("There is no running mission " + input.mission());
+        }
+        if (input.mission() == Ids.NONE && !rules.state.proxies.remove(input.proxy())) {
+            return Optional.of("No robot '" + input.proxy() + "' is known");
+        }
+        Token token = new Token.Proxy(input.proxy());
+        for (Mission m : List.copyOf(rules.state.missions.values())) {
+            if (!m.ended && (root == null || m.root == root.root)) {
+                drop(m, token, input.proxy());
+            }
+        }
+        return Optional.empty();
+    }
+
+    private void drop(Mission m, Token token, String robot) {
+        for (TaskState task : m.tasks.values()) {
+            if (task.original == null && task.proxy().equals(robot)) {
+                task.allocate("");
+            }
+        }
+        for (List<Token> waiting : m.waiting) {
+            waiting.removeIf(token::equals);
+        }
+        takeOut(m, token);
+        if (m.ended) {
+            return;
+        }
+        forget(m, token);
+        for (TransitionState t : m.transitions) {
+            if (t != null && t.pending > 0) {
+                rules.pendings.strikeAll(t, token);
+                rules.work.add(t);
+            }
+        }
+    }
+
+    /** Nobody waits for the robot in instances of a mission any longer, wherever it stands. */
+    private void forget(Mission m, Token token) {
+        for (PlaceState place : m.places) {
+            if (place == null) {
+                continue;
+            }
+            List<Instance> instances = new ArrayList<>();
+            place.instanceVisits().values().forEach(v -> instances.addAll(v.instances));
+            for (SharedRun run : place.shared) {
+                instances.add(run.instance);
+                run.returns.forEach(r -> r.tokens().removeIf(token::equals));
+            }
+            for (Instance i : instances) {
+                i.returned.removeIf(token::equals);
+                boolean started = i.starting.removeIf(token::equals);
+                if (started && i.starting.isEmpty() && !i.isShared() && i.child != null) {
+                    i.status = Instance.Status.ABORTED;
+                    rules.missionEnd.stopSilently(i.child, Outcome.ABORTED);
+                }
+            }
+        }
+    }
+
+    /** Removes every copy of a token from a mission and its descendants. */
+    void takeOut(Mission m, Token token) {
+        if (m.ended) {
+            return;
+        }
+        List<Entry> removed = new ArrayList<>();
+        for (PlaceState place : m.places) {
+            if (place != null) {
+                for (Entry e = place.find(token); e != null; e = e.nextCopy) {
+                    removed.add(e);
+                }
+            }
+        }
+        for (List<Token> waiting : m.waiting) {
+            waiting.removeIf(token::equals);
+        }
+        if (removed.isEmpty()) {
+            return;
+        }
+        long before = rules.state.stamp;
+        for (Entry e : removed) {
+            rules.leaving.remove(e);
+        }
+        withdrawCommands(m, token);
+        for (Entry e : removed) {
+            rules.leaving.left(e, before, true);
+        }
+        for (Entry e : removed) {
+            rules.work.left(e.place);
+        }
+    }
+
+    private void withdrawCommands(Mission m, Token token) {
+        if (token instanceof Token.Proxy proxy) {
+            rules.emit(new Effect.CommandsWithdrawn(m.id, List.of(proxy.proxy())));
+        } else if (token instanceof Token.Task task) {
+            TaskState state = rules.task(task.task());
+            if (state != null && !state.proxy().isEmpty()) {
+                rules.emit(new Effect.CommandsWithdrawn(m.id, List.of(state.proxy())));
+            }
+        }
+    }
+}

@@ -1,0 +1,166 @@
+package org.sami.spn.engine;
+
+import java.util.function.Predicate;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.Match;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.vocabulary.EventRole;
+
+/** Whether a transition can fire: requirements of its in edges, and sub-missions on its in places (thesis, Algorithm 1). */
+final class Enabling {
+    private final Rules rules;
+
+    Enabling(Rules rules) {
+        this.rules = rules;
+    }
+
+    boolean isEnabled(TransitionState t, Relevant relevant, Pool.Reach reach) {
+        return isReady(t, reach) && meetsPlain(t, reach) && meetsRelevant(t, relevant, reach);
+    }
+
+    /** Whether no in place makes it wait for a sub-mission. */
+    boolean isReady(TransitionState t, Pool.Reach reach) {
+        if (reach != Pool.Reach.FREE) {
+            return true;
+        }
+        for (CompiledPlace place : t.transition.inPlaces) {
+            if (!isReady(t, place)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    boolean isReady(TransitionState t, CompiledPlace place) {
+        PlaceState state = t.mission.places[place.index];
+        for (int i = 0; i < place.shared.size(); i++) {
+            if (state == null || state.shared.length <= i || state.shared[i].returns.isEmpty()) {
+                return false;
+            }
+        }
+        if (place.dynamic.isEmpty() || state == null || state.instanceVisits().isEmpty()) {
+            return true;
+        }
+        for (Visit v : state.instanceVisits().values()) {
+            if (v.complete() && (!t.transition.wantsSubTokens || !v.used || v.hasSubTokens())) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Requirements that do not depend on occurrences. */
+    boolean meetsPlain(TransitionState t, Pool.Reach reach) {
+        for (CompiledTransition.In in : t.transition.ins) {
+            for (InRequirement r : in.requirements()) {
+                if (r.kind() != TokenKind.RELEVANT && !isMet(t, in.place(), r, Relevant.NOBODY, reach)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    private boolean meetsRelevant(TransitionState t, Relevant relevant, Pool.Reach reach) {
+        for (CompiledTransition.In in : t.transition.ins) {
+            for (InRequirement r : in.requirements()) {
+                if (r.kind() == TokenKind.RELEVANT && !isMet(t, in.place(), r, relevant, reach)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    boolean isMet(TransitionState t, CompiledPlace place, InRequirement r, Relevant relevant, Pool.Reach reach) {
+        if (r.kind() == TokenKind.UNCONDITIONAL) {
+            return true;
+        }
+        PlaceState state = t.mission.places[place.index];
+        if (r.match() == Match.ALL) {
+            return state == null ? relevant.names.length == 0 : allHere(state, relevant, reach);
+        }
+        int n = state == null ? 0 : count(state, r, relevant, reach);
+        return switch (r.match()) {
+            case ZERO -> n == 0;
+            case LESS_THAN -> n < r.n();
+            case EXACTLY -> n == r.n();
+            default -> n >= r.n();
+        };
+    }
+
+    /** For every name one of its tokens is here. */
+    private boolean allHere(PlaceState state, Relevant relevant, Pool.Reach reach) {
+        for (Name n : relevant.names) {
+            boolean here = false;
+            for (int i = 0; i < n.tokens.length && !here; i++) {
+                here = rules.pool.copies(state, n.tokens[i], reach) > 0;
+            }
+            if (!here) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** What a requirement counts: the pool where it wants tokens, everything that stands here where it inhibits. */
+    int count(PlaceState state, InRequirement r, Relevant relevant, Pool.Reach reach) {
+        Pool.Reach counted = r.match() == Match.AT_LEAST ? reach : Pool.Reach.ALL;
+        Pool pool = rules.pool;
+        return switch (r.kind()) {
+            case GENERIC -> pool.count(state, Entry.GENERIC, counted);
+            case ANY_PROXY -> pool.count(state, Entry.PROXY, counted);
+            case ANY_TASK -> pool.count(state, Entry.TASK, counted);
+            case ANY_TOKEN ->
+                pool.count(state, Entry.GENERIC, counted)
+                        + pool.count(state, Entry.PROXY, counted)
+                        + pool.count(state, Entry.TASK, counted);
+            case TASK -> pool.count(state, Entry.TASK, counted, isTask(r.task()));
+            case RELEVANT -> {
+                int n = 0;
+                for (Token token : relevant.tokens) {
+                    n += pool.copies(state, token, counted);
+                }
+                yield n;
+            }
+            default -> 0;
+        };
+    }
+
+    /** Whether a token is the task of a name or of a class. */
+    Predicate<Token> isTask(String nameOrClass) {
+        return token -> {
+            if (!(token instanceof Token.Task task)) {
+                return false;
+            }
+            if (task.task().name().equals(nameOrClass)) {
+                return true;
+            }
+            TaskState state = rules.task(task.task());
+            return state != null && state.taskClass.equals(nameOrClass);
+        };
+    }
+
+    /** Whether a requirement counts a token that is removed from its place (occasion d). */
+    boolean counts(InRequirement r, Entry e) {
+        if (r.match() != Match.AT_LEAST && r.match() != Match.EXACTLY) {
+            return false;
+        }
+        return switch (r.kind()) {
+            case GENERIC -> e.kind == Entry.GENERIC;
+            case ANY_PROXY -> e.kind == Entry.PROXY;
+            case ANY_TASK -> e.kind == Entry.TASK;
+            case ANY_TOKEN -> true;
+            case TASK -> isTask(r.task()).test(e.token);
+            default -> false;
+        };
+    }
+
+    static Pool.Reach reachOf(EventRole role) {
+        if (CompiledInput.isPress(role)) {
+            return Pool.Reach.ALL;
+        }
+        return role == EventRole.SUB_MISSION_ABORTED ? Pool.Reach.ABORTED : Pool.Reach.FREE;
+    }
+}

@@ -1,0 +1,184 @@
+package org.sami.spn.engine;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.sami.spn.model.Project;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * Runs the plans of a project: a deterministic function from state and input to state and effects (SEMANTICS; thesis,
+ * Algorithms 1 to 3). It holds no state of a run itself and may be shared by threads; each {@link EngineState} belongs to
+ * one thread at a time. Bad input never throws: it is answered by {@link Effect.Noted}.
+ */
+public final class Engine {
+    /** How often a mission may fire without new input, unless said otherwise. */
+    public static final int DEFAULT_LIVELOCK_LIMIT = 10_000;
+
+    private final CompiledProject project;
+
+    /** An engine for the plans of a project; they are compiled here, once. */
+    public Engine(Vocabulary vocabulary, Project project) {
+        this(vocabulary, project, DEFAULT_LIVELOCK_LIMIT);
+    }
+
+    /**
+     * An engine with its own idea of a livelock.
+     *
+     * @param livelockLimit how often one mission may fire without new input; the next firing halts it instead
+     */
+    public Engine(Vocabulary vocabulary, Project project, int livelockLimit) {
+        if (livelockLimit < 1) {
+            throw new IllegalArgumentException("A livelock limit is at least 1, not " + livelockLimit);
+        }
+        this.project = new CompiledProject(
+                Objects.requireNonNull(vocabulary, "vocabulary"),
+                Objects.requireNonNull(project, "project"),
+                livelockLimit);
+    }
+
+    /** The words that the plans use. */
+    public Vocabulary vocabulary() {
+        return project.vocabulary;
+    }
+
+    /** The plans. */
+    public Project project() {
+        return project.project;
+    }
+
+    /** A state in which nothing runs and no robot is known. */
+    public EngineState newState() {
+        return new EngineState(project);
+    }
+
+    /** Questions about a state; the view follows the state through further steps. */
+    public EngineView view(EngineState state) {
+        return new StateView(state);
+    }
+
+    CompiledProject compiled() {
+        return project;
+    }
+
+    /** As the other {@code step}, with the effects in a list. */
+    public List<Effect> step(EngineState state, long nowMillis, Input input) {
+        List<Effect> effects = new ArrayList<>();
+        step(state, nowMillis, input, effects::add);
+        return effects;
+    }
+
+    /**
+     * Takes one input: first what is due until then, then the input, each followed by everything that it gives occasion
+     * to. Changes the state in place.
+     *
+     * @param nowMillis the session's clock; a time before the last one counts as the last one
+     * @param effects told in order, while the state changes: it must not call back into the engine
+     */
+    public void step(EngineState state, long nowMillis, Input input, Consumer<? super Effect> effects) {
+        if (state.project != project) {
+            throw new IllegalArgumentException("The state belongs to another engine");
+        }
+        Rules rules = state.rules();
+        rules.begin(effects);
+        try {
+            rules.timers.runUntil(nowMillis);
+            rules.firing.newChain();
+            take(rules, input);
+            rules.settle();
+        } finally {
+            rules.end();
+        }
+    }
+
+    private static void take(Rules rules, Input input) {
+        Optional<String> refused = Optional.empty();
+        long mission = Ids.NONE;
+        if (input instanceof Input.Received received) {
+            rules.routing.route(received.occurrence());
+        } else if (input instanceof Input.StartMission start) {
+            refused = rules.missionStart.start(start);
+        } else if (input instanceof Input.AnswerDecision answer) {
+            OpenDecision open = rules.state.decisions.get(answer.decision());
+            mission = open == null ? Ids.NONE : open.mission.id;
+            refused = rules.decisions.answer(answer);
+        } else if (input instanceof Input.Interrupt press) {
+            rules.presses.interrupt(press);
+        } else if (input instanceof Input.AbortMission abort) {
+            refused = stop(rules, abort.mission(), true);
+        } else if (input instanceof Input.CompleteMission complete) {
+            refused = stop(rules, complete.mission(), false);
+        } else if (input instanceof Input.ProxyJoined joined) {
+            rules.state.proxies.add(joined.proxy());
+        } else if (input instanceof Input.ProxyDropped dropped) {
+            refused = rules.drops.drop(dropped);
+        } else if (input instanceof Input.AllocateTasks tasks) {
+            rules.allocation.allocate(tasks.allocation());
+        } else if (input instanceof Input.AddTasks tasks) {
+            refused = rules.allocation.add(tasks);
+        } else if (input instanceof Input.SetVariable write) {
+            refused = set(rules, write);
+        } else if (input instanceof Input.HandlerFailed failed) {
+            Sent sent = rules.state.sent.get(failed.activation());
+            rules.note(
+                    NoteKind.HANDLER_FAILED,
+                    sent == null ? Ids.NONE : sent.activation.mission(),
+                    (sent == null ? "Activation " + failed.activation() : sent.activation.type()) + " failed: "
+                            + failed.reason());
+        } else if (input instanceof Input.Remember remember) {
+            refused = remember(rules, remember);
+        }
+        if (refused.isPresent()) {
+            rules.note(NoteKind.REJECTED_INPUT, mission, refused.get());
+        }
+    }
+
+    private static Optional<String> stop(Rules rules, long id, boolean abort) {
+        if (id == Ids.NONE && abort) {
+            for (Mission m : List.copyOf(rules.state.missions.values())) {
+                if (m.parent == null) {
+                    rules.presses.abort(m);
+                }
+            }
+            return Optional.empty();
+        }
+        Mission m = rules.state.missions.get(id);
+        if (m == null) {
+            return Optional.of("There is no running mission " + id);
+        }
+        if (abort) {
+            rules.presses.abort(m);
+        } else {
+            rules.presses.complete(m);
+        }
+        return Optional.empty();
+    }
+
+    private static Optional<String> set(Rules rules, Input.SetVariable write) {
+        Mission m = rules.state.missions.get(write.mission());
+        if (m == null && write.mission() != Ids.NONE) {
+            return Optional.of("There is no running mission " + write.mission());
+        }
+        if (m == null && !rules.project().globals.containsKey(write.variable())) {
+            return Optional.of("The project declares no variable " + write.variable());
+        }
+        rules.variables.write(m, write.variable(), write.value());
+        return Optional.empty();
+    }
+
+    private static Optional<String> remember(Rules rules, Input.Remember remember) {
+        Mission m = rules.state.missions.get(remember.mission());
+        if (m == null) {
+            return Optional.of(
+                    "There is no running mission " + remember.mission() + " to remember '" + remember.key() + "' for");
+        }
+        m.remember(remember.key(), remember.value());
+        return Optional.empty();
+    }
+}

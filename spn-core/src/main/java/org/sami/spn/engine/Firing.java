@@ -1,0 +1,270 @@
+package org.sami.spn.engine;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.Value;
+
+/** Fires transitions (SEMANTICS, Firing; thesis, Algorithm 2). */
+final class Firing {
+    private final Rules rules;
+    private final Combinations combinations;
+    /** Number of the present chain of firings without new input. */
+    private long chain;
+
+    Firing(Rules rules) {
+        this.rules = rules;
+        this.combinations = new Combinations(rules);
+    }
+
+    void newChain() {
+        chain++;
+    }
+
+    /** Looks at a transition whose turn it is on the work list. */
+    void lookAt(TransitionState t) {
+        if (!t.transition.hasInputs()) {
+            if (rules.enabling.isEnabled(t, Relevant.NOBODY, Pool.Reach.FREE) && mayFire(t)) {
+                fire(t, List.of(), Relevant.NOBODY, Pool.Reach.FREE);
+            }
+            return;
+        }
+        if (t.pending > 0) {
+            Combinations.Found found = combinations.find(t);
+            if (found != null && mayFire(t)) {
+                fire(t, found.used(), found.relevant(), found.reach());
+                if (t.pending > 0 && t.mission.runs()) {
+                    rules.work.add(t);
+                }
+            }
+            rules.presses.refuseKept(t);
+        }
+    }
+
+    private boolean mayFire(TransitionState t) {
+        Mission m = t.mission;
+        if (m.chainNumber != chain) {
+            m.chainNumber = chain;
+            m.chain = 0;
+        }
+        if (m.chain >= rules.project().livelockLimit) {
+            rules.missionEnd.halt(
+                    m, m.chain + " firings without new input, the next would be '" + t.transition + "': a livelock");
+            return false;
+        }
+        m.chain++;
+        return true;
+    }
+
+    private void fire(TransitionState t, List<Pending> used, Relevant relevant, Pool.Reach reach) {
+        Mission m = t.mission;
+        CompiledTransition ct = t.transition;
+        Selection.Selected selected = rules.selection.select(t, relevant, reach);
+        long before = rules.state.stamp;
+        rules.state.firings++;
+        List<Occurrence> occurrences = new ArrayList<>(used.size());
+        for (Pending p : used) {
+            occurrences.add(p.occurrence);
+            t.remove(p);
+            rules.presses.taken(p);
+        }
+        rules.emit(new Effect.Fired(rules.state.firings, m.id, ct.id(), occurrences, selected.moves));
+        for (String shortOf : selected.shortOf) {
+            rules.note(NoteKind.SHORT_OF_TOKENS, m.id, "'" + ct + "' found " + shortOf);
+        }
+        boolean ending = ends(m, ct);
+        List<Visit> entered = move(m, ct, selected);
+        if (reach == Pool.Reach.ALL) {
+            withdrawCommands(m, selected.removed);
+        }
+        useReturns(m, ct, selected, reach);
+        for (Entry e : selected.removed) {
+            rules.leaving.left(e, before, reach != Pool.Reach.FREE);
+        }
+        endNobody(m, ct, used);
+        write(m, used);
+        if (ending) {
+            rules.missionEnd.lastWords(m);
+        }
+        for (Visit v : entered) {
+            rules.activating.activate(v, ending);
+        }
+        if (ending) {
+            rules.missionEnd.ended(m);
+            return;
+        }
+        boolean shared = m.instance != null && m.instance.isShared();
+        for (Visit v : entered) {
+            if (shared && v.place.place.isEnd()) {
+                rules.sharedInstances.returned(m, v);
+            } else {
+                rules.subMissions.entered(v);
+            }
+        }
+        lookAround(t, entered, selected.removed);
+    }
+
+    private static boolean ends(Mission m, CompiledTransition t) {
+        if (m.instance != null && m.instance.isShared()) {
+            for (CompiledTransition.Out out : t.outs) {
+                if (out.place().isEnd() && out.place().place.endsSharedInstance()) {
+                    return true;
+                }
+            }
+            return false;
+        }
+        for (CompiledTransition.Out out : t.outs) {
+            if (out.place().isEnd()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Removes, then adds; the visits that begin, in out-edge order. */
+    private List<Visit> move(Mission m, CompiledTransition t, Selection.Selected selected) {
+        for (Entry e : selected.removed) {
+            rules.leaving.remove(e);
+        }
+        List<Visit> entered = new ArrayList<>(t.outs.length);
+        for (int i = 0; i < t.outs.length; i++) {
+            CompiledTransition.Out out = t.outs[i];
+            List<Token> tokens = selected.added.get(i);
+            if (!tokens.isEmpty() || out.unconditional() || out.place().isEnd()) {
+                entered.add(rules.visits.begin(m.place(out.place().index), tokens));
+            }
+        }
+        return entered;
+    }
+
+    private void useReturns(Mission m, CompiledTransition t, Selection.Selected selected, Pool.Reach reach) {
+        for (Selection.UsedReturn used : selected.usedReturns) {
+            used.instance().returned.remove(used.token());
+        }
+        if (reach != Pool.Reach.FREE) {
+            return;
+        }
+        for (CompiledPlace place : t.inPlaces) {
+            PlaceState state = m.places[place.index];
+            if (state == null) {
+                continue;
+            }
+            if (t.wantsSubTokens) {
+                for (Visit v : state.instanceVisits().values()) {
+                    v.used |= v.complete();
+                }
+            }
+            for (SharedRun run : state.shared) {
+                run.returns.poll();
+            }
+        }
+    }
+
+    private void withdrawCommands(Mission m, List<Entry> removed) {
+        Set<String> robots = new LinkedHashSet<>();
+        for (Entry e : removed) {
+            if (e.token instanceof Token.Proxy proxy) {
+                robots.add(proxy.proxy());
+            } else if (e.token instanceof Token.Task task) {
+                TaskState state = rules.task(task.task());
+                if (state != null && !state.proxy().isEmpty()) {
+                    robots.add(state.proxy());
+                }
+            }
+        }
+        if (!robots.isEmpty()) {
+            rules.emit(new Effect.CommandsWithdrawn(m.id, List.copyOf(robots)));
+        }
+    }
+
+    /** Visits by nobody end by an answer to them, by a transition without input event, or when all is taken. */
+    private void endNobody(Mission m, CompiledTransition t, List<Pending> used) {
+        for (CompiledPlace place : t.inPlaces) {
+            PlaceState state = m.places[place.index];
+            if (state == null || state.nobody.isEmpty()) {
+                continue;
+            }
+            for (Visit v : List.copyOf(state.nobody)) {
+                if (!t.hasInputs() || t.clears || answers(used, v)) {
+                    rules.visits.end(v);
+                }
+            }
+        }
+    }
+
+    private static boolean answers(List<Pending> used, Visit v) {
+        for (Pending p : used) {
+            if (p.visit() == v) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void write(Mission m, List<Pending> used) {
+        for (Pending p : used) {
+            for (Map.Entry<String, String> write : p.input.writes) {
+                Value value = p.occurrence.values().get(write.getKey());
+                if (value != null) {
+                    rules.variables.write(m, write.getValue(), value);
+                }
+            }
+        }
+    }
+
+    /** Puts on the work list what this firing gave occasion to look at. */
+    private void lookAround(TransitionState t, List<Visit> entered, List<Entry> removed) {
+        for (Visit v : entered) {
+            rules.work.entered(v.place);
+        }
+        Mission m = t.mission;
+        for (CompiledPlace place : t.transition.inPlaces) {
+            PlaceState state = m.places[place.index];
+            if (state != null) {
+                if (anyFrom(removed, state)) {
+                    rules.work.left(state);
+                }
+                for (SharedRun run : state.shared) {
+                    if (!run.returns.isEmpty()) {
+                        rules.work.entered(state);
+                    }
+                }
+            }
+        }
+        if (!t.transition.hasInputs() && removedCounted(t.transition, removed)) {
+            rules.work.add(t);
+        }
+    }
+
+    private static boolean anyFrom(List<Entry> removed, PlaceState place) {
+        for (Entry e : removed) {
+            if (e.place == place) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Occasion (d). */
+    private boolean removedCounted(CompiledTransition t, List<Entry> removed) {
+        for (Entry e : removed) {
+            for (CompiledTransition.In in : t.ins) {
+                if (in.place() == e.place.place) {
+                    for (InRequirement r : in.requirements()) {
+                        if (rules.enabling.counts(r, e)) {
+                            return true;
+                        }
+                    }
+                }
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,50 @@
+package org.sami.spn.engine;
+
+/** What follows when a token leaves a place (SEMANTICS, Visits; Pending; Sub-missions). */
+final class Leaving {
+    private final Rules rules;
+
+    Leaving(Rules rules) {
+        this.rules = rules;
+    }
+
+    /** Takes a token out of the marking. */
+    void remove(Entry e) {
+        e.place.remove(e);
+        if (e.kind != Entry.GENERIC) {
+            for (CompiledTransition t : e.place.place.barriers) {
+                e.place.mission.transition(t.index).barrier.left(e.token);
+            }
+        }
+    }
+
+    /**
+     * Ends what hung on a token that was taken out.
+     *
+     * @param before the stamp before the firing: what entered later has a greater order
+     * @param withdraw whether it is to be taken out of running instances too (interrupts, abort, complete, dropped robots)
+     */
+    void left(Entry e, long before, boolean withdraw) {
+        Visit v = e.visit;
+        if (e.kind != Entry.GENERIC) {
+            rules.timers.tokenLeft(v, e.token);
+            rules.pendings.left(e.place, e.token, before);
+        }
+        if (v.hasInstances()) {
+            for (Instance i : v.instances) {
+                i.returned.remove(e.token);
+                if (withdraw) {
+                    rules.subMissions.withdraw(i, e.token);
+                }
+            }
+        }
+        if (withdraw) {
+            for (SharedRun run : e.place.shared) {
+                rules.subMissions.withdraw(run.instance, e.token);
+            }
+        }
+        if (v.live == 0) {
+            rules.visits.end(v);
+        }
+    }
+}

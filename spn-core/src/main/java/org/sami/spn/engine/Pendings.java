@@ -1,0 +1,243 @@
+package org.sami.spn.engine;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.vocabulary.EventRole;
+
+/** Occurrences that transitions have received and not used (SEMANTICS, Input events, Pending). */
+final class Pendings {
+    private static final Name[] NOBODY = {};
+    private final Rules rules;
+
+    Pendings(Rules rules) {
+        this.rules = rules;
+    }
+
+    /** What an occurrence names: its tasks; where it has none, its robots. Of an aborted child, all. */
+    static List<Token> names(Occurrence o, EventRole role) {
+        if (o.tasks().isEmpty() && o.proxies().isEmpty()) {
+            return List.of();
+        }
+        if (o.tasks().isEmpty() && o.proxies().size() == 1) {
+            return List.of(new Token.Proxy(o.proxies().get(0)));
+        }
+        List<Token> result = new ArrayList<>();
+        for (TaskId task : o.tasks()) {
+            addOnce(result, new Token.Task(task));
+        }
+        if (o.tasks().isEmpty() || role == EventRole.SUB_MISSION_ABORTED) {
+            java.util.Set<String> seen = new java.util.LinkedHashSet<>(o.proxies());
+            seen.forEach(p -> result.add(new Token.Proxy(p)));
+        }
+        return result;
+    }
+
+    /** Makes the pending occurrence of a transition, with its names; it is not added yet. */
+    Pending make(TransitionState t, CompiledInput input, Occurrence o, List<Token> names, Sent answered, Visit bound) {
+        Pending p = new Pending(o, input, answered, bound);
+        p.names = names.isEmpty() ? NOBODY : new Name[names.size()];
+        p.namesLeft = p.names.length;
+        for (int i = 0; i < p.names.length; i++) {
+            Name n = new Name(p, names.get(i));
+            n.tokens = tokensOf(n.token, answered);
+            n.stood = stands(n, t);
+            p.names[i] = n;
+        }
+        return p;
+    }
+
+    void add(TransitionState t, Pending p) {
+        if (p.isNews() && !p.input.isPress()) {
+            replaceOlder(t, p);
+        }
+        t.add(p);
+        rules.work.add(t);
+    }
+
+    /** The tokens that a name speaks of. */
+    Token[] tokensOf(Token name, Sent answered) {
+        if (answered != null && name instanceof Token.Proxy proxy && answered.hasTasks) {
+            List<Token> result = new ArrayList<>();
+            result.add(name);
+            for (Token token : answered.activation.tokens()) {
+                if (token instanceof Token.Task task) {
+                    TaskState state = rules.task(task.task());
+                    if (state != null && state.proxy().equals(proxy.proxy())) {
+                        addOnce(result, token);
+                    }
+                }
+            }
+            return result.toArray(Token[]::new);
+        }
+        return new Token[] {name};
+    }
+
+    /**
+     * One copy of a token left a place, its firing is complete: whoever named it may have to be struck.
+     *
+     * @param before the stamp before the firing: what entered later has a greater order
+     */
+    void left(PlaceState place, Token token, long before) {
+        for (CompiledTransition ct : place.place.outTransitions) {
+            TransitionState t = place.mission.transitions[ct.index];
+            if (t != null && t.pending > 0) {
+                List<Name> speaking = t.speakingOf(token);
+                for (int i = speaking.size() - 1; i >= 0; i--) {
+                    if (i < speaking.size()) {
+                        strikeIfGone(t, speaking.get(i), place, before);
+                    }
+                }
+            }
+        }
+    }
+
+    /** Strikes a name from a transition's pending occurrences, news too (a robot was dropped). */
+    void strikeAll(TransitionState t, Token token) {
+        for (Name n : List.copyOf(t.speakingOf(token))) {
+            if (n.token.equals(token) && !n.struck) {
+                strike(t, n);
+            }
+        }
+    }
+
+    /** A visit ended: pending occurrences that answer it and name nobody go with it. */
+    void visitEnded(Visit visit) {
+        Mission mission = visit.place.mission;
+        for (CompiledTransition ct : visit.place.place.outTransitions) {
+            TransitionState t = mission.transitions[ct.index];
+            if (t == null || t.nameless == 0) {
+                continue;
+            }
+            for (TransitionState.Queue q : t.queues) {
+                for (Pending p = q.first; p != null; p = p.next) {
+                    if (p.names.length == 0 && p.visit() == visit) {
+                        t.remove(p);
+                        if (p.answered != null) {
+                            discarded(t, p);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /** An allocation changed: names of robots may speak of other tasks now. */
+    void renewNames(TransitionState t) {
+        for (TransitionState.Queue q : t.queues) {
+            for (Pending p = q.first; p != null; p = p.next) {
+                if (p.answered != null && p.answered.hasTasks) {
+                    for (Name n : p.names) {
+                        if (!n.struck) {
+                            t.renew(n, tokensOf(n.token, p.answered));
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    private void strikeIfGone(TransitionState t, Name n, PlaceState left, long before) {
+        boolean gone =
+                n.pending.isNews() ? t.barrier != null && !standsOn(n, t, left, before) : n.stood && !stands(n, t);
+        if (gone) {
+            strike(t, n);
+        }
+    }
+
+    /** Whether a token of a name stands in an in place, other than as a copy that entered the left place just now. */
+    private boolean standsOn(Name n, TransitionState t, PlaceState left, long before) {
+        for (Token token : n.tokens) {
+            for (CompiledPlace place : t.transition.inPlaces) {
+                PlaceState state = t.mission.places[place.index];
+                Entry oldest = state == null ? null : state.find(token);
+                if (oldest != null && (state != left || oldest.order <= before)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private void strike(TransitionState t, Name n) {
+        t.strike(n);
+        if (n.pending.namesLeft == 0) {
+            t.remove(n.pending);
+            discarded(t, n.pending);
+        }
+    }
+
+    /** Whether a token of a name is in the answered visit or in another in place of the transition. */
+    private boolean stands(Name n, TransitionState t) {
+        Visit visit = n.pending.visit();
+        for (Token token : n.tokens) {
+            if (visit != null && !visit.ended && visit.has(token)) {
+                return true;
+            }
+            for (CompiledPlace place : t.transition.inPlaces) {
+                PlaceState state = t.mission.places[place.index];
+                if (state != null && (visit == null || state != visit.place) && state.find(token) != null) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private void replaceOlder(TransitionState t, Pending p) {
+        if (p.names.length == 0) {
+            for (Pending old = t.queues[p.input.index].first; t.nameless > 0 && old != null; old = old.next) {
+                if (old.isNews() && old.names.length == 0) {
+                    t.remove(old);
+                    return;
+                }
+            }
+            return;
+        }
+        for (Name n : t.speakingOf(p.names[0].token)) {
+            if (n.pending.isNews() && n.pending.input == p.input && namesSame(n.pending, p)) {
+                t.remove(n.pending);
+                return;
+            }
+        }
+    }
+
+    /** Whether two pending occurrences name the same robots or tasks. */
+    static boolean namesSame(Pending a, Pending b) {
+        if (a.namesLeft != b.namesLeft) {
+            return false;
+        }
+        for (Name n : a.names) {
+            if (!n.struck && !names(b, n.token)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean names(Pending p, Token token) {
+        for (Name n : p.names) {
+            if (!n.struck && n.token.equals(token)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void discarded(TransitionState t, Pending p) {
+        rules.note(
+                NoteKind.DISCARDED,
+                t.mission.id,
+                p.occurrence.type() + " at '" + t.transition
+                        + "' is discarded: nobody it speaks of is there any longer");
+    }
+
+    private static void addOnce(List<Token> list, Token token) {
+        if (!list.contains(token)) {
+            list.add(token);
+        }
+    }
+}

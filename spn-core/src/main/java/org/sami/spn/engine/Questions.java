@@ -1,0 +1,129 @@
+package org.sami.spn.engine;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Question;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
+import org.sami.spn.value.ValueType;
+import org.sami.spn.value.VariableReference;
+import org.sami.spn.vocabulary.DecisionType;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.FieldType;
+import org.sami.spn.vocabulary.Reserved;
+
+/** What an activation asks of the operator, and what autonomy would answer. */
+final class Questions {
+    private final Rules rules;
+
+    Questions(Rules rules) {
+        this.rules = rules;
+    }
+
+    String prompt(Sent sent) {
+        Value question = sent.activation.values().get(Reserved.QUESTION);
+        if (question instanceof TextValue text && !text.value().isBlank()) {
+            return text.value();
+        }
+        String label = sent.output.type.map(EventType::label).orElse(sent.output.typeName);
+        return label + " (" + sent.visit.place.place + ")";
+    }
+
+    Question of(Sent sent) {
+        DecisionType type = sent.output.decision;
+        return switch (type.form()) {
+            case APPROVE -> new Question.Approve();
+            case CHOOSE_PROXIES -> new Question.ChooseProxies(candidates(sent), type.min(), type.max());
+            case CHOOSE_OPTION -> new Question.ChooseOption(options(sent));
+            case PROVIDE -> new Question.FillIn(fieldsOf(type.accepted()));
+            case REDEFINE_VARIABLE -> new Question.FillIn(variable(sent));
+        };
+    }
+
+    /** The robots that entered; where none did, those that stand in the place; else all known ones. */
+    private List<String> candidates(Sent sent) {
+        List<String> entered = sent.activation.proxies();
+        if (!entered.isEmpty()) {
+            return entered;
+        }
+        Set<String> standing = new LinkedHashSet<>();
+        for (Entry e = sent.visit.place.first[Entry.PROXY]; e != null; e = e.nextOfKind) {
+            standing.add(((Token.Proxy) e.token).proxy());
+        }
+        return standing.isEmpty() ? List.copyOf(rules.state.proxies) : List.copyOf(standing);
+    }
+
+    private static List<Value> options(Sent sent) {
+        Value options = sent.activation.values().get(sent.output.decision.optionsField());
+        return options instanceof ListValue list ? list.items() : List.of();
+    }
+
+    private List<Question.Item> fieldsOf(String inputEvent) {
+        List<Question.Item> items = new ArrayList<>();
+        for (FieldType f : rules.project()
+                .vocabulary
+                .event(inputEvent)
+                .map(EventType::fields)
+                .orElse(List.of())) {
+            items.add(new Question.Item(f.name(), f.type(), f.unit(), f.defaultValue(), true, f.help()));
+        }
+        return items;
+    }
+
+    private List<Question.Item> variable(Sent sent) {
+        Value named = sent.activation.values().get(Reserved.VARIABLE);
+        String name =
+                named instanceof VariableReference r ? r.variable() : named == null ? "" : CompiledInput.text(named);
+        if (name.isEmpty()) {
+            return List.of();
+        }
+        VariableSpec declared = rules.variables.declaration(sent.mission(), name);
+        Optional<Value> current = Optional.ofNullable(rules.variables.read(sent.mission(), name));
+        ValueType type = declared == null ? ValueType.Simple.ANY : declared.type();
+        return List.of(new Question.Item(name, type, "", current, true, "New value of " + name));
+    }
+
+    /** What autonomy would answer to a question; empty where it has no sensible answer. */
+    static Optional<Answer> automatic(DecisionType type, Question question) {
+        return switch (type.autonomy()) {
+            case NONE -> Optional.empty();
+            case YES -> question instanceof Question.Approve ? Optional.of(new Answer.YesNo(true)) : Optional.empty();
+            case NO -> question instanceof Question.Approve ? Optional.of(new Answer.YesNo(false)) : Optional.empty();
+            case ALL -> all(question);
+            case FIRST ->
+                question instanceof Question.ChooseOption o && !o.options().isEmpty()
+                        ? Optional.of(new Answer.Option(0))
+                        : Optional.empty();
+            case DEFAULTS -> question instanceof Question.FillIn f ? defaults(f.items()) : Optional.empty();
+        };
+    }
+
+    private static Optional<Answer> all(Question question) {
+        if (question instanceof Question.ChooseProxies c && c.proxies().size() >= c.min()) {
+            return Optional.of(new Answer.Proxies(
+                    c.proxies().subList(0, Math.min(c.max(), c.proxies().size()))));
+        }
+        return Optional.empty();
+    }
+
+    /** The defaults of all items, empty where one has none. */
+    static Optional<Answer> defaults(List<Question.Item> items) {
+        Map<String, Value> values = new LinkedHashMap<>();
+        for (Question.Item item : items) {
+            if (item.defaultValue().isEmpty()) {
+                return Optional.empty();
+            }
+            values.put(item.key(), item.defaultValue().get());
+        }
+        return Optional.of(new Answer.Fields(values));
+    }
+}

@@ -1,0 +1,111 @@
+package org.sami.spn.engine;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.spn.model.SubMissionSpec;
+import org.sami.spn.protocol.Token;
+
+/** Static sub-missions: one instance per parent mission, joined by entering tokens, returning through end places. */
+final class SharedInstances {
+    private final Rules rules;
+
+    SharedInstances(Rules rules) {
+        this.rules = rules;
+    }
+
+    /** Starts the static instances of a mission, in the plan's order, before its start marking. */
+    void start(Mission m) {
+        if (!m.plan.hasShared) {
+            return;
+        }
+        for (CompiledPlace place : m.plan.places) {
+            List<SubMissionSpec> specs = place.shared;
+            if (specs.isEmpty()) {
+                continue;
+            }
+            if (m.depth >= 100) {
+                rules.missionEnd.halt(m, "100 instances within instances");
+                return;
+            }
+            PlaceState state = m.place(place.index);
+            state.shared = new SharedRun[specs.size()];
+            for (int i = 0; i < specs.size(); i++) {
+                state.shared[i] = new SharedRun(new Instance(null, state, i, List.of()));
+            }
+            for (int i = 0; i < specs.size(); i++) {
+                Mission child = rules.subMissions.make(state.shared[i].instance, specs.get(i));
+                if (child != null) {
+                    rules.missionStart.ask(child, rules.missionStart.parametersOf(child.plan));
+                }
+            }
+        }
+    }
+
+    /** Tokens, or nobody, that entered the parent's place join the start place. */
+    void join(SharedRun run, Visit v) {
+        Mission child = run.instance.child;
+        if (child == null) {
+            return;
+        }
+        run.instance.starting.addAll(v.entered);
+        List<Token> tokens = new ArrayList<>();
+        v.entered.forEach(token -> tokens.add(SubMissions.toChild(child, token)));
+        if (child.status == MissionView.Status.WAITING) {
+            child.addWaiting(tokens);
+        } else if (child.runs()) {
+            rules.missionStart.enter(child, tokens);
+        }
+    }
+
+    /** Tokens entered an end place that does not end the instance: they leave it as one completion. */
+    void returned(Mission child, Visit v) {
+        List<Token> tokens = new ArrayList<>();
+        long before = rules.state.stamp;
+        List<Entry> entries = new ArrayList<>();
+        for (Entry e = v.first; e != null; e = e.nextOfVisit) {
+            entries.add(e);
+        }
+        for (Entry e : entries) {
+            rules.leaving.remove(e);
+        }
+        for (Entry e : entries) {
+            rules.leaving.left(e, before, false);
+            Token token = SubMissions.toParent(child, e.token);
+            if (token != null) {
+                tokens.add(token);
+            }
+        }
+        rules.visits.end(v);
+        give(child.instance, tokens, child.returnValue);
+    }
+
+    private void give(Instance instance, List<Token> tokens, String value) {
+        tokens.forEach(instance.starting::remove);
+        for (SharedRun run : instance.place.shared) {
+            if (run.instance == instance) {
+                run.returns.add(new SharedRun.Return(tokens, value));
+            }
+        }
+        rules.subMissions.postReturn(instance.place, null, value);
+        rules.work.entered(instance.place);
+    }
+
+    /** The shared instance itself ended: what stands in its end places returns. */
+    void ended(Instance instance) {
+        instance.status = Instance.Status.COMPLETE;
+        List<Token> tokens = new ArrayList<>(instance.returned);
+        instance.returned.clear();
+        give(instance, tokens, instance.returnValue);
+    }
+
+    /** The shared instance was aborted; its starting tokens wait for what is decided. */
+    void gone(Instance instance) {
+        instance.status = Instance.Status.ABORTED;
+    }
+
+    /** The starting tokens of an aborted instance count as returned. */
+    void giveBack(Instance instance) {
+        instance.status = Instance.Status.COMPLETE;
+        give(instance, new ArrayList<>(instance.starting), instance.returnValue);
+    }
+}

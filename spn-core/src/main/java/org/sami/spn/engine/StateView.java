@@ -1,0 +1,167 @@
+package org.sami.spn.engine;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.EventRole;
+
+/** Answers questions about a state. */
+final class StateView implements EngineView {
+    private final EngineState state;
+
+    StateView(EngineState state) {
+        this.state = state;
+    }
+
+    @Override
+    public List<MissionView> missions() {
+        return state.missions.values().stream().map(StateView::view).toList();
+    }
+
+    @Override
+    public Optional<MissionView> mission(long id) {
+        return Optional.ofNullable(state.missions.get(id)).map(StateView::view);
+    }
+
+    private static MissionView view(Mission m) {
+        Map<String, List<Token>> marking = new LinkedHashMap<>();
+        for (PlaceState place : m.places) {
+            if (place != null && place.total() > 0) {
+                marking.put(
+                        place.place.id(),
+                        place.inOrder().stream().map(e -> e.token).toList());
+            }
+        }
+        return new MissionView(
+                m.id,
+                m.parent == null ? Ids.NONE : m.parent.id,
+                m.root.id,
+                m.plan.plan.id(),
+                m.name,
+                m.status,
+                marking);
+    }
+
+    @Override
+    public List<Decision> decisions() {
+        return state.decisions.values().stream().map(d -> d.decision).toList();
+    }
+
+    @Override
+    public List<InterruptButton> interrupts() {
+        List<InterruptButton> buttons = new ArrayList<>();
+        for (Mission m : state.missions.values()) {
+            if (m.runs()) {
+                addButtons(m, buttons);
+            }
+        }
+        return buttons;
+    }
+
+    private static void addButtons(Mission m, List<InterruptButton> buttons) {
+        Map<String, Boolean> names = new LinkedHashMap<>();
+        for (CompiledTransition t : m.plan.transitions) {
+            for (CompiledInput input : t.inputs) {
+                if (input.role == EventRole.INTERRUPT) {
+                    names.merge(Presses.nameOf(input), t.speaksOfRelevant, Boolean::logicalOr);
+                }
+            }
+        }
+        for (Visit v = m.firstVisit(); v != null; v = v.next) {
+            for (Sent sent : v.sent) {
+                if (sent.open && Presses.isInterrupt(sent.output.role)) {
+                    names.merge(
+                            Presses.nameOf(sent), sent.output.role == EventRole.PROXY_INTERRUPT, Boolean::logicalOr);
+                }
+            }
+        }
+        names.forEach((name, asks) -> buttons.add(new InterruptButton(m.id, name, asks)));
+    }
+
+    @Override
+    public List<String> proxies() {
+        return List.copyOf(state.proxies);
+    }
+
+    @Override
+    public Optional<Value> variable(long mission, String name) {
+        return Optional.ofNullable(state.rules().variables.read(state.missions.get(mission), name));
+    }
+
+    @Override
+    public Map<TaskId, String> allocation() {
+        Map<TaskId, String> result = new LinkedHashMap<>();
+        for (Mission m : state.missions.values()) {
+            for (TaskState task : m.tasks.values()) {
+                if (!task.proxy().isEmpty()) {
+                    result.put(task.id, task.proxy());
+                }
+            }
+        }
+        return result;
+    }
+
+    @Override
+    public Optional<Map<String, Value>> task(TaskId task) {
+        TaskState found = state.task(task);
+        if (found == null) {
+            return Optional.empty();
+        }
+        Map<String, Value> fields = new LinkedHashMap<>(found.fields);
+        if (found.original != null) {
+            fields.putAll(found.original.fields);
+        }
+        return Optional.of(fields);
+    }
+
+    @Override
+    public boolean awaits(String inputEvent) {
+        int type = state.project.knownTypeId(inputEvent);
+        for (Mission m : state.attentive(type).values()) {
+            if (m.runs()) {
+                for (CompiledTransition t : m.plan.waitingFor(type)) {
+                    if (Routing.isAttentive(m, t)) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    @Override
+    public Optional<Value> memory(long mission, String key) {
+        Mission m = state.missions.get(mission);
+        return m == null ? Optional.empty() : Optional.ofNullable(m.memory.get(key));
+    }
+
+    @Override
+    public List<Activation> openActivations() {
+        return state.sent.values().stream()
+                .filter(s -> s.open)
+                .map(s -> s.activation)
+                .sorted(java.util.Comparator.comparingLong(Activation::id))
+                .toList();
+    }
+
+    @Override
+    public OptionalLong nextDueMillis() {
+        return state.timers.isEmpty()
+                ? OptionalLong.empty()
+                : OptionalLong.of(state.timers.first().due());
+    }
+
+    @Override
+    public Explanation whyNotEnabled(long mission, String transition) {
+        return new WhyNot(state).explain(mission, transition);
+    }
+}

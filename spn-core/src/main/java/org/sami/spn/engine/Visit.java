@@ -1,0 +1,119 @@
+package org.sami.spn.engine;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.spn.protocol.Token;
+
+/** One entry of tokens, or of nobody, into a place (SEMANTICS, Visits). */
+final class Visit {
+    final long id;
+    final PlaceState place;
+    final boolean byNobody;
+    /** The tokens that entered, each as often as it entered. */
+    final List<Token> entered;
+    /** How many of its tokens have not left. */
+    int live;
+
+    Entry first;
+    private Entry last;
+    boolean ended;
+    final List<Sent> sent = new ArrayList<>(1);
+    /** Dynamic instances, none for most places. */
+    List<Instance> instances = List.of();
+    /** Whether an instance runs or was aborted: its tokens are outside every pool. */
+    boolean held;
+    /** Whether a firing that speaks of sub-mission tokens has used its completion. */
+    boolean used;
+    /** For how many of its tokens it is the last ended visit of the place. */
+    int remembered;
+
+    Visit previous;
+    Visit next;
+
+    Visit(long id, PlaceState place, List<Token> entered) {
+        this.id = id;
+        this.place = place;
+        this.byNobody = entered.isEmpty();
+        this.entered = entered;
+    }
+
+    void add(Entry e) {
+        live++;
+        e.previousOfVisit = last;
+        if (last == null) {
+            first = e;
+        } else {
+            last.nextOfVisit = e;
+        }
+        last = e;
+    }
+
+    void remove(Entry e) {
+        live--;
+        if (e.previousOfVisit == null) {
+            first = e.nextOfVisit;
+        } else {
+            e.previousOfVisit.nextOfVisit = e.nextOfVisit;
+        }
+        if (e.nextOfVisit == null) {
+            last = e.previousOfVisit;
+        } else {
+            e.nextOfVisit.previousOfVisit = e.previousOfVisit;
+        }
+    }
+
+    /** Whether a copy of a proxy or task token that entered by it is still there. */
+    boolean has(Token token) {
+        for (Entry e = place.find(token); e != null; e = e.nextCopy) {
+            if (e.visit == this) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    boolean hasInstances() {
+        return !instances.isEmpty();
+    }
+
+    /** Whether it has instances and all are complete. */
+    boolean complete() {
+        if (instances.isEmpty()) {
+            return false;
+        }
+        for (Instance i : instances) {
+            if (i.status != Instance.Status.COMPLETE) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    boolean hasAborted() {
+        for (Instance i : instances) {
+            if (i.status == Instance.Status.ABORTED) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    boolean hasSubTokens() {
+        for (Instance i : instances) {
+            if (!i.returned.isEmpty()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    void setHeld(boolean value) {
+        if (held == value) {
+            return;
+        }
+        held = value;
+        for (Entry e = first; e != null; e = e.nextOfVisit) {
+            place.held[e.kind] += value ? 1 : -1;
+        }
+    }
+}

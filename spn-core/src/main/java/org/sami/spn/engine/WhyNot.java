@@ -1,0 +1,153 @@
+package org.sami.spn.engine;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.protocol.Token;
+
+/** Says in words why a transition cannot fire now. */
+final class WhyNot {
+    private final EngineState state;
+    private final Rules rules;
+
+    WhyNot(EngineState state) {
+        this.state = state;
+        this.rules = state.rules();
+    }
+
+    Explanation explain(long mission, String transition) {
+        Mission m = state.missions.get(mission);
+        if (m == null) {
+            return no("Mission " + mission + " is not running.");
+        }
+        CompiledTransition t = m.plan.transition(transition);
+        if (t == null) {
+            return no("The plan '" + m.plan.plan.name() + "' has no transition '" + transition + "'.");
+        }
+        if (m.status == MissionView.Status.WAITING) {
+            return no("The mission waits for its parameters.");
+        }
+        if (m.status == MissionView.Status.HALTED) {
+            return no("The mission was halted as a livelock; it can only be aborted.");
+        }
+        return explain(m.transition(t.index));
+    }
+
+    private Explanation explain(TransitionState t) {
+        List<String> reasons = new ArrayList<>();
+        for (CompiledInput input : t.transition.inputs) {
+            if (t.queues[input.index].size == 0) {
+                reasons.add("It waits for " + input.spec.type() + describe(input) + ", which has not been received.");
+            }
+        }
+        Pool.Reach reach = t.transition.reach();
+        for (CompiledPlace place : t.transition.inPlaces) {
+            if (reach == Pool.Reach.FREE && !rules.enabling.isReady(t, place)) {
+                reasons.add("It waits for the sub-mission on '" + place + "', which is not complete.");
+            }
+        }
+        List<Pending> received = new ArrayList<>();
+        for (TransitionState.Queue q : t.queues) {
+            if (q.first != null) {
+                received.add(q.first);
+            }
+        }
+        Relevant relevant = Relevant.of(received);
+        for (CompiledTransition.In in : t.transition.ins) {
+            for (InRequirement r : in.requirements()) {
+                if (r.kind() == TokenKind.RELEVANT && received.isEmpty()) {
+                    continue;
+                }
+                if (!rules.enabling.isMet(t, in.place(), r, relevant, reach)) {
+                    reasons.add(unmet(t, in.place(), r, relevant, reach));
+                }
+            }
+        }
+        if (t.barrier != null) {
+            addMissing(t, reasons);
+        }
+        if (reasons.isEmpty() && t.transition.inputs.length > 1) {
+            if (new Combinations(rules).find(t) == null) {
+                reasons.add("The events that it has received do not name the same robots or tasks.");
+            }
+        }
+        return new Explanation(reasons.isEmpty(), reasons);
+    }
+
+    private static String describe(CompiledInput input) {
+        return input.selector == null ? "" : " '" + input.selector + "'";
+    }
+
+    private String unmet(TransitionState t, CompiledPlace place, InRequirement r, Relevant relevant, Pool.Reach reach) {
+        PlaceState here = t.mission.places[place.index];
+        String what = kind(r);
+        int n = here == null ? 0 : rules.enabling.count(here, r, relevant, reach);
+        String are = "; there " + (n == 1 ? "is 1." : "are " + n + ".");
+        return switch (r.match()) {
+            case ZERO -> "'" + place + "' must have no " + what + are;
+            case LESS_THAN -> "'" + place + "' must have fewer than " + r.n() + " " + what + are;
+            case AT_LEAST -> "'" + place + "' must have at least " + r.n() + " " + what + are;
+            case EXACTLY -> "'" + place + "' must have exactly " + r.n() + " " + what + are;
+            case ALL -> "'" + place + "' lacks " + missing(here, relevant, reach) + ".";
+        };
+    }
+
+    private String missing(PlaceState here, Relevant relevant, Pool.Reach reach) {
+        List<Token> missing = new ArrayList<>();
+        for (Name n : relevant.names) {
+            boolean found = false;
+            for (Token token : n.tokens) {
+                found |= here != null && rules.pool.copies(here, token, reach) > 0;
+            }
+            if (!found) {
+                missing.add(n.token);
+            }
+        }
+        return SubMissions.words(missing);
+    }
+
+    private void addMissing(TransitionState t, List<String> reasons) {
+        List<Token> silent = new ArrayList<>();
+        for (CompiledPlace place : t.transition.watched) {
+            PlaceState here = t.mission.places[place.index];
+            if (here == null) {
+                continue;
+            }
+            for (Entry e : here.inOrder()) {
+                if (e.kind != Entry.GENERIC && !silent.contains(e.token) && !hasReported(t, e.token)) {
+                    silent.add(e.token);
+                }
+            }
+        }
+        if (!silent.isEmpty()) {
+            reasons.add("It waits for all; not yet reported: " + SubMissions.words(silent) + ".");
+        } else if (t.barrier.isEmpty()) {
+            reasons.add("It waits for all, and nobody is there.");
+        }
+    }
+
+    private static boolean hasReported(TransitionState t, Token token) {
+        for (CompiledInput input : t.transition.inputs) {
+            if (!t.barrier.hasReported(input.index, token)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static String kind(InRequirement r) {
+        return switch (r.kind()) {
+            case GENERIC -> "generic tokens";
+            case ANY_PROXY -> "robots";
+            case ANY_TASK -> "tasks";
+            case TASK -> "tokens of task '" + r.task() + "'";
+            case RELEVANT -> "relevant tokens";
+            default -> "tokens";
+        };
+    }
+
+    private static Explanation no(String reason) {
+        return new Explanation(false, List.of(reason));
+    }
+}

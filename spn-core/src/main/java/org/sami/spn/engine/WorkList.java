@@ -1,0 +1,59 @@
+package org.sami.spn.engine;
+
+import java.util.ArrayDeque;
+
+/**
+ * The engine's one work list: transitions to look at, first in first out, none twice (SEMANTICS, When a transition is
+ * looked at). Whether a transition is enabled is found out when it is taken from the list, just before it fires.
+ */
+final class WorkList {
+    private final Rules rules;
+    private final ArrayDeque<TransitionState> list = new ArrayDeque<>();
+
+    WorkList(Rules rules) {
+        this.rules = rules;
+    }
+
+    void add(TransitionState t) {
+        if (!t.queued) {
+            t.queued = true;
+            list.add(t);
+        }
+    }
+
+    /** Occasion (a): tokens, or nobody, entered; or (c): a sub-mission completed or returned. */
+    void entered(PlaceState place) {
+        for (CompiledTransition t : place.place.outTransitions) {
+            addIfWaiting(place.mission, t);
+        }
+    }
+
+    /** Occasion (b): tokens left. */
+    void left(PlaceState place) {
+        for (CompiledTransition t : place.place.outTransitions) {
+            if (t.hasInputs() || t.inhibitedBy(place.place.index)) {
+                addIfWaiting(place.mission, t);
+            }
+        }
+    }
+
+    private void addIfWaiting(Mission mission, CompiledTransition t) {
+        if (!t.hasInputs()) {
+            add(mission.transition(t.index));
+        } else {
+            TransitionState state = mission.transitions[t.index];
+            if (state != null && state.pending > 0) {
+                add(state);
+            }
+        }
+    }
+
+    void run() {
+        for (TransitionState t = list.poll(); t != null; t = list.poll()) {
+            t.queued = false;
+            if (t.mission.runs()) {
+                rules.firing.lookAt(t);
+            }
+        }
+    }
+}
