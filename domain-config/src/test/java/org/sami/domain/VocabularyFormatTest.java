@@ -95,6 +95,7 @@ class VocabularyFormatTest {
                     "form": "choose-option" | "form": "provide"       | E-DECISION
                     "form": "choose-option" | "form": "guess"         | E-UNKNOWN-WORD
                     "form": "choose-option" | "form": "choose-option", "min": 3, "max": 2 | E-BAD-VALUE
+                    "autonomy": "first"     | "autonomy": "yes"       | E-DECISION
                     "tokens": "proxy"       | "tokens": "boats"       | E-UNKNOWN-WORD
                     "flags": ["command"]    | "flags": ["loud"]       | E-UNKNOWN-WORD
                     "role": "timer"         | "role": "timer-expired" | E-BAD-VALUE

@@ -4,6 +4,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.sami.spn.value.NamedType;
 import org.sami.spn.value.ValueType;
+import org.sami.spn.vocabulary.AutonomyAnswer;
 import org.sami.spn.vocabulary.DecisionForm;
 import org.sami.spn.vocabulary.DecisionType;
 import org.sami.spn.vocabulary.Direction;
@@ -59,6 +60,9 @@ final class VocabularyChecks {
                 || !decision.answerFields().isEmpty()) {
             report(Codes.DECISION, event, "only choose-option has optionsField and answerFields");
         }
+        if (!fits(decision.autonomy(), decision.form())) {
+            report(Codes.DECISION, event, "autonomy cannot answer that to such a question");
+        }
         boolean rejects = decision.form() == DecisionForm.APPROVE || decision.form() == DecisionForm.CHOOSE_OPTION;
         if (rejects == decision.rejected().isEmpty()) {
             report(Codes.DECISION, event, rejects ? "its decision lacks \"rejected\"" : "nothing can be rejected here");
@@ -68,6 +72,16 @@ final class VocabularyChecks {
                         != ValueType.Simple.VARIABLE) {
             report(Codes.DECISION, event, "a decision on a variable needs the field \"variable\" of type variable");
         }
+    }
+
+    private static boolean fits(AutonomyAnswer answer, DecisionForm form) {
+        return switch (answer) {
+            case NONE -> true;
+            case YES, NO -> form == DecisionForm.APPROVE;
+            case ALL -> form == DecisionForm.CHOOSE_PROXIES;
+            case FIRST -> form == DecisionForm.CHOOSE_OPTION;
+            case DEFAULTS -> form == DecisionForm.PROVIDE || form == DecisionForm.REDEFINE_VARIABLE;
+        };
     }
 
     private void checkOptions(EventType event, DecisionType decision) {
