@@ -1,0 +1,292 @@
+package org.sami.crw.handler;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.sami.crw.decision.OperatorMessage;
+import org.sami.crw.event.Allocation;
+import org.sami.crw.event.ProxyMaps;
+import org.sami.crw.service.Geodesy;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.RealValue;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.Direction;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.EventType;
+
+/** Requests to services, messages, and news of boats. */
+class RequestTest {
+    private final ScriptedEngine engine = new ScriptedEngine(TestWorld.VOCABULARY);
+    private final TestWorld world = new TestWorld(engine);
+
+    @BeforeEach
+    void twoBoats() {
+        world.addBoat("west", -100, 0);
+        world.addBoat("east", 100, 0);
+        world.run(1);
+    }
+
+    @Test
+    void everyOutputEventIsADecisionTheEnginesOwnOrHandledHere() {
+        Set<String> unhandled = new LinkedHashSet<>();
+        for (EventType type : TestWorld.VOCABULARY.events().values()) {
+            if (type.direction() == Direction.OUTPUT
+                    && type.decision().isEmpty()
+                    && type.role() == EventRole.NONE
+                    && !world.domain.handledTypes().contains(type.name())) {
+                unhandled.add(type.name());
+            }
+        }
+
+        assertThat(unhandled).isEmpty();
+        assertThat(TestWorld.VOCABULARY.events().keySet())
+                .containsAll(world.domain.handledTypes())
+                .hasSizeGreaterThan(20);
+    }
+
+    @Test
+    void everyAnswerIsAnInputEventOfTheVocabulary() throws IllegalAccessException {
+        int seen = 0;
+        for (java.lang.reflect.Field name : EventNames.class.getDeclaredFields()) {
+            if (name.getType() == String.class) {
+                assertThat(TestWorld.VOCABULARY.event((String) name.get(null)))
+                        .as(name.getName())
+                        .hasValueSatisfying(type -> assertThat(type.direction()).isEqualTo(Direction.INPUT));
+                seen++;
+            }
+        }
+        assertThat(seen).isGreaterThan(10);
+    }
+
+    @Test
+    void locationsAreDividedAmongTheEnteringBoats() {
+        GeoPoint left = at(-120, 20);
+        GeoPoint right = at(130, 20);
+
+        world.happens(
+                engine,
+                new Asking("AllocationRequest")
+                        .with("locations", new ListValue(List.of(right, left)))
+                        .of("west", "east")
+                        .effect());
+
+        Occurrence answer = only("AllocationResponse");
+        assertThat(answer.proxies()).containsExactly("west", "east");
+        Value option = ((ListValue) answer.values().get("allocations")).items().get(0);
+        Allocation allocation = Allocation.of(option);
+        assertThat(allocation.paths().get("west").points()).containsExactly(left);
+        assertThat(allocation.paths().get("east").points()).containsExactly(right);
+        assertFitsVocabulary(answer);
+    }
+
+    @Test
+    void tasksBringTheirOwnLocations() {
+        engine.tasks.put(new TaskId(1, "t1"), Map.of("location", at(50, 50)));
+
+        world.happens(
+                engine,
+                new Asking("AllocationRequest")
+                        .task("t1", "east", "depth", new RealValue(1))
+                        .effect());
+
+        Occurrence answer = only("AllocationResponse");
+        assertThat(answer.tasks()).containsExactly(new TaskId(1, "t1"));
+        Value option = ((ListValue) answer.values().get("allocations")).items().get(0);
+        assertThat(Allocation.of(option).paths().get("east").points()).containsExactly(at(50, 50));
+    }
+
+    @Test
+    void aBoatThatWasNeverHeardOfGetsNothingAndTheOperatorIsTold() {
+        world.happens(
+                engine,
+                new Asking("AllocationRequest")
+                        .with("locations", new ListValue(List.of(at(0, 0))))
+                        .of("ghost", "east")
+                        .effect());
+
+        Value option = ((ListValue) only("AllocationResponse").values().get("allocations"))
+                .items()
+                .get(0);
+        assertThat(Allocation.of(option).paths()).containsOnlyKeys("east");
+        assertThat(messages()).anyMatch(text -> text.contains("ghost"));
+    }
+
+    @Test
+    void aRequestThatCannotBeMetFailsWithItsReason() {
+        world.happens(engine, new Asking("AllocationRequest").of("east").effect());
+        world.happens(engine, new Asking("AllocationRequest").effect());
+        world.happens(
+                engine,
+                new Asking("AllocationRequest")
+                        .with("locations", new ListValue(List.of(at(0, 0))))
+                        .of("ghost")
+                        .effect());
+
+        assertThat(engine.inputs.stream()
+                        .filter(Input.HandlerFailed.class::isInstance)
+                        .map(input -> ((Input.HandlerFailed) input).reason()))
+                .satisfiesExactly(
+                        reason -> assertThat(reason).contains("locations"),
+                        reason -> assertThat(reason).contains("No boat entered"),
+                        reason -> assertThat(reason).contains("ghost"));
+    }
+
+    @Test
+    void boatsAssembleApartAlsoWhenTheyComeOneByOne() {
+        for (String boat : List.of("west", "east")) {
+            world.happens(
+                    engine,
+                    new Asking("AssembleLocationRequest")
+                            .with("location", TestWorld.HOME)
+                            .with("spacing", new RealValue(10))
+                            .of(boat)
+                            .effect());
+        }
+
+        List<Occurrence> answers = engine.received("AssembleLocationResponse");
+        GeoPoint first = point(answers.get(0), "west");
+        GeoPoint second = point(answers.get(1), "east");
+        assertThat(first).isEqualTo(TestWorld.HOME);
+        assertThat(Geodesy.distanceM(first, second)).isGreaterThan(9.99);
+        assertFitsVocabulary(answers.get(1));
+    }
+
+    @Test
+    void aBoatsDistanceIsComparedWithTheThreshold() {
+        Value points = ProxyMaps.toValue(Map.of("west", at(-100, 30), "east", at(100, 3)));
+
+        world.happens(
+                engine,
+                new Asking("ProxyCompareDistanceRequest")
+                        .with("location", points)
+                        .with("distance", new RealValue(10))
+                        .of("west", "east")
+                        .effect());
+
+        assertThat(only("QuantityGreater").proxies()).containsExactly("west");
+        assertThat(only("QuantityLess").proxies()).containsExactly("east");
+    }
+
+    @Test
+    void aBoatWithoutAPointDoesNotKeepTheOthersFromTheirAnswers() {
+        Value points = ProxyMaps.toValue(Map.of("east", at(100, 3)));
+
+        world.happens(
+                engine,
+                new Asking("ProxyCompareDistanceRequest")
+                        .with("location", points)
+                        .with("distance", new RealValue(10))
+                        .of("west", "east")
+                        .effect());
+
+        assertThat(only("QuantityLess").proxies()).containsExactly("east");
+        assertThat(engine.inputs)
+                .filteredOn(Input.HandlerFailed.class::isInstance)
+                .singleElement()
+                .satisfies(failed ->
+                        assertThat(((Input.HandlerFailed) failed).reason()).contains("west"));
+    }
+
+    @Test
+    void aMessageReachesTheOperatorWithItsMarkups() {
+        world.happens(
+                engine,
+                new Asking("DisplayMessage")
+                        .with("message", new TextValue("All locations visited"))
+                        .markup("Keyword", "source", new TextValue("done"))
+                        .priority(Priority.HIGH)
+                        .of("east")
+                        .effect());
+
+        OperatorMessage message = world.desk.messages().messages().get(0);
+        assertThat(message.text()).isEqualTo("All locations visited");
+        assertThat(message.boats()).containsExactly("east");
+        assertThat(message.keyword()).isEqualTo("done");
+        assertThat(message.priority()).isEqualTo(Priority.HIGH);
+    }
+
+    @Test
+    void aBoatJoinsOnceWhenItsLinkIsUp() {
+        world.cutLinks(true);
+        world.run(6);
+        world.cutLinks(false);
+        world.run(6);
+
+        assertThat(engine.proxies()).containsExactly("west", "east");
+        assertThat(engine.received("ProxyCreated"))
+                .extracting(Occurrence::proxies)
+                .containsExactly(List.of("west"), List.of("east"));
+        assertThat(messages()).anyMatch(text -> text.contains("east is back"));
+    }
+
+    @Test
+    void posesAreInputsOnlyWhileATransitionWaitsForThem() {
+        world.run(5);
+        assertThat(engine.received("ProxyPoseUpdated")).isEmpty();
+
+        engine.awaited.add("ProxyPoseUpdated");
+        world.host.post(new Input.TimeReached());
+        world.run(2);
+
+        assertThat(engine.received("ProxyPoseUpdated"))
+                .extracting(Occurrence::proxies)
+                .contains(List.of("west"), List.of("east"));
+    }
+
+    @Test
+    void aBatteryIsNewsWhenItsClassChanges() {
+        int nominal = engine.received("BatteryNominal").size();
+        world.hull("east").setBatteryPercent(1);
+        world.run(3);
+        world.hull("east").setBatteryPercent(0.5);
+        world.run(3);
+
+        assertThat(nominal).isEqualTo(2);
+        assertThat(engine.received("BatteryCritical")).singleElement().satisfies(news -> {
+            assertThat(news.proxies()).containsExactly("east");
+            assertThat(news.values()).containsEntry("percent", new RealValue(1));
+            assertFitsVocabulary(news);
+        });
+    }
+
+    private static void assertFitsVocabulary(Occurrence occurrence) {
+        EventType type = TestWorld.VOCABULARY.event(occurrence.type()).orElseThrow();
+        occurrence
+                .values()
+                .forEach((field, value) -> assertThat(
+                                type.field(field).orElseThrow().type().accepts(value, TestWorld.VOCABULARY.types()))
+                        .as(field)
+                        .isTrue());
+        assertThat(occurrence.values()).hasSameSizeAs(type.fields());
+    }
+
+    private Occurrence only(String type) {
+        assertThat(engine.received(type)).hasSize(1);
+        return engine.received(type).get(0);
+    }
+
+    private List<String> messages() {
+        return world.desk.messages().messages().stream()
+                .map(OperatorMessage::text)
+                .toList();
+    }
+
+    private static GeoPoint point(Occurrence answer, String boat) {
+        return ProxyMaps.read(answer.values().get("points"), GeoPoint.class).get(boat);
+    }
+
+    private static GeoPoint at(double eastM, double northM) {
+        return Geodesy.offset(TestWorld.HOME, eastM, northM);
+    }
+}

@@ -1,0 +1,70 @@
+package org.sami.crw.handler;
+
+import org.sami.boat.server.Vehicle;
+import org.sami.crw.service.Geodesy;
+import org.sami.spn.value.GeoPoint;
+
+/** A hull that does at once what its motors say: 3 m/s at most, one and a half radians a second. */
+final class TestHull implements Vehicle {
+    private static final double TOP_SPEED_MPS = 3;
+    private static final double TURN_RAD_PER_S = 1.5;
+
+    private GeoPoint position;
+    private double headingRad;
+    private double port;
+    private double starboard;
+    private double batteryPercent = 100;
+
+    TestHull(GeoPoint position) {
+        this.position = position;
+    }
+
+    void step(double seconds) {
+        headingRad = Math.IEEEremainder(headingRad + seconds * TURN_RAD_PER_S * (port - starboard) / 2, 2 * Math.PI);
+        double metres = speedMps() * seconds;
+        position = Geodesy.offset(position, metres * Math.sin(headingRad), metres * Math.cos(headingRad));
+    }
+
+    GeoPoint position() {
+        return position;
+    }
+
+    boolean isAtRest() {
+        return Math.abs(port) < 1e-9 && Math.abs(starboard) < 1e-9;
+    }
+
+    void setBatteryPercent(double percent) {
+        batteryPercent = percent;
+    }
+
+    @Override
+    public double latDeg() {
+        return position.latDeg();
+    }
+
+    @Override
+    public double lonDeg() {
+        return position.lonDeg();
+    }
+
+    @Override
+    public double headingRad() {
+        return headingRad;
+    }
+
+    @Override
+    public double speedMps() {
+        return TOP_SPEED_MPS * (port + starboard) / 2;
+    }
+
+    @Override
+    public double batteryPercent() {
+        return batteryPercent;
+    }
+
+    @Override
+    public void setMotors(double newPort, double newStarboard) {
+        port = newPort;
+        starboard = newStarboard;
+    }
+}
