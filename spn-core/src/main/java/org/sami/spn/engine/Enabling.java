@@ -29,7 +29,24 @@ final class Enabling {
                 return false;
             }
         }
-        return true;
+        return !t.transition.wantsSubTokens || somethingReturned(t);
+    }
+
+    /** Whether an in place has a completion for a transition that speaks of sub-mission tokens. */
+    boolean somethingReturned(TransitionState t) {
+        boolean possible = false;
+        for (CompiledPlace place : t.transition.inPlaces) {
+            PlaceState state = t.mission.places[place.index];
+            if (!place.dynamic.isEmpty()) {
+                possible = true;
+                if (state != null && !state.instanceVisits().isEmpty() && isReady(t, place)) {
+                    return true;
+                }
+            } else if (!place.shared.isEmpty()) {
+                return true;
+            }
+        }
+        return !possible;
     }
 
     boolean isReady(TransitionState t, CompiledPlace place) {

@@ -23,6 +23,9 @@ final class Selection {
         final List<Entry> removed = new ArrayList<>(4);
         final List<List<Token>> added = new ArrayList<>(4);
         final List<TokenMove> moves = new ArrayList<>(4);
+        /** Named tokens that were made for the edge at hand: copies of them are not added to it again. */
+        final List<Token> made = new ArrayList<>(0);
+
         final List<UsedReturn> usedReturns = new ArrayList<>(0);
         final List<String> shortOf = new ArrayList<>(0);
     }
@@ -40,6 +43,7 @@ final class Selection {
         for (CompiledTransition.Out out : t.transition.outs) {
             List<Token> added = new ArrayList<>(2);
             long edge = ++rules.state.stamp;
+            result.made.clear();
             for (OutRequirement r : out.requirements()) {
                 select(t, out, r, relevant, reach, result, added, firing, edge);
             }
@@ -108,7 +112,7 @@ final class Selection {
             from = e.place.place.inMoves;
         }
         Optional<String> to = Optional.empty();
-        if (action != Action.CONSUME && e.addedBy != edge) {
+        if (action != Action.CONSUME && e.addedBy != edge && !result.made.contains(e.token)) {
             e.addedBy = edge;
             added.add(e.token);
             to = out.place().inMoves;
@@ -120,6 +124,9 @@ final class Selection {
 
     static void make(Token token, CompiledTransition.Out out, Selected result, List<Token> added) {
         added.add(token);
+        if (token != Token.GENERIC) {
+            result.made.add(token);
+        }
         result.moves.add(new TokenMove(token, Optional.empty(), out.place().inMoves));
     }
 

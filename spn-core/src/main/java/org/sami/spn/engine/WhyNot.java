@@ -47,6 +47,9 @@ final class WhyNot {
                 reasons.add("It waits for the sub-mission on '" + place + "', which is not complete.");
             }
         }
+        if (reach == Pool.Reach.FREE && t.transition.wantsSubTokens && !rules.enabling.somethingReturned(t)) {
+            reasons.add("It waits for what a sub-mission brings back.");
+        }
         List<Pending> received = new ArrayList<>();
         for (TransitionState.Queue q : t.queues) {
             if (q.first != null) {
