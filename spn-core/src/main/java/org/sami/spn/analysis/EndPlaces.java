@@ -25,6 +25,15 @@ final class EndPlaces implements PlanCheck {
                     "No end place of the plan \"" + plan.plan().id() + "\" can be reached from its start",
                     ends.stream().map(Place::id).toArray(String[]::new)));
         }
+        for (Place place : plan.plan().places()) {
+            if (place.endsSharedInstance() && !place.end()) {
+                report.accept(Finding.warning(
+                        "W-ENDS-NOTHING",
+                        plan.at(place),
+                        "The " + PlanContext.name(place) + " ends the shared instance, but is no end place",
+                        place.id()));
+            }
+        }
         for (Place end : ends) {
             if (!plan.outTransitions(end).isEmpty()) {
                 report.accept(Finding.error(

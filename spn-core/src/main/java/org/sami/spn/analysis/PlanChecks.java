@@ -35,6 +35,7 @@ public final class PlanChecks {
             new KnownVariables(),
             new VariableTypes(),
             new VariableUse(),
+            new Contradictions(),
             new Inhibitors(),
             new EmptyPools(),
             new SubMissions(),

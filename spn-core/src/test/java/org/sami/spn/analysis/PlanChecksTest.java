@@ -24,6 +24,7 @@ import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.OutRequirement;
+import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.testing.NetBuilder;
@@ -125,6 +126,18 @@ class PlanChecksTest {
         cases.add(of("W-END-UNREACHABLE", new NetBuilder("plan").start("start").end("end"), drive()));
         cases.add(
                 of("E-END-GOES-ON", drive().in("end", "more", "any >= 1").out("more", "go", "take all any"), drive()));
+        cases.add(new Case(
+                "W-ENDS-NOTHING",
+                project(endsNothing(drive().build())),
+                project(drive().endShared("end").build())));
+        cases.add(of(
+                "W-CONTRADICTION",
+                begin().in("go", "last", "proxy >= 2", "any < 2").out("last", "end", "take all any"),
+                begin().in("go", "last", "proxy >= 2", "any < 3").out("last", "end", "take all any")));
+        cases.add(of(
+                "W-CONTRADICTION",
+                begin().in("go", "last", "proxy == 2", "proxy == 1").out("last", "end", "take all any"),
+                begin().in("go", "last", "proxy == 2", "generic == 1").out("last", "end", "take all any")));
         cases.add(of("W-UNREACHABLE", drive().places("island"), drive()));
         cases.add(of("E-NO-REQUIREMENT", begin().in("go", "last").out("last", "end", "always"), passOn(begin())));
         cases.add(of("W-NEVER-FIRES", drive().out("ghost", "end", "always"), drive()));
@@ -152,11 +165,21 @@ class PlanChecksTest {
     private static Plan dangling(Plan plan) {
         List<OutEdge> edges = new ArrayList<>(plan.outEdges());
         edges.add(new OutEdge("loose", "driven", "nowhere", Mode.NOMINAL, List.of(OutRequirement.unconditional())));
+        return changed(plan, plan.places(), edges);
+    }
+
+    private static Plan endsNothing(Plan plan) {
+        List<Place> places = new ArrayList<>(plan.places());
+        places.add(new Place("odd", "", false, false, true, Mode.NOMINAL, List.of(), List.of(), List.of()));
+        return changed(plan, places, plan.outEdges());
+    }
+
+    private static Plan changed(Plan plan, List<Place> places, List<OutEdge> edges) {
         return new Plan(
                 plan.id(),
                 plan.name(),
                 plan.description(),
-                plan.places(),
+                places,
                 plan.transitions(),
                 plan.inEdges(),
                 edges,
