@@ -6,6 +6,7 @@ import java.util.concurrent.Executor;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Priority;
@@ -48,7 +49,7 @@ public final class OperatorDesk implements HostListener, MessageSink {
         for (Effect effect : effects) {
             if (effect instanceof Effect.DecisionOpened
                     || effect instanceof Effect.DecisionClosed
-                    || effect instanceof Effect.Noted) {
+                    || (effect instanceof Effect.Noted noted && concernsOperator(noted))) {
                 interesting.add(effect);
             }
         }
@@ -77,6 +78,11 @@ public final class OperatorDesk implements HostListener, MessageSink {
                 messages.add(messageOf(noted, atMillis));
             }
         }
+    }
+
+    /** News of a boat that no plan waits for is no news to the operator either: the journal has it. */
+    private static boolean concernsOperator(Effect.Noted noted) {
+        return noted.kind() != NoteKind.DISCARDED || noted.mission() != Ids.NONE;
     }
 
     private static OperatorMessage messageOf(Effect.Noted noted, long atMillis) {
