@@ -80,6 +80,7 @@ final class Firing {
             rules.note(NoteKind.SHORT_OF_TOKENS, m.id, "'" + ct + "' found " + shortOf);
         }
         boolean ending = ends(m, ct);
+        List<Visit> nobody = endingVisitsByNobody(m, ct, used);
         List<Visit> entered = move(m, ct, selected);
         if (reach == Pool.Reach.ALL) {
             withdrawCommands(m, selected.removed);
@@ -88,7 +89,7 @@ final class Firing {
         for (Entry e : selected.removed) {
             rules.leaving.left(e, before, reach != Pool.Reach.FREE);
         }
-        endNobody(m, ct, used);
+        nobody.forEach(rules.visits::end);
         write(m, used);
         if (ending) {
             rules.missionEnd.lastWords(m);
@@ -185,18 +186,21 @@ final class Firing {
     }
 
     /** Visits by nobody end by an answer to them, by a transition without input event, or when all is taken. */
-    private void endNobody(Mission m, CompiledTransition t, List<Pending> used) {
+    private static List<Visit> endingVisitsByNobody(Mission m, CompiledTransition t, List<Pending> used) {
+        List<Visit> ending = List.of();
         for (CompiledPlace place : t.inPlaces) {
             PlaceState state = m.places[place.index];
             if (state == null || state.nobody.isEmpty()) {
                 continue;
             }
-            for (Visit v : List.copyOf(state.nobody)) {
+            for (Visit v : state.nobody) {
                 if (!t.hasInputs() || t.clears || answers(used, v)) {
-                    rules.visits.end(v);
+                    ending = ending.isEmpty() ? new ArrayList<>() : ending;
+                    ending.add(v);
                 }
             }
         }
+        return ending;
     }
 
     private static boolean answers(List<Pending> used, Visit v) {

@@ -33,7 +33,7 @@ final class Pool {
 
     /** How many tokens of a kind the pool has that fit. */
     int count(PlaceState place, int kind, Reach reach, Predicate<Token> fits) {
-        List<Entry> returned = place.shared.length == 0 || reach == Reach.ALL ? null : returned(place);
+        List<Entry> returned = limits(place, reach) ? returned(place) : null;
         int n = 0;
         for (Entry e = place.first[kind]; e != null; e = e.nextOfKind) {
             if (fits.test(e.token) && usable(e, reach, returned)) {
@@ -49,7 +49,7 @@ final class Pool {
         if (e == null) {
             return 0;
         }
-        List<Entry> returned = place.shared.length == 0 || reach == Reach.ALL ? null : returned(place);
+        List<Entry> returned = limits(place, reach) ? returned(place) : null;
         int n = 0;
         for (; e != null; e = e.nextCopy) {
             if (usable(e, reach, returned)) {
@@ -61,7 +61,7 @@ final class Pool {
 
     /** Adds the oldest tokens of a kind that fit, at most so many; says how many were added. */
     int collect(PlaceState place, int kind, int limit, Reach reach, Predicate<Token> fits, List<Entry> into) {
-        List<Entry> returned = place.shared.length == 0 || reach == Reach.ALL ? null : returned(place);
+        List<Entry> returned = limits(place, reach) ? returned(place) : null;
         int n = 0;
         for (Entry e = place.first[kind]; e != null && n < limit; e = e.nextOfKind) {
             if ((fits == null || fits.test(e.token)) && usable(e, reach, returned)) {
@@ -85,7 +85,7 @@ final class Pool {
         if (kinds <= 1) {
             return collect(place, only, limit, reach, null, into);
         }
-        List<Entry> returned = place.shared.length == 0 || reach == Reach.ALL ? null : returned(place);
+        List<Entry> returned = limits(place, reach) ? returned(place) : null;
         int n = 0;
         for (Entry e : place.inOrder()) {
             if (n == limit) {
@@ -105,7 +105,7 @@ final class Pool {
         if (e == null) {
             return 0;
         }
-        List<Entry> returned = place.shared.length == 0 || reach == Reach.ALL ? null : returned(place);
+        List<Entry> returned = limits(place, reach) ? returned(place) : null;
         int n = 0;
         for (; e != null; e = e.nextCopy) {
             if (usable(e, reach, returned)) {
@@ -134,6 +134,19 @@ final class Pool {
             }
         }
         return result;
+    }
+
+    /** Whether only what static instances brought back can be used. */
+    private static boolean limits(PlaceState place, Reach reach) {
+        if (place.shared.length == 0 || reach == Reach.ALL) {
+            return false;
+        }
+        for (SharedRun run : place.shared) {
+            if (reach == Reach.ABORTED && run.instance.status == Instance.Status.ABORTED) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private static boolean usable(Entry e, Reach reach, List<Entry> returned) {

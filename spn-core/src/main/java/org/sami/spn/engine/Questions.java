@@ -108,7 +108,9 @@ final class Questions {
     }
 
     private static Optional<Answer> all(Question question) {
-        if (question instanceof Question.ChooseProxies c && c.proxies().size() >= c.min()) {
+        if (question instanceof Question.ChooseProxies c
+                && !c.proxies().isEmpty()
+                && c.proxies().size() >= c.min()) {
             return Optional.of(new Answer.Proxies(
                     c.proxies().subList(0, Math.min(c.max(), c.proxies().size()))));
         }

@@ -40,9 +40,10 @@ final class Routing {
             if (o.activation() == Ids.NONE) {
                 news(o, type, null, fate);
             } else if (sent != null && (o.mission() == Ids.NONE || o.mission() == sent.activation.mission())) {
-                answer(o, type, sent, fate);
                 if (o.mission() == Ids.NONE) {
-                    news(o, type, sent.mission(), fate);
+                    news(o, type, sent, fate);
+                } else {
+                    answer(o, type, sent, fate);
                 }
             } else if (sent == null && o.mission() == Ids.NONE) {
                 news(o, type, null, fate);
@@ -68,7 +69,8 @@ final class Routing {
         }
     }
 
-    private void news(Occurrence o, int type, Mission without, Fate fate) {
+    /** News to one mission or to all, in order of their ids; an answer in the mission that asked. */
+    private void news(Occurrence o, int type, Sent asked, Fate fate) {
         if (o.mission() != Ids.NONE) {
             Mission m = rules.state.missions.get(o.mission());
             if (m != null) {
@@ -77,7 +79,9 @@ final class Routing {
             return;
         }
         for (Mission m : rules.state.attentive(type).values()) {
-            if (m != without) {
+            if (asked != null && m == asked.mission()) {
+                answer(o, type, asked, fate);
+            } else {
                 newsIn(m, o, type, fate);
             }
         }
