@@ -2,13 +2,17 @@ package org.sami.crw.handler;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -19,6 +23,7 @@ import org.sami.crw.decision.OperatorMessage;
 import org.sami.crw.decision.PendingDecision;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.service.Geodesy;
+import org.sami.spn.engine.MissionView;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
@@ -35,10 +40,9 @@ class ShippedPlansTest {
             DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
     private static final long ANSWER_AFTER_MS = 5000;
 
-    private final List<Effect> effects = new ArrayList<>();
+    private final List<Effect> effects = new CopyOnWriteArrayList<>();
     private final Set<Long> answered = new HashSet<>();
     private TestWorld world;
-    private HostedEngine engine;
     private SimulatedOperator operator;
 
     @ParameterizedTest
@@ -94,12 +98,34 @@ class ShippedPlansTest {
         }
     }
 
+    @Test
+    void anEngineOnAThreadOfItsOwnChangesNothing() throws InterruptedException {
+        ExecutorService thread = Executors.newSingleThreadExecutor();
+        try {
+            start("clv", 3, 20, Optional.of(thread));
+
+            for (int second = 0; second < 20_000 && outcome().isEmpty(); second++) {
+                runFor(1);
+            }
+
+            assertThat(outcome()).contains(Outcome.ENDED);
+            assertThat(problems()).isEmpty();
+        } finally {
+            thread.shutdown();
+            assertThat(thread.awaitTermination(10, TimeUnit.SECONDS)).isTrue();
+        }
+    }
+
     private void start(String plan, int boats, int locations) {
-        engine = new HostedEngine(LIBRARY.projects().values().stream()
+        start(plan, boats, locations, Optional.empty());
+    }
+
+    private void start(String plan, int boats, int locations, Optional<Executor> enginesOwn) {
+        HostedEngine engine = new HostedEngine(LIBRARY.projects().values().stream()
                 .filter(project -> project.plan(plan).isPresent())
                 .findFirst()
                 .orElseThrow());
-        world = new TestWorld(engine);
+        world = new TestWorld(engine, enginesOwn);
         world.host.addListener((index, atMillis, input, stepped, view) -> effects.addAll(stepped));
         operator = new SimulatedOperator(
                 TestWorld.VOCABULARY, new OperatorDefaults(TestWorld.HOME, 200, locations, 42), AnswersFile.EMPTY);
@@ -123,10 +149,9 @@ class ShippedPlansTest {
     }
 
     private void answer(PendingDecision pending) {
-        String plan = engine.view()
-                .mission(pending.decision().mission())
-                .orElseThrow()
-                .plan();
+        String plan = world.host.ask(view -> view.mission(pending.decision().mission())
+                .map(MissionView::plan)
+                .orElse(""));
         Answer answer = operator.answer(pending.decision(), plan).orThrow();
         world.host.post(new Input.AnswerDecision(pending.decision().id(), answer, Answerer.OPERATOR));
     }

@@ -1,9 +1,13 @@
 package org.sami.crw.handler;
 
-import java.util.ArrayDeque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicLong;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerSession;
@@ -21,7 +25,10 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.vocabulary.Vocabulary;
 
-/** The domain on a real host, with real proxies and boat servers, all on the test's thread and on time that the test lets pass. */
+/**
+ * The domain on a real host, with real proxies and boat servers, all on the test's thread and on time that the test lets pass;
+ * the engine too, unless it is given a thread of its own.
+ */
 final class TestWorld implements HostClock {
     static final Vocabulary VOCABULARY =
             VocabularyReader.fromClassPath("/org/sami/domain/crw").orThrow();
@@ -29,19 +36,26 @@ final class TestWorld implements HostClock {
     private static final int TICK_MS = 100;
 
     final ProxyRegistry boats = new ProxyRegistry();
-    final OperatorDesk desk = new OperatorDesk(Runnable::run);
+    final OperatorDesk desk;
     final EngineHost host;
     final CrwDomain domain;
     private final Map<String, TestHull> hulls = new LinkedHashMap<>();
     private final Map<String, BoatServer> servers = new LinkedHashMap<>();
-    private final ArrayDeque<Runnable> tasks = new ArrayDeque<>();
-    private long nowMs;
-    private long wakeAtMs = Long.MAX_VALUE;
-    private Runnable wake = () -> {};
+    private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
+    private final AtomicLong clock = new AtomicLong();
+    private volatile Wake wake = Wake.NEVER;
     private boolean linkUp = true;
 
     TestWorld(EngineFunction engine) {
-        host = EngineHost.builder(engine).clock(this).executor(tasks::add).build();
+        this(engine, Optional.empty());
+    }
+
+    TestWorld(EngineFunction engine, Optional<Executor> enginesOwn) {
+        host = EngineHost.builder(engine)
+                .clock(this)
+                .executor(enginesOwn.orElse(tasks::add))
+                .build();
+        desk = new OperatorDesk(enginesOwn.isPresent() ? tasks::add : Runnable::run);
         domain = CrwDomain.install(host, boats, tasks::add, desk);
         host.addListener(desk);
     }
@@ -54,10 +68,10 @@ final class TestWorld implements HostClock {
         ServerSession[] session = new ServerSession[1];
         BoatProxy proxy = new BoatProxy(
                 id,
-                frame -> send(() -> session[0].receive(frame, nowMs)),
+                frame -> send(() -> session[0].receive(frame, nowMillis())),
                 domain.boatListener(),
                 ProxyConfig.DEFAULT.withTelemetryHz(5));
-        session[0] = server.connect(frame -> send(() -> proxy.receive(frame, nowMs)));
+        session[0] = server.connect(frame -> send(() -> proxy.receive(frame, nowMillis())));
         boats.add(proxy);
         hulls.put(id, hull);
         servers.put(id, server);
@@ -83,10 +97,10 @@ final class TestWorld implements HostClock {
 
     void run(double seconds) {
         for (int tick = 0; tick < Math.round(seconds * 1000 / TICK_MS); tick++) {
-            nowMs += TICK_MS;
-            if (nowMs >= wakeAtMs) {
-                wakeAtMs = Long.MAX_VALUE;
-                wake.run();
+            long nowMs = clock.addAndGet(TICK_MS);
+            Wake due = wake;
+            if (nowMs >= due.atMillis()) {
+                due.action().run();
             }
             servers.values().forEach(server -> server.tick(nowMs));
             hulls.values().forEach(hull -> hull.step(TICK_MS / 1000.0));
@@ -107,12 +121,16 @@ final class TestWorld implements HostClock {
 
     @Override
     public long nowMillis() {
-        return nowMs;
+        return clock.get();
     }
 
     @Override
     public void wakeAt(long millis, Runnable action) {
-        wakeAtMs = millis;
-        wake = action;
+        wake = new Wake(millis, action);
+    }
+
+    /** What the host wants to be called for; calling it twice changes nothing. */
+    private record Wake(long atMillis, Runnable action) {
+        static final Wake NEVER = new Wake(Long.MAX_VALUE, () -> {});
     }
 }
