@@ -32,4 +32,13 @@ public interface BoatListener {
      * BoatProxy#confirmRestart} says that it may.
      */
     default void onRestarted(BoatStatus status) {}
+
+    /** This base commands the boat from now on, or does so no longer. */
+    default void onCommanding(String boatId, boolean commands) {}
+
+    /** Another client wishes to command the boat; {@link BoatProxy#grantCommand} hands it over. */
+    default void onCommandAsked(String boatId, String clientId) {}
+
+    /** The boat refuses this base, or a hand-over that it asked for; for a reason in words. */
+    default void onRefused(String boatId, String reason) {}
 }

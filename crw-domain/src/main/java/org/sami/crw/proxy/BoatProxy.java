@@ -5,17 +5,21 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import org.sami.boat.link.Ack;
+import org.sami.boat.link.AskForCommand;
 import org.sami.boat.link.BatteryReport;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.CommandAsked;
 import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.Goodbye;
+import org.sami.boat.link.GrantCommand;
 import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.Progress;
+import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.Welcome;
@@ -35,6 +39,7 @@ public final class BoatProxy {
     private final String boatId;
     private final ProxyLink link;
     private final Requests fleetRequests; // what stops or releases the whole fleet
+    private final HandOver handOver;
     private final Announcements announcements;
     private final CommandDriver driver;
     private BoatStatus status;
@@ -45,6 +50,7 @@ public final class BoatProxy {
     private boolean takenOver;
     private boolean fleetStopped;
     private String refusal = "";
+    private Optional<String> heldListId = Optional.empty();
 
     /** A proxy that says hello at its first tick. */
     public BoatProxy(String boatId, FrameSink toBoat, BoatListener listener, ProxyConfig config) {
@@ -52,6 +58,7 @@ public final class BoatProxy {
         link = new ProxyLink(boatId, Objects.requireNonNull(toBoat, "toBoat"), config);
         fleetRequests = new Requests(link, config);
         announcements = new Announcements(Objects.requireNonNull(listener, "listener"));
+        handOver = new HandOver(boatId, link, config, announcements);
         driver = new CommandDriver(boatId, config, link, announcements);
         status = BoatStatus.unknown(boatId);
     }
@@ -79,6 +86,21 @@ public final class BoatProxy {
     /** How many points of the path of a queued command are behind the boat; empty if it is not queued. */
     public Optional<Integer> visitedCount(String commandId) {
         return driver.queue().find(commandId).map(QueuedCommand::visited);
+    }
+
+    /** The list that the boat said last that it holds; the name is empty if it said that it holds none. */
+    public Optional<String> heldListId() {
+        return heldListId;
+    }
+
+    /** How far the path of the current command has come on its way to the boat; empty if none is on its way. */
+    public Optional<Upload> upload() {
+        return driver.upload();
+    }
+
+    /** Whether the boat takes commands from this base. */
+    public boolean isCommanding() {
+        return link.isCommanding();
     }
 
     /** How many frames could not be read. */
@@ -120,6 +142,9 @@ public final class BoatProxy {
         if (link.tick(nowMs)) {
             linkChanged();
         }
+        if (link.state() == LinkState.LINKED) {
+            handOver.tick(nowMs);
+        }
         if (link.isCommanding()) {
             driver.tick(nowMs);
             fleetRequests.tick(nowMs).forEach(request -> fleetRequests.send(request, nowMs));
@@ -128,6 +153,12 @@ public final class BoatProxy {
             }
         }
         settle();
+    }
+
+    /** The transport has opened: says hello at once. */
+    public void opened(long atMs) {
+        nowMs = Math.max(nowMs, atMs);
+        link.hello(nowMs);
     }
 
     /** The transport has closed: the link is lost at once. */
@@ -184,6 +215,21 @@ public final class BoatProxy {
         fleetRequests.send(new FleetRelease(driver.wireId("fleet-release")), nowMs);
     }
 
+    /** Tells the boat that this base wishes to command it; who commands it then decides. */
+    public void askForCommand() {
+        handOver.request(new AskForCommand(driver.wireId("ask-command")), nowMs);
+    }
+
+    /** Commands the boat from now on, whoever did before: for an operator who knows why. */
+    public void takeCommand() {
+        handOver.request(new TakeCommand(driver.wireId("take-command")), nowMs);
+    }
+
+    /** Hands the command over to another client and observes; commands that are queued here wait. */
+    public void grantCommand(String clientId) {
+        handOver.request(new GrantCommand(driver.wireId("grant-command"), clientId), nowMs);
+    }
+
     /** Why the boat moves or does not. */
     public Explanation explain() {
         return new Explainer(this).explain();
@@ -236,17 +282,31 @@ public final class BoatProxy {
             announcements.add(l -> l.onBattery(boatId, battery));
         } else if (message instanceof Welcome welcome) {
             welcomed(welcome);
+        } else if (message instanceof CommandAsked asked) {
+            announcements.add(l -> l.onCommandAsked(boatId, asked.clientId()));
         } else if (message instanceof Goodbye goodbye) {
-            refusal = goodbye.reason();
+            refuse(goodbye.reason());
         } // heartbeats have done their work by arriving; what only bases say is no concern of a base
     }
 
+    private void refuse(String reason) {
+        if (!reason.equals(refusal)) {
+            refusal = reason;
+            announcements.add(l -> l.onRefused(boatId, reason));
+        }
+    }
+
     private void welcomed(Welcome welcome) {
+        if (!welcome.boatId().equals(boatId)) {
+            refuse("this boat is " + welcome.boatId());
+            return;
+        }
         boolean restarted = !link.bootId().isEmpty() && !link.bootId().equals(welcome.bootId());
         boolean news = link.state() != LinkState.LINKED;
         link.welcomed(welcome);
         refusal = "";
         awaitingProgress = true;
+        handOver.settled();
         if (news || restarted) {
             lastTelemetry = -1;
             linkChanged();
@@ -290,7 +350,8 @@ public final class BoatProxy {
     }
 
     private void progressed(Progress progress) {
-        if (awaitingProgress) {
+        heldListId = Optional.of(progress.listId());
+        if (awaitingProgress && link.isCommanding()) {
             awaitingProgress = false;
             driver.resume(progress, nowMs);
         } else {
@@ -299,13 +360,14 @@ public final class BoatProxy {
     }
 
     private void answered(String commandId, LinkMessage answer) {
-        if (fleetRequests.answered(commandId).isEmpty()) { // else the next telemetry says what it has come to
+        if (!handOver.answered(commandId)
+                && fleetRequests.answered(commandId).isEmpty()) { // else the next telemetry says what it has come to
             driver.answered(commandId, answer, nowMs);
         }
     }
 
     private void refused(Nack nack) {
-        if (driver.refused(nack)) {
+        if (!handOver.refused(nack) && driver.refused(nack)) {
             resync();
         }
     }
@@ -317,6 +379,9 @@ public final class BoatProxy {
     }
 
     private void linkChanged() {
+        if (link.state() != LinkState.LINKED) {
+            handOver.linkLost();
+        }
         status = status.with(link.state(), link.bootId());
         announce(BoatListener::onLinkChange);
     }

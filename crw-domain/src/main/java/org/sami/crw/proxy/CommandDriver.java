@@ -50,6 +50,11 @@ final class CommandDriver {
         return run.isEmpty() && requests.areWaiting();
     }
 
+    /** The path that is on its way to the boat, or there. */
+    Optional<Upload> upload() {
+        return run.flatMap(CommandRun::upload);
+    }
+
     /** How often the oldest unanswered request has been sent. */
     int sends() {
         return requests.sends();
@@ -75,9 +80,9 @@ final class CommandDriver {
         mustStop = true;
     }
 
-    /** An id on the link that was never used before: of the command, the start of this base, and a count. */
+    /** An id on the link that was never used before: of the command, this base, its start, and a count. */
     String wireId(String of) {
-        return of + "#" + config.epoch() + "." + ++wireIds;
+        return of + "#" + config.clientId() + "." + config.epoch() + "." + ++wireIds;
     }
 
     /**
@@ -176,6 +181,9 @@ final class CommandDriver {
         if (isRunWanted()) {
             requests.clear();
             conclude(run.get().resume(held, nowMs));
+        } else if (isStopping()) {
+            requests.clear();
+            mustStop = true; // under a new id: it may have stopped before, and moved again for its lost link
         }
     }
 

@@ -1,5 +1,6 @@
 package org.sami.crw.proxy;
 
+import java.util.Optional;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Nack;
@@ -40,6 +41,11 @@ abstract class CommandRun {
 
     /** How far the try is, in words. */
     abstract String state();
+
+    /** The path that this try brings to the boat, if it brings one. */
+    Optional<Upload> upload() {
+        return Optional.empty();
+    }
 
     /** Whether the boat is expected to be under way. */
     abstract boolean isDriving();

@@ -2,6 +2,7 @@ package org.sami.crw.proxy;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.LinkMessage;
@@ -19,15 +20,17 @@ import org.sami.spn.value.GeoPoint;
 final class PathRun extends CommandRun {
 
     private enum Phase {
-        UPLOADING("the path is being uploaded"),
-        READING_BACK("the upload is acknowledged and being read back"),
-        STARTING("the upload is read back equal and being started"),
-        DRIVING("under way");
+        UPLOADING("the path is being uploaded", Upload.State.SENT),
+        READING_BACK("the upload is acknowledged and being read back", Upload.State.ACKNOWLEDGED),
+        STARTING("the upload is read back equal and being started", Upload.State.READ_BACK_EQUAL),
+        DRIVING("under way", Upload.State.READ_BACK_EQUAL);
 
         private final String words;
+        private final Upload.State upload;
 
-        Phase(String words) {
+        Phase(String words, Upload.State upload) {
             this.words = words;
+            this.upload = upload;
         }
     }
 
@@ -51,6 +54,11 @@ final class PathRun extends CommandRun {
     @Override
     String state() {
         return phase.words;
+    }
+
+    @Override
+    Optional<Upload> upload() {
+        return Optional.of(new Upload(listId, phase.upload));
     }
 
     @Override

@@ -5,7 +5,8 @@ import java.util.Objects;
 /**
  * What is set for the base's side of the links.
  *
- * @param clientId names this base to the boats
+ * @param clientId names this base to the boats, and its commands: over a network it must be unique among all bases and
+ *     sessions that the boats ever meet, as boats do not execute an id again
  * @param epoch counts the starts of this base in one session, so that wire ids of an earlier start are never used again
  * @param cruiseSpeedMps speed of paths that name none, in m/s
  * @param telemetryHz wished telemetry messages a second
@@ -35,6 +36,11 @@ public record ProxyConfig(
             throw new IllegalArgumentException("cruise " + cruiseSpeedMps + " m/s, telemetry " + telemetryHz
                     + " Hz, lost after " + lostAfterMs + " ms, resend " + resendMs + " ms x " + maxSends);
         }
+    }
+
+    /** The same for a base of another name. */
+    public ProxyConfig withClientId(String newClientId) {
+        return new ProxyConfig(newClientId, epoch, cruiseSpeedMps, telemetryHz, lostAfterMs, resendMs, maxSends);
     }
 
     /** The same for a later start of this base. */

@@ -22,6 +22,7 @@ final class ProxyLink {
     private final ProxyConfig config;
     private LinkState state = LinkState.CONNECTING;
     private Role role = Role.OBSERVER;
+    private Role wanted = Role.COMMANDER;
     private String bootId = "";
     private long sequence;
     private long nextHelloMs = Long.MIN_VALUE;
@@ -75,7 +76,7 @@ final class ProxyLink {
 
     void hello(long nowMs) {
         nextHelloMs = nowMs + HELLO_MS;
-        send(new Hello(boatId, config.clientId(), Role.COMMANDER, config.telemetryHz(), ""), nowMs);
+        send(new Hello(boatId, config.clientId(), wanted, config.telemetryHz(), ""), nowMs);
     }
 
     void helloIfDue(long nowMs) {
@@ -84,7 +85,11 @@ final class ProxyLink {
         }
     }
 
+    /** Takes what the boat grants. A base that loses the command while it is linked does not ask for it again by itself. */
     void welcomed(Welcome welcome) {
+        if (isCommanding() || welcome.role() == Role.COMMANDER) {
+            wanted = welcome.role();
+        }
         state = LinkState.LINKED;
         role = welcome.role();
         bootId = welcome.bootId();
@@ -102,7 +107,7 @@ final class ProxyLink {
     /** Keeps the link alive. Returns whether it was lost just now. */
     boolean tick(long nowMs) {
         boolean lost = state == LinkState.LINKED && nowMs - lastReceivedMs > config.lostAfterMs() && closed();
-        if (!isCommanding()) {
+        if (state != LinkState.LINKED || role != wanted) {
             helloIfDue(nowMs);
         } else if (nowMs - lastSentMs >= HEARTBEAT_MS) {
             send(new Heartbeat(Math.max(0, nowMs)), nowMs);

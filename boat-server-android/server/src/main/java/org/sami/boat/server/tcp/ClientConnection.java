@@ -9,6 +9,7 @@ import java.net.SocketTimeoutException;
 import java.util.Optional;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.sami.boat.link.FrameQueue;
 import org.sami.boat.link.FrameReader;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.LinkCodec;
@@ -39,7 +40,7 @@ final class ClientConnection implements FrameSink {
     private final Socket socket;
     private final Owner owner;
     private final String name;
-    private final WriteQueue queue;
+    private final FrameQueue queue;
     private final Semaphore unread = new Semaphore(MAX_UNREAD_BYTES);
     private final AtomicBoolean closed = new AtomicBoolean();
     private final Thread reader;
@@ -52,7 +53,7 @@ final class ClientConnection implements FrameSink {
         socket.setTcpNoDelay(true);
         socket.setSendBufferSize(SEND_BUFFER_BYTES);
         socket.setSoTimeout(config.silentAfterMs());
-        queue = new WriteQueue(config.maxQueuedFrames(), config.maxQueuedBytes());
+        queue = new FrameQueue(config.maxQueuedFrames(), config.maxQueuedBytes());
         reader = thread(this::read, boatId + "-reads-" + name);
         writer = thread(this::write, boatId + "-writes-" + name);
     }

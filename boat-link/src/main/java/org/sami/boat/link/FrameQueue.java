@@ -1,23 +1,27 @@
-package org.sami.boat.server.tcp;
+package org.sami.boat.link;
 
 import java.util.ArrayDeque;
 import java.util.Optional;
 
-/** The frames that wait for a client to take them: bounded, in order, closed once and for all. Safe for several threads. */
-final class WriteQueue {
+/**
+ * The frames that wait for a peer to take them: bounded, in order, closed once and for all. A writer takes them on a thread of
+ * its own; who sends never waits. Safe for use by several threads.
+ */
+public final class FrameQueue {
     private final ArrayDeque<byte[]> frames = new ArrayDeque<>();
     private final int maxFrames;
     private final int maxBytes;
     private long bytes;
     private boolean closed;
 
-    WriteQueue(int maxFrames, int maxBytes) {
+    /** A queue for so many frames and so many bytes of them. */
+    public FrameQueue(int maxFrames, int maxBytes) {
         this.maxFrames = maxFrames;
         this.maxBytes = maxBytes;
     }
 
     /** Adds a frame. Returns false, and takes nothing, if it does not fit; a single frame always fits. */
-    synchronized boolean offer(byte[] frame) {
+    public synchronized boolean offer(byte[] frame) {
         boolean fits = frames.isEmpty() || (frames.size() < maxFrames && bytes + frame.length <= maxBytes);
         if (fits && !closed) {
             frames.add(frame);
@@ -28,7 +32,7 @@ final class WriteQueue {
     }
 
     /** The next frame, waited for; empty once the queue is closed. */
-    synchronized Optional<byte[]> take() throws InterruptedException {
+    public synchronized Optional<byte[]> take() throws InterruptedException {
         while (frames.isEmpty() && !closed) {
             wait();
         }
@@ -41,12 +45,12 @@ final class WriteQueue {
     }
 
     /** Whether nothing waits. */
-    synchronized boolean isEmpty() {
+    public synchronized boolean isEmpty() {
         return frames.isEmpty();
     }
 
     /** Forgets what waits and takes nothing more. */
-    synchronized void close() {
+    public synchronized void close() {
         closed = true;
         frames.clear();
         bytes = 0;

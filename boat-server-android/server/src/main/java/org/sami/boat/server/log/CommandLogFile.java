@@ -1,0 +1,101 @@
+package org.sami.boat.server.log;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.Objects;
+import java.util.function.Consumer;
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.server.ServerLog;
+
+/**
+ * A boat's log as a text file of one line a command, added to for ever, start after start. Each line is handed to the operating
+ * system before the boat's answer leaves, so that the death of the process loses none that was answered; a line that was cut off
+ * is taken away at the next opening. It does not survive a loss of power in the last seconds.
+ *
+ * <p>A file that cannot be written does not stop the boat: the fault is told, once, and the boat goes on without a log. For the
+ * thread that drives the boat.
+ */
+public final class CommandLogFile implements ServerLog, Closeable {
+    private final FileChannel channel;
+    private final String bootId;
+    private final Consumer<IOException> onFault;
+    private boolean broken;
+
+    private CommandLogFile(FileChannel channel, String bootId, Consumer<IOException> onFault) {
+        this.channel = channel;
+        this.bootId = bootId;
+        this.onFault = onFault;
+    }
+
+    /**
+     * Opens a boat's log, or makes it; tells what is in it and adds the start of this server.
+     *
+     * @param bootId names this start
+     * @param earlier gets every entry of the earlier starts, in order
+     * @param onFault is told when the log can no longer be written
+     * @throws IOException if the file cannot be read or written, or another process writes it
+     */
+    public static CommandLogFile open(
+            Path file, String bootId, Consumer<LoggedCommand> earlier, Consumer<IOException> onFault)
+            throws IOException {
+        FileChannel channel =
+                FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
+        try {
+            lock(channel, file);
+            long whole = LogLines.read(file, earlier);
+            channel.truncate(whole);
+            channel.position(whole);
+            CommandLogFile log = new CommandLogFile(channel, bootId, Objects.requireNonNull(onFault, "onFault"));
+            log.write(LogLines.start(bootId));
+            return log;
+        } catch (IOException | RuntimeException e) {
+            channel.close();
+            throw e;
+        }
+    }
+
+    private static void lock(FileChannel channel, Path file) throws IOException {
+        try {
+            FileLock lock = channel.tryLock();
+            if (lock != null) {
+                return; // until the channel closes
+            }
+        } catch (OverlappingFileLockException e) {
+            // this process has it
+        }
+        throw new IOException(file + " is being written by another boat server");
+    }
+
+    @Override
+    public void answered(long nowMs, CommandMessage command, LinkMessage answer) {
+        if (broken) {
+            return;
+        }
+        try {
+            write(LogLines.command(new LoggedCommand(bootId, nowMs, command, answer)));
+        } catch (IOException e) {
+            broken = true;
+            onFault.accept(e);
+        }
+    }
+
+    private void write(String line) throws IOException {
+        ByteBuffer bytes = ByteBuffer.wrap(line.getBytes(StandardCharsets.UTF_8));
+        while (bytes.hasRemaining()) {
+            channel.write(bytes);
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        channel.close();
+    }
+}

@@ -1,0 +1,41 @@
+package org.sami.boat.server.log;
+
+import java.util.Objects;
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.LinkMessage;
+
+/** One entry of a boat's log: a command that the boat had under a new id, and how it was answered. */
+public final class LoggedCommand {
+    private final String bootId;
+    private final long timeMs;
+    private final CommandMessage command;
+    private final LinkMessage answer;
+
+    /** Makes an entry. */
+    public LoggedCommand(String bootId, long timeMs, CommandMessage command, LinkMessage answer) {
+        this.bootId = Objects.requireNonNull(bootId, "bootId");
+        this.timeMs = timeMs;
+        this.command = Objects.requireNonNull(command, "command");
+        this.answer = Objects.requireNonNull(answer, "answer");
+    }
+
+    /** The start of the server that it happened in. */
+    public String bootId() {
+        return bootId;
+    }
+
+    /** The boat's clock in ms, which begins anew with each start. */
+    public long timeMs() {
+        return timeMs;
+    }
+
+    /** What the boat was told. */
+    public CommandMessage command() {
+        return command;
+    }
+
+    /** What it answered: an acknowledgement or a refusal. */
+    public LinkMessage answer() {
+        return answer;
+    }
+}

@@ -1,0 +1,125 @@
+package org.sami.boat.server.log;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.Ack;
+import org.sami.boat.link.Nack;
+import org.sami.boat.link.NackReason;
+import org.sami.boat.link.StopMotors;
+import org.sami.boat.link.UploadWaypoints;
+import org.sami.boat.link.Waypoint;
+
+class CommandLogFileTest {
+    private static final List<Waypoint> PATH = List.of(new Waypoint(45.12345678901234, 10, 1.5));
+
+    @TempDir
+    private Path folder;
+
+    private Path file() {
+        return folder.resolve("boat1.log");
+    }
+
+    private CommandLogFile open(String bootId, List<LoggedCommand> earlier) throws IOException {
+        return CommandLogFile.open(file(), bootId, earlier::add, fault -> {
+            throw new AssertionError(fault);
+        });
+    }
+
+    private List<LoggedCommand> read() throws IOException {
+        List<LoggedCommand> entries = new ArrayList<>();
+        LogLines.read(file(), entries::add);
+        return entries;
+    }
+
+    @Test
+    void givesBackWhatEarlierStartsHaveExecuted() throws IOException {
+        try (CommandLogFile log = open("b1", new ArrayList<>())) {
+            log.answered(12, new UploadWaypoints("u\t1\n", "l", PATH), new Ack("u\t1\n"));
+            log.answered(13, new StopMotors("s"), new Nack("s", NackReason.STALE, "zu spät"));
+        }
+        List<LoggedCommand> earlier = new ArrayList<>();
+        open("b2", earlier).close();
+
+        assertThat(earlier).hasSize(2);
+        assertThat(earlier.get(0).bootId()).isEqualTo("b1");
+        assertThat(earlier.get(0).timeMs()).isEqualTo(12);
+        assertThat(earlier.get(0).command().commandId()).isEqualTo("u\t1\n");
+        assertThat(((UploadWaypoints) earlier.get(0).command()).waypoints()).isEqualTo(PATH);
+        assertThat(((Nack) earlier.get(1).answer()).detail()).isEqualTo("zu spät");
+        assertThat(Files.readAllLines(file())).hasSize(4);
+    }
+
+    @Test
+    void everyCutOffLastLineIsTakenAwayAndWritingGoesOn() throws IOException {
+        try (CommandLogFile log = open("b1", new ArrayList<>())) {
+            log.answered(1, new StopMotors("s1"), new Ack("s1"));
+            log.answered(2, new StopMotors("s2"), new Ack("s2"));
+        }
+        byte[] whole = Files.readAllBytes(file());
+        int cuts = 0;
+        for (int length = whole.length - 1; length > 0; length--) {
+            Files.write(file(), Arrays.copyOf(whole, length));
+            List<LoggedCommand> earlier = new ArrayList<>();
+            try (CommandLogFile log = open("b2", earlier)) {
+                log.answered(3, new StopMotors("s3"), new Ack("s3"));
+            }
+            List<LoggedCommand> now = read();
+            assertThat(now).hasSize(earlier.size() + 1);
+            assertThat(now.get(now.size() - 1).command().commandId()).isEqualTo("s3");
+            cuts++;
+        }
+        assertThat(cuts).isGreaterThan(100);
+    }
+
+    @Test
+    void damagedLineSaysNothingAndTheOthersStay() throws IOException {
+        try (CommandLogFile log = open("b1", new ArrayList<>())) {
+            log.answered(1, new StopMotors("first"), new Ack("first"));
+            log.answered(2, new StopMotors("second"), new Ack("second"));
+        }
+        String text = Files.readString(file());
+        Files.writeString(file(), text.replace("\"first\"", "\"fisrt\""));
+
+        assertThat(read()).extracting(entry -> entry.command().commandId()).containsExactly("second");
+    }
+
+    @Test
+    void refusesALogThatIsBeingWritten() throws IOException {
+        try (CommandLogFile log = open("b1", new ArrayList<>())) {
+            assertThatThrownBy(() -> open("b2", new ArrayList<>()))
+                    .isInstanceOf(IOException.class)
+                    .hasMessageContaining("another boat server");
+            log.answered(1, new StopMotors("s"), new Ack("s"));
+        }
+        assertThat(read()).hasSize(1);
+    }
+
+    @Test
+    void entryIsInTheFileBeforeTheAnswerLeaves() throws IOException {
+        try (CommandLogFile log = open("b1", new ArrayList<>())) {
+            log.answered(1, new StopMotors("s"), new Ack("s"));
+
+            assertThat(read()).hasSize(1);
+        }
+    }
+
+    @Test
+    void faultIsToldOnceAndTheBoatGoesOn() throws IOException {
+        List<IOException> faults = new ArrayList<>();
+        CommandLogFile log = CommandLogFile.open(file(), "b1", entry -> {}, faults::add);
+        log.close();
+        log.answered(1, new StopMotors("s1"), new Ack("s1"));
+        log.answered(2, new StopMotors("s2"), new Ack("s2"));
+
+        assertThat(faults).hasSize(1);
+    }
+}

@@ -1,0 +1,149 @@
+package org.sami.crw.proxy.tcp;
+
+import java.net.InetSocketAddress;
+import java.util.Optional;
+import org.sami.boat.link.FrameSink;
+import org.sami.boat.link.Hello;
+import org.sami.boat.link.LinkCodec;
+import org.sami.boat.link.LinkException;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Role;
+import org.sami.boat.link.Welcome;
+import org.sami.crw.proxy.BoatProxy;
+
+/**
+ * The link to one address: keeps a connection, asks the boat there who it is, and from then on carries the frames of that
+ * boat's proxy. For the base's thread.
+ *
+ * <p>A connection from which no frame has come for the time after which a link counts as lost is given up, not waited for: what
+ * was on its way in it would come late, and another one may come through.
+ */
+final class BoatLink implements FrameSink {
+    private static final LinkCodec CODEC = new LinkCodec();
+
+    /** What a link needs of its base. */
+    interface Base {
+        /** Where a connection of this link tells what happens; brings it to the base's thread, and back to this link. */
+        BoatConnection.Owner ears(BoatLink link);
+
+        /** A boat has said who it is; gives its proxy, or nothing if it is refused. */
+        Optional<BoatProxy> identified(BoatLink link, Welcome welcome);
+    }
+
+    private final InetSocketAddress address;
+    private final TcpBaseConfig config;
+    private final Base base;
+    private final Backoff backoff;
+    private Optional<BoatProxy> proxy = Optional.empty();
+    private Optional<BoatConnection> connection = Optional.empty();
+    private boolean open;
+    private boolean refused;
+    private long lastHeardMs;
+    private long nextTryMs = Long.MIN_VALUE;
+    private long connections;
+    private String lastEvent = "";
+
+    BoatLink(InetSocketAddress address, TcpBaseConfig config, Base base, long seed) {
+        this.address = address;
+        this.config = config;
+        this.base = base;
+        backoff = new Backoff(config.firstRetryMs(), config.longestRetryMs(), seed);
+    }
+
+    InetSocketAddress address() {
+        return address;
+    }
+
+    Optional<BoatConnection> connection() {
+        return connection;
+    }
+
+    LinkReport report() {
+        return new LinkReport(address, proxy.map(BoatProxy::boatId), open, connections, lastEvent);
+    }
+
+    /** Puts a frame of the proxy on its way; it is lost if there is no connection. */
+    @Override
+    public void send(byte[] frame) {
+        if (open) {
+            connection.orElseThrow().send(frame);
+        }
+    }
+
+    /** Lets time pass: connects when it is time, gives up what has gone silent. */
+    void tick(long nowMs) {
+        if (connection.isEmpty() && nowMs >= nextTryMs) {
+            BoatConnection next = new BoatConnection(address, config, base.ears(this));
+            connection = Optional.of(next);
+            next.start();
+        } else if (open && nowMs - lastHeardMs > config.proxy().lostAfterMs()) {
+            connection
+                    .orElseThrow()
+                    .close("nothing has come for " + config.proxy().lostAfterMs() + " ms");
+        }
+        proxy.ifPresent(known -> known.tick(nowMs));
+    }
+
+    void opened(BoatConnection from, long nowMs) {
+        if (!isPresent(from)) {
+            return;
+        }
+        open = true;
+        connections++;
+        lastHeardMs = nowMs;
+        lastEvent = "connected";
+        if (proxy.isPresent()) {
+            proxy.get().opened(nowMs);
+        } else {
+            send(CODEC.encode(0, new Hello("", config.proxy().clientId(), Role.OBSERVER, 0, "")));
+        }
+    }
+
+    void arrived(BoatConnection from, byte[] frame, long nowMs) {
+        if (!isPresent(from)) {
+            return; // late, out of a connection that was given up
+        }
+        lastHeardMs = nowMs;
+        if (proxy.isPresent()) {
+            backoff.reset();
+            proxy.get().receive(frame, nowMs);
+        } else if (!refused) {
+            identify(frame, nowMs);
+        }
+    }
+
+    private void identify(byte[] frame, long nowMs) {
+        try {
+            LinkMessage message = CODEC.decode(frame).message();
+            if (!(message instanceof Welcome welcome)) {
+                return;
+            }
+            proxy = base.identified(this, welcome);
+            refused = proxy.isEmpty();
+            if (refused) {
+                lastEvent = "refused: " + welcome.boatId() + " is known already";
+                connection.orElseThrow().close(lastEvent);
+            } else {
+                proxy.get().opened(nowMs);
+            }
+        } catch (LinkException e) {
+            connection.orElseThrow().close("what answers there is no boat: " + e.getMessage());
+        }
+    }
+
+    void closed(BoatConnection from, String why, long nowMs) {
+        if (!isPresent(from)) {
+            return;
+        }
+        connection = Optional.empty();
+        open = false;
+        nextTryMs = nowMs + (refused ? backoff.longest() : backoff.next());
+        refused = false;
+        lastEvent = why;
+        proxy.ifPresent(known -> known.closed(nowMs));
+    }
+
+    private boolean isPresent(BoatConnection from) {
+        return connection.isPresent() && connection.get() == from;
+    }
+}

@@ -1,0 +1,21 @@
+package org.sami.crw.proxy.tcp;
+
+import java.net.InetSocketAddress;
+
+/**
+ * Something about a link that an operator must know and act on.
+ *
+ * @param boatId the boat that is concerned
+ * @param address where it answers
+ * @param text the same in words
+ */
+public record LinkAlarm(Kind kind, String boatId, InetSocketAddress address, String text) {
+
+    /** What is wrong. */
+    public enum Kind {
+        /** Two boats have one id; the one at the address is refused. */
+        TWO_BOATS_WITH_ONE_ID,
+        /** One boat is reached under two addresses; the second link is refused. */
+        ONE_BOAT_AT_TWO_ADDRESSES
+    }
+}

@@ -1,0 +1,15 @@
+package org.sami.crw.proxy.tcp;
+
+import java.net.InetSocketAddress;
+import java.util.Optional;
+
+/**
+ * One link of the base at a moment.
+ *
+ * @param boatId the boat that the address leads to; empty as long as that is not known
+ * @param connected whether a connection stands now
+ * @param connections how many have stood so far
+ * @param lastEvent what happened last, in words; empty if nothing has
+ */
+public record LinkReport(
+        InetSocketAddress address, Optional<String> boatId, boolean connected, long connections, String lastEvent) {}

@@ -1,0 +1,117 @@
+package org.sami.crw.sim.boat;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.UUID;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.BoatServer;
+import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.ServerLog;
+import org.sami.boat.server.log.CommandLogFile;
+import org.sami.boat.server.log.LoggedCommand;
+import org.sami.boat.server.tcp.TcpBoatServer;
+import org.sami.boat.server.tcp.TcpServerConfig;
+import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.crw.sim.hull.SimulatedHull;
+
+/**
+ * A simulated boat that is reached over TCP: a hull, the boat server, its port and its log. The hull moves in the time of this
+ * machine.
+ *
+ * <p>A boat whose log is there already takes back what it had executed, and lies where the settings say: it does not move
+ * before it is told to. Safe for use by several threads.
+ */
+public final class BoatOnTcp implements Closeable {
+    private static final double LONGEST_STEP_S = 1; // after the machine was suspended the hull goes on where it was
+
+    private final SimulatedHull hull;
+    private final String bootId = UUID.randomUUID().toString();
+    private final Optional<CommandLogFile> log;
+    private final int restored;
+    private final TcpBoatServer server;
+    private long lastMs;
+
+    /**
+     * Launches the boat.
+     *
+     * @throws IOException if its port or its log cannot be had
+     */
+    public BoatOnTcp(BoatSettings settings, SteadyClock clock, TcpServerListener listener) throws IOException {
+        LocalFrame frame = new LocalFrame(settings.at().latDeg(), settings.at().lonDeg());
+        hull = new SimulatedHull(settings.hull(), frame, 0, 0, settings.seed());
+        hull.setBatteryPercent(settings.batteryPercent());
+        List<LoggedCommand> earlier = new ArrayList<>();
+        log = openLog(settings, earlier, listener);
+        restored = earlier.size();
+        try {
+            BoatServer boat = new BoatServer(
+                    settings.server(bootId),
+                    hull,
+                    log.map(ServerLog.class::cast).orElse(ServerLog.NONE));
+            earlier.forEach(entry -> boat.restore(entry.command(), entry.answer()));
+            server = new TcpBoatServer(
+                    settings.name(), boat, TcpServerConfig.on(settings.address()), clock, this::moveTo, listener);
+            lastMs = clock.getAsLong();
+            server.start();
+        } catch (IOException | RuntimeException e) {
+            closeLog();
+            throw e;
+        }
+    }
+
+    private Optional<CommandLogFile> openLog(
+            BoatSettings settings, List<LoggedCommand> earlier, TcpServerListener listener) throws IOException {
+        if (settings.logFile().isEmpty()) {
+            return Optional.empty();
+        }
+        Path file = settings.logFile().get();
+        Files.createDirectories(file.toAbsolutePath().getParent());
+        return Optional.of(CommandLogFile.open(
+                file, bootId, earlier::add, fault -> listener.failed("the log " + file + " cannot be written", fault)));
+    }
+
+    /** Where the boat listens, with the port that it got. */
+    public InetSocketAddress address() {
+        return server.address();
+    }
+
+    /** Names this start of the boat's server. */
+    public String bootId() {
+        return bootId;
+    }
+
+    /** How many commands of earlier starts were found in the log. */
+    public int restored() {
+        return restored;
+    }
+
+    private void moveTo(long nowMs) {
+        double seconds = Math.min(LONGEST_STEP_S, (nowMs - lastMs) / 1000.0);
+        lastMs = nowMs;
+        if (seconds > 0) {
+            hull.step(seconds);
+        }
+    }
+
+    /** Stops the server, ends its threads and closes the log. */
+    @Override
+    public void close() throws IOException {
+        try {
+            server.close();
+        } finally {
+            closeLog();
+        }
+    }
+
+    private void closeLog() throws IOException {
+        if (log.isPresent()) {
+            log.get().close();
+        }
+    }
+}

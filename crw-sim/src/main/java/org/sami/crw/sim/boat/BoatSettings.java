@@ -1,0 +1,71 @@
+package org.sami.crw.sim.boat;
+
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.Objects;
+import java.util.Optional;
+import org.sami.boat.server.ServerConfig;
+import org.sami.crw.sim.hull.HullConfig;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * What is set for one simulated boat.
+ *
+ * @param name the boat's id; letters, digits, dots, hyphens and underscores, as it also names files
+ * @param address where its server listens; port 0 takes a free one
+ * @param at where the hull lies at the start
+ * @param seed of all that is random about the hull
+ * @param batteryPercent charge at the start
+ * @param logFolder where its log is kept, and taken up again after a restart; none if empty
+ */
+public record BoatSettings(
+        String name,
+        InetSocketAddress address,
+        GeoPoint at,
+        long seed,
+        double batteryPercent,
+        HullConfig hull,
+        Optional<Path> logFolder) {
+
+    /** Refuses a name that cannot name a file, and a charge that is none. */
+    public BoatSettings {
+        if (!name.matches("[A-Za-z0-9._-]{1,100}") || name.startsWith(".")) {
+            throw new IllegalArgumentException("a boat cannot be named '" + name
+                    + "': letters, digits, dots, hyphens and underscores, at most 100, not beginning with a dot");
+        }
+        Objects.requireNonNull(address, "address");
+        Objects.requireNonNull(at, "at");
+        Objects.requireNonNull(hull, "hull");
+        Objects.requireNonNull(logFolder, "logFolder");
+        if (!(batteryPercent >= 0 && batteryPercent <= 100)) {
+            throw new IllegalArgumentException("a charge of " + batteryPercent + " %");
+        }
+    }
+
+    /** A boat of the fleet with a full battery, without a log. */
+    public static BoatSettings of(String name, InetSocketAddress address, GeoPoint at, long seed) {
+        return new BoatSettings(name, address, at, seed, 100, HullConfig.DEFAULT, Optional.empty());
+    }
+
+    /** The same with a log in a folder. */
+    public BoatSettings loggingTo(Path folder) {
+        return new BoatSettings(name, address, at, seed, batteryPercent, hull, Optional.of(folder));
+    }
+
+    /** The same with another charge at the start. */
+    public BoatSettings withBatteryPercent(double percent) {
+        return new BoatSettings(name, address, at, seed, percent, hull, logFolder);
+    }
+
+    /** The file of the boat's log. */
+    public Optional<Path> logFile() {
+        return logFolder.map(folder -> folder.resolve(name + ".log"));
+    }
+
+    /** The configuration of the boat's server for one start of it. */
+    ServerConfig server(String bootId) {
+        return ServerConfig.of(name, bootId)
+                .fullThrustSpeedMps(hull.topSpeedMps())
+                .build();
+    }
+}

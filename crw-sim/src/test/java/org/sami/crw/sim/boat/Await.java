@@ -1,0 +1,41 @@
+package org.sami.crw.sim.boat;
+
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+
+/** Waits for what happens on other threads, for a bounded time. */
+final class Await {
+    private static final long PAUSE_NANOS = 3_000_000;
+
+    private Await() {}
+
+    /** Returns after how many ms the condition held; fails after the time. */
+    static double until(String what, double seconds, BooleanSupplier condition) {
+        long start = System.nanoTime();
+        while (!condition.getAsBoolean()) {
+            if (System.nanoTime() - start > seconds * 1e9) {
+                throw new AssertionError("not within " + seconds + " s: " + what);
+            }
+            LockSupport.parkNanos(PAUSE_NANOS);
+        }
+        return (System.nanoTime() - start) / 1e6;
+    }
+
+    /** Fails if the condition ceases to hold within the time. */
+    static void holds(String what, double seconds, BooleanSupplier condition) {
+        long start = System.nanoTime();
+        while (System.nanoTime() - start < seconds * 1e9) {
+            if (!condition.getAsBoolean()) {
+                throw new AssertionError("not for " + seconds + " s: " + what);
+            }
+            LockSupport.parkNanos(PAUSE_NANOS);
+        }
+    }
+
+    /** How many threads of this process have a name that begins so. */
+    static long threads(String prefix) {
+        return Thread.getAllStackTraces().keySet().stream()
+                .filter(thread -> thread.isAlive() && thread.getName().startsWith(prefix))
+                .count();
+    }
+}

@@ -1,0 +1,114 @@
+package org.sami.crw.sim.boat;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.sami.boat.link.Ack;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.HeldWaypoints;
+import org.sami.boat.link.Hello;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.ReadBack;
+import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.StopMotors;
+import org.sami.boat.link.UploadWaypoints;
+import org.sami.boat.link.Welcome;
+import org.sami.boat.server.log.LoggedCommand;
+import org.sami.crw.proxy.Upload;
+import org.sami.crw.sim.boat.Harbour.Base;
+import org.sami.crw.sim.boat.TestRelay.Cut;
+import org.sami.crw.sim.boat.TestRelay.Where;
+
+/** Links that are cut before, in and after each message of connecting, uploading, starting and cancelling. */
+@Timeout(60)
+class CutLinkTest {
+    @TempDir
+    private Path logs;
+
+    static Stream<Arguments> cuts() {
+        List<Class<? extends LinkMessage>> messages = List.of(
+                Hello.class,
+                Welcome.class,
+                UploadWaypoints.class,
+                ReadBack.class,
+                HeldWaypoints.class,
+                StartWaypoints.class,
+                Ack.class,
+                StopMotors.class);
+        return messages.stream()
+                .flatMap(message -> Stream.of(Where.values()).map(where -> Arguments.of(message, where)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("cuts")
+    void boatHoldsTheWholeOldOrTheWholeNewListAndTheBaseSaysWhich(Class<? extends LinkMessage> message, Where where)
+            throws Exception {
+        try (Harbour harbour = new Harbour(logs)) {
+            BoatOnTcp boat = harbour.boat("anna");
+            TestRelay relay = harbour.relay(boat);
+            Base base = harbour.base("base");
+            base.connect(relay.address(), "anna");
+            base.submit("anna", Harbour.path("old", 1));
+            base.awaitMode("anna", BoatMode.PATH);
+            String oldList = base.upload("anna").orElseThrow().listId();
+
+            relay.arm(new Cut(message, where));
+            if (message == Hello.class || message == Welcome.class) {
+                relay.cut(); // it is cut again while it comes back
+            }
+            base.submit("anna", Harbour.path("new", 1, 1000));
+            if (message != StopMotors.class) {
+                Await.until("the cut", 10, () -> !relay.isArmed());
+                Await.until(
+                        "the base says which",
+                        10,
+                        () -> base.ask(
+                                "anna",
+                                proxy -> proxy.heldListId().orElseThrow().equals(lastUploaded(harbour, oldList))));
+            }
+            Await.until("the new list is started", 20, () -> isStarted(base, harbour));
+            assertThat(base.heldListId("anna")).contains(lastUploaded(harbour, oldList));
+
+            base.ask("anna", proxy -> proxy.withdraw(1));
+            Await.until("it is cancelled", 20, () -> base.mode("anna").equals(Optional.of(BoatMode.STOPPED)));
+
+            assertThat(relay.isArmed()).isFalse();
+            assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+            assertThat(base.failures).isEmpty();
+        }
+    }
+
+    private static boolean isStarted(Base base, Harbour harbour) {
+        Optional<Upload> upload = base.upload("anna");
+        return upload.isPresent()
+                && upload.get().listId().startsWith("new#")
+                && upload.get().state() == Upload.State.READ_BACK_EQUAL
+                && entries(harbour).stream()
+                        .anyMatch(entry -> entry.command() instanceof StartWaypoints start
+                                && start.listId().equals(upload.get().listId()));
+    }
+
+    /** The list that the boat took last, by its own log. */
+    private static String lastUploaded(Harbour harbour, String before) {
+        return entries(harbour).stream()
+                .filter(entry -> entry.command() instanceof UploadWaypoints)
+                .map(entry -> ((UploadWaypoints) entry.command()).listId())
+                .reduce(before, (earlier, later) -> later);
+    }
+
+    private static List<LoggedCommand> entries(Harbour harbour) {
+        try {
+            return harbour.log("anna");
+        } catch (java.io.IOException e) {
+            throw new java.io.UncheckedIOException(e);
+        }
+    }
+}

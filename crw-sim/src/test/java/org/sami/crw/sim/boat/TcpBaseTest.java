@@ -1,0 +1,297 @@
+package org.sami.crw.sim.boat;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.BoatMode;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.Upload;
+import org.sami.crw.proxy.tcp.LinkAlarm;
+import org.sami.crw.proxy.tcp.LinkReport;
+import org.sami.crw.sim.boat.Harbour.Base;
+
+/** Bases and simulated boats over real sockets: what is lost is shown, what comes back goes on, nothing is done twice. */
+@Timeout(90)
+class TcpBaseTest {
+    @TempDir
+    private Path logs;
+
+    private Harbour harbour;
+
+    @BeforeEach
+    void open() {
+        harbour = new Harbour(logs);
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        harbour.close();
+    }
+
+    @Test
+    void findsBoatsByTheirAddressesAndHasThemDriveTheirPaths() throws Exception {
+        Base base = harbour.base("base");
+        for (String name : List.of("anna", "berta")) {
+            BoatOnTcp boat = harbour.boat(name);
+            base.connect(boat.address(), name);
+            base.submit(name, Harbour.path("m1-" + name, 1, 4, 8));
+        }
+
+        Await.until(
+                "both are done",
+                30,
+                () -> base.count("anna completed m1-anna") == 1 && base.count("berta completed m1-berta") == 1);
+        assertThat(base.links())
+                .extracting(LinkReport::boatId)
+                .containsExactly(Optional.of("anna"), Optional.of("berta"));
+        assertThat(base.links()).allMatch(LinkReport::connected);
+        assertThat(harbour.executedIds("anna"))
+                .hasSize(2)
+                .doesNotHaveDuplicates()
+                .allMatch(id -> id.startsWith("m1-anna#base.0."));
+        assertThat(base.failures).isEmpty();
+    }
+
+    @Test
+    void closedSocketIsShownAtOnceAndTheBoatGoesOnWithItsList() throws Exception {
+        BoatOnTcp boat = harbour.boat("anna");
+        TestRelay relay = harbour.relay(boat);
+        Base base = harbour.base("base");
+        base.connect(relay.address(), "anna");
+        base.submit("anna", Harbour.path("m1", 1));
+        base.awaitMode("anna", BoatMode.PATH);
+        relay.cut();
+
+        assertThat(Await.until("shown", 5, () -> base.count("anna LOST") == 1))
+                .as("ms")
+                .isLessThan(500);
+        base.linked("anna");
+        Await.until(
+                "it goes on",
+                10,
+                () -> uploads("start") == 2 && base.mode("anna").equals(Optional.of(BoatMode.PATH)));
+        assertThat(uploads("upload")).isEqualTo(1);
+        assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+    }
+
+    private long uploads(String type) {
+        try {
+            return harbour.executed("anna", type);
+        } catch (java.io.IOException e) {
+            throw new java.io.UncheckedIOException(e);
+        }
+    }
+
+    @Test
+    void silentLinkIsShownLostWithinHalfASecondAfterItsTimeAndRecovers() throws Exception {
+        AtomicLong backMs = new AtomicLong();
+        BoatOnTcp boat = harbour.boat("anna");
+        TestRelay relay = harbour.relay(boat);
+        Base base = harbour.base("base", () -> System.nanoTime() / 1_000_000 - backMs.get());
+        base.connect(relay.address(), "anna");
+        base.submit("anna", Harbour.path("m1", 1));
+        base.awaitMode("anna", BoatMode.PATH);
+        Base watching = harbour.base("watching");
+        watching.connect(boat.address(), "anna");
+        relay.setSwallows(true);
+        backMs.set(3_600_000); // and somebody sets the clock back
+
+        double shownMs = Await.until("lost", 10, () -> base.status("anna").link() == LinkState.LOST);
+        assertThat(shownMs).isBetween(3300.0, 4000.0);
+        Await.until("the boat holds", 2, () -> watching.mode("anna").equals(Optional.of(BoatMode.HOLD)));
+        Await.holds("lost", 1, () -> base.status("anna").link() == LinkState.LOST);
+        relay.setSwallows(false);
+
+        base.linked("anna");
+        Await.until("it goes on", 10, () -> base.mode("anna").equals(Optional.of(BoatMode.PATH)));
+        assertThat(uploads("upload")).isEqualTo(1);
+        assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+    }
+
+    @Test
+    void hundredCutsLeaveNoThreadAndTheOtherBoatUntouched() throws Exception {
+        BoatOnTcp anna = harbour.boat("anna");
+        BoatOnTcp berta = harbour.boat("berta");
+        TestRelay relay = harbour.relay(anna);
+        Base base = harbour.base("cutting");
+        base.connect(berta.address(), "berta");
+        base.submit("berta", Harbour.path("m2", 2));
+        base.awaitMode("berta", BoatMode.PATH);
+        base.connect(relay.address(), "anna");
+        long threads = Await.threads("cutting-") + Await.threads("anna-");
+        for (int i = 1; i <= 100; i++) {
+            int times = i;
+            relay.cut();
+            Await.until("lost again", 10, () -> base.count("anna LOST") == times);
+            Await.until("linked again", 15, () -> base.count("anna LINKED") == times + 1);
+        }
+
+        Await.until("no thread is left", 10, () -> Await.threads("cutting-") + Await.threads("anna-") == threads);
+        assertThat(base.count("berta LINKED")).isEqualTo(1);
+        assertThat(base.count("berta LOST")).isZero();
+        assertThat(harbour.executed("berta", "upload")).isEqualTo(1);
+        assertThat(base.mode("berta")).contains(BoatMode.PATH);
+        assertThat(base.failures).isEmpty();
+    }
+
+    @Test
+    void closingTheBaseEndsItsThreads() throws Exception {
+        Base base = harbour.base("closing");
+        base.connect(harbour.boat("anna").address(), "anna");
+        base.tcp.connect(Harbour.port(1)); // nobody there
+        base.close();
+
+        Await.until("no thread is left", 5, () -> Await.threads("closing-") == 0);
+    }
+
+    @Test
+    void ofTwoBoatsWithOneIdTheSecondIsRefusedAndAlarmedOnce() throws Exception {
+        BoatOnTcp first = harbour.boat("anna");
+        BoatOnTcp second = harbour.boat("anna", 0, logs.resolve("other"));
+        Base base = harbour.base("base");
+        base.connect(first.address(), "anna");
+        base.submit("anna", Harbour.path("m1", 1));
+        base.awaitMode("anna", BoatMode.PATH);
+        base.tcp.connect(second.address());
+
+        Await.until("several tries", 10, () -> base.links().get(1).connections() >= 4);
+        assertThat(base.alarms).singleElement().satisfies(alarm -> {
+            assertThat(alarm.kind()).isEqualTo(LinkAlarm.Kind.TWO_BOATS_WITH_ONE_ID);
+            assertThat(alarm.text()).contains(second.address().toString());
+        });
+        assertThat(base.links().get(1).boatId()).isEmpty();
+        assertThat(base.count("anna LINKED")).isEqualTo(1);
+        assertThat(base.mode("anna")).contains(BoatMode.PATH);
+        List<Object> entries = new ArrayList<>();
+        org.sami.boat.server.log.LogLines.read(logs.resolve("other").resolve("anna.log"), entries::add);
+        assertThat(entries).as("what the refused boat was told").isEmpty();
+    }
+
+    @Test
+    void oneBoatUnderTwoAddressesIsLinkedOnce() throws Exception {
+        BoatOnTcp boat = harbour.boat("anna");
+        Base base = harbour.base("base");
+        base.connect(boat.address(), "anna");
+        base.tcp.connect(harbour.relay(boat).address());
+
+        Await.until("an alarm", 10, () -> !base.alarms.isEmpty());
+        assertThat(base.alarms)
+                .singleElement()
+                .extracting(LinkAlarm::kind)
+                .isEqualTo(LinkAlarm.Kind.ONE_BOAT_AT_TWO_ADDRESSES);
+    }
+
+    @Test
+    void restartedBoatIsNotMovedBeforeTheOperatorAllowsItWithItsState() throws Exception {
+        restart(logs);
+    }
+
+    @Test
+    void restartedBoatIsNotMovedBeforeTheOperatorAllowsItWithoutItsState() throws Exception {
+        restart(logs.resolve("empty"));
+    }
+
+    private void restart(Path logFolder) throws Exception {
+        BoatOnTcp boat = harbour.boat("anna");
+        int port = boat.address().getPort();
+        Base base = harbour.base("base");
+        base.connect(boat.address(), "anna");
+        base.submit("anna", Harbour.path("m1", 1));
+        base.awaitMode("anna", BoatMode.PATH);
+        boat.close();
+        Await.until("lost", 5, () -> base.count("anna LOST") == 1);
+        BoatOnTcp again = harbour.boat("anna", port, logFolder);
+        assertThat(again.restored() > 0).isEqualTo(logFolder.equals(logs));
+
+        Await.until("the operator is asked", 10, () -> base.count("anna restarted") == 1);
+        base.awaitMode("anna", BoatMode.STOPPED);
+        Await.holds("it rests", 1.5, () -> base.mode("anna").equals(Optional.of(BoatMode.STOPPED)));
+        assertThat(base.explanation("anna")).contains("started anew");
+        base.ask("anna", proxy -> {
+            proxy.confirmRestart();
+            return true;
+        });
+
+        base.awaitMode("anna", BoatMode.PATH);
+        assertThat(base.upload("anna").orElseThrow().state()).isEqualTo(Upload.State.READ_BACK_EQUAL);
+        assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+    }
+
+    @Test
+    void commandChangesHandsBetweenBasesAndComesBack() throws Exception {
+        BoatOnTcp boat = harbour.boat("anna");
+        Base first = harbour.base("first");
+        first.connect(boat.address(), "anna");
+        first.submit("anna", Harbour.path("m1", 1));
+        first.awaitMode("anna", BoatMode.PATH);
+        Base second = harbour.base("second");
+        second.connect(boat.address(), "anna");
+        Await.until("it observes", 5, () -> !second.ask("anna", BoatProxy::isCommanding));
+        second.ask("anna", proxy -> {
+            proxy.takeCommand();
+            return true;
+        });
+
+        Await.until("the first is told", 5, () -> first.count("anna observed") == 1);
+        Await.until("the second is told", 5, () -> second.count("anna commanded") == 1);
+        assertThat(first.explanation("anna")).contains("another client commands");
+        second.submit("anna", Harbour.path("m2", 2));
+        Await.until("it does what the second wants", 10, () -> uploads("upload") == 2 && uploads("start") == 2);
+
+        first.ask("anna", proxy -> {
+            proxy.askForCommand();
+            return true;
+        });
+        Await.until("the second is asked", 5, () -> second.count("anna asked for by first") == 1);
+        second.ask("anna", proxy -> {
+            proxy.grantCommand("first");
+            return true;
+        });
+        Await.until("the first goes on", 10, () -> uploads("start") == 3);
+        Await.holds("nobody grabs it back", 1.5, () -> first.ask("anna", BoatProxy::isCommanding));
+        assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+    }
+
+    @Test
+    void routerThatIsOffLosesAllBoatsInTimeAndAllRecover() throws Exception {
+        Base base = harbour.base("base");
+        List<TestRelay> routers = new ArrayList<>();
+        List<String> names = new ArrayList<>();
+        for (int i = 1; i <= 25; i++) {
+            String name = "boat" + i;
+            TestRelay router = harbour.relay(harbour.boat(name));
+            routers.add(router);
+            names.add(name);
+            base.tcp.connect(router.address());
+        }
+        for (String name : names) {
+            base.linked(name);
+            base.submit(name, Harbour.path("m1-" + name, 1));
+        }
+        names.forEach(name -> base.awaitMode(name, BoatMode.PATH));
+        routers.forEach(router -> router.setSwallows(true));
+
+        double shownMs = Await.until(
+                "all lost",
+                10,
+                () -> names.stream().allMatch(name -> base.status(name).link() == LinkState.LOST));
+        assertThat(shownMs).isBetween(3000.0, 5000.0);
+        routers.forEach(router -> router.setSwallows(false));
+        names.forEach(base::linked);
+        names.forEach(name -> base.awaitMode(name, BoatMode.PATH));
+        for (String name : names) {
+            assertThat(harbour.executedIds(name)).doesNotHaveDuplicates();
+            assertThat(harbour.executed(name, "upload")).isEqualTo(1);
+        }
+    }
+}

@@ -1,0 +1,144 @@
+package org.sami.crw.sim.boat;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicReference;
+import org.sami.boat.link.FrameReader;
+import org.sami.boat.link.LinkCodec;
+import org.sami.boat.link.LinkException;
+import org.sami.boat.link.LinkMessage;
+
+/** A router between base and boat: carries frames, and cuts, swallows or holds back as a test says. */
+final class TestRelay implements Closeable {
+
+    /** Where in a frame the link is cut. */
+    enum Where {
+        BEFORE,
+        MIDDLE,
+        AFTER
+    }
+
+    /** Cuts the link, once, at the next message of a kind that comes through, in either direction. */
+    record Cut(Class<? extends LinkMessage> at, Where where) {}
+
+    private final InetSocketAddress boat;
+    private final ServerSocket socket;
+    private final LinkCodec codec = new LinkCodec();
+    private final Set<Socket> open = ConcurrentHashMap.newKeySet();
+    private final AtomicReference<Optional<Cut>> armed = new AtomicReference<>(Optional.empty());
+    private volatile boolean swallows;
+
+    TestRelay(InetSocketAddress boat) throws IOException {
+        this.boat = boat;
+        socket = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
+        start("accepts", this::accept);
+    }
+
+    InetSocketAddress address() {
+        return (InetSocketAddress) socket.getLocalSocketAddress();
+    }
+
+    /** From now on nothing gets through, either way, and no connection is closed: as a router that is off. */
+    void setSwallows(boolean value) {
+        swallows = value;
+    }
+
+    void arm(Cut cut) {
+        armed.set(Optional.of(cut));
+    }
+
+    boolean isArmed() {
+        return armed.get().isPresent();
+    }
+
+    /** Closes every connection that stands. */
+    void cut() {
+        for (Socket each : open) {
+            closeQuietly(each);
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        socket.close();
+        cut();
+    }
+
+    private void accept() {
+        while (!socket.isClosed()) {
+            try {
+                Socket base = socket.accept();
+                open.add(base);
+                if (swallows) {
+                    continue; // it stands, and leads nowhere
+                }
+                Socket there = new Socket();
+                open.add(there);
+                there.connect(boat, 2000);
+                start("to-boat", () -> pump(base, there));
+                start("to-base", () -> pump(there, base));
+            } catch (IOException e) {
+                cut(); // the boat is not there
+            }
+        }
+    }
+
+    private static void start(String what, Runnable work) {
+        Thread thread = new Thread(work, "relay-" + what);
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private void pump(Socket from, Socket to) {
+        try (from;
+                to) {
+            FrameReader frames = new FrameReader(from.getInputStream(), codec);
+            OutputStream out = to.getOutputStream();
+            for (Optional<byte[]> next = frames.next(); next.isPresent(); next = frames.next()) {
+                if (!swallows && !carry(next.get(), out)) {
+                    return;
+                }
+            }
+        } catch (IOException | LinkException e) {
+            // one end has gone: so does the other
+        } finally {
+            open.remove(from);
+            open.remove(to);
+        }
+    }
+
+    /** Returns whether the link stands afterwards. */
+    private boolean carry(byte[] frame, OutputStream out) throws IOException, LinkException {
+        Optional<Cut> cut = armed.get();
+        boolean here = cut.isPresent()
+                && cut.get().at().isInstance(codec.decode(frame).message())
+                && armed.compareAndSet(cut, Optional.empty());
+        if (!here) {
+            out.write(frame);
+            return true;
+        }
+        switch (cut.get().where()) {
+            case BEFORE -> {}
+            case MIDDLE -> out.write(Arrays.copyOf(frame, frame.length / 2));
+            case AFTER -> out.write(frame);
+        }
+        return false;
+    }
+
+    private static void closeQuietly(Socket socket) {
+        try {
+            socket.close();
+        } catch (IOException e) {
+            // it is gone all the same
+        }
+    }
+}
