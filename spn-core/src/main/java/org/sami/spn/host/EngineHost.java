@@ -16,7 +16,10 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.sami.spn.engine.Engine;
+import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.EngineView;
+import org.sami.spn.engine.StateCodec;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
@@ -40,12 +43,14 @@ import org.sami.spn.vocabulary.EventType;
 public final class EngineHost implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(EngineHost.class.getName());
 
-    private final EngineFunction engine;
+    private final Engine engine;
+    private final EngineState state;
+    private final EngineView view;
     private final InputJournal journal;
     private final HostClock clock;
     private final Executor executor;
     private final int batchLimit;
-    private final List<String> coalescing;
+    private final Set<String> coalescing;
 
     private final ReentrantLock lock = new ReentrantLock(true);
     private final InputQueue queue = new InputQueue();
@@ -64,6 +69,8 @@ public final class EngineHost implements AutoCloseable {
 
     private EngineHost(Builder parts) {
         this.engine = parts.engine;
+        this.state = parts.state;
+        this.view = engine.view(state);
         this.journal = parts.journal;
         this.clock = parts.clock;
         this.executor = parts.executor;
@@ -73,13 +80,17 @@ public final class EngineHost implements AutoCloseable {
         this.coalescing = engine.vocabulary().events().values().stream()
                 .filter(type -> type.flags().contains(EventFlag.COALESCE))
                 .map(EventType::name)
-                .toList();
+                .collect(Collectors.toUnmodifiableSet());
         refreshAwaited();
     }
 
-    /** A host to be put together. */
-    public static Builder builder(EngineFunction engine) {
-        return new Builder(engine);
+    /**
+     * A host to be put together.
+     *
+     * @param state the state to go on from; belongs to the host from now on
+     */
+    public static Builder builder(Engine engine, EngineState state) {
+        return new Builder(engine, state);
     }
 
     /**
@@ -169,7 +180,7 @@ public final class EngineHost implements AutoCloseable {
     public <T> T ask(Function<EngineView, T> question) {
         lock.lock();
         try {
-            return question.apply(engine.view());
+            return question.apply(view);
         } finally {
             release();
         }
@@ -187,7 +198,7 @@ public final class EngineHost implements AutoCloseable {
             }
             journal.sync();
             refreshAwaited();
-            List<Activation> open = engine.view().openActivations();
+            List<Activation> open = view.openActivations();
             open.forEach(activation -> handlers.deliver(activation, true));
             armTimer();
         } catch (IOException fault) {
@@ -314,7 +325,7 @@ public final class EngineHost implements AutoCloseable {
             return;
         }
         List<Input> inputs = queue.take(batchLimit);
-        inputs.addAll(queue.takeTelemetry(type -> engine.view().awaits(type)));
+        inputs.addAll(queue.takeTelemetry(view::awaits));
         if (inputs.isEmpty()) {
             return;
         }
@@ -323,7 +334,7 @@ public final class EngineHost implements AutoCloseable {
             step(inputs, steps);
             makeDurable(steps);
             letOut(steps);
-            journal.offerSnapshot(engine::encode);
+            journal.offerSnapshot(() -> StateCodec.encode(state));
             armTimer();
         } catch (IOException fault) {
             fail("the journal failed: " + fault.getMessage(), fault);
@@ -338,7 +349,7 @@ public final class EngineHost implements AutoCloseable {
         for (Input input : inputs) {
             index++;
             List<Effect> effects = new ArrayList<>(4);
-            engine.step(now, input, effects::add);
+            engine.step(state, now, input, effects::add);
             steps.add(new Step(new JournalEntry(index, now, input), Collections.unmodifiableList(effects)));
         }
     }
@@ -372,7 +383,7 @@ public final class EngineHost implements AutoCloseable {
             if (!listeners.isEmpty()) {
                 JournalEntry entry = step.entry();
                 listeners.each(listener ->
-                        listener.onStep(entry.index(), entry.atMillis(), entry.input(), step.effects(), engine.view()));
+                        listener.onStep(entry.index(), entry.atMillis(), entry.input(), step.effects(), view));
             }
             for (Effect effect : step.effects()) {
                 if (effect instanceof Effect.Activated activated) {
@@ -384,12 +395,12 @@ public final class EngineHost implements AutoCloseable {
 
     private void refreshAwaited() {
         if (!coalescing.isEmpty()) {
-            awaited = coalescing.stream().filter(engine.view()::awaits).collect(Collectors.toUnmodifiableSet());
+            awaited = coalescing.stream().filter(view::awaits).collect(Collectors.toUnmodifiableSet());
         }
     }
 
     private void armTimer() {
-        OptionalLong due = engine.view().nextDueMillis();
+        OptionalLong due = view.nextDueMillis();
         if (!due.equals(armedFor)) {
             armedFor = due;
             due.ifPresent(millis -> clock.wakeAt(millis, () -> timeReached(due)));
@@ -413,17 +424,19 @@ public final class EngineHost implements AutoCloseable {
         listeners.each(listener -> listener.onFailed(reason));
     }
 
-    /** Puts a host together: an engine, its executor and its clock are required. */
+    /** Puts a host together: an engine with its state, an executor and a clock are required. */
     public static final class Builder {
-        private final EngineFunction engine;
+        private final Engine engine;
+        private final EngineState state;
         private InputJournal journal = new MemoryJournal();
         private HostClock clock;
         private Executor executor;
         private int batchLimit = 1024;
         private long slowListenerMillis = 50;
 
-        private Builder(EngineFunction engine) {
+        private Builder(Engine engine, EngineState state) {
             this.engine = Objects.requireNonNull(engine, "engine");
+            this.state = Objects.requireNonNull(state, "state");
         }
 
         /** Where inputs are written; at its end stands the state that is hosted. Without it: memory. */

@@ -1,0 +1,154 @@
+package org.sami.spn.journal;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.sql.Connection;
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.sql.Statement;
+import org.sqlite.SQLiteConfig;
+import org.sqlite.SQLiteOpenMode;
+
+/** One connection to a journal's file, and the tables in it. */
+final class Database implements AutoCloseable {
+    /** Marks the file as a journal of SAMI ("SAMI" in ASCII). */
+    private static final int APPLICATION_ID = 0x53414d49;
+
+    private static final String[] TABLES = {
+        "CREATE TABLE header (pos INTEGER PRIMARY KEY, kind TEXT NOT NULL, name TEXT NOT NULL, content TEXT NOT NULL)"
+                + " STRICT",
+        "CREATE TABLE entries (idx INTEGER PRIMARY KEY, at_millis INTEGER NOT NULL, input TEXT NOT NULL,"
+                + " checksum BLOB NOT NULL) STRICT",
+        "CREATE TABLE snapshots (idx INTEGER PRIMARY KEY, state BLOB NOT NULL, checksum BLOB NOT NULL) STRICT",
+        "CREATE TABLE marks (idx INTEGER PRIMARY KEY, mark TEXT NOT NULL, checksum BLOB NOT NULL) STRICT",
+        "CREATE TABLE telemetry (pos INTEGER PRIMARY KEY, at_millis INTEGER NOT NULL, proxy TEXT NOT NULL,"
+                + " kind TEXT NOT NULL, json TEXT NOT NULL) STRICT"
+    };
+
+    private final Path file;
+    private final Connection connection;
+
+    private Database(Path file, Connection connection) {
+        this.file = file;
+        this.connection = connection;
+    }
+
+    /** A new file with empty tables; not committed. */
+    static Database create(Path file, JournalOptions options) throws JournalException {
+        if (Files.exists(file)) {
+            throw new JournalException(file, 0, "exists already; a journal is never written over");
+        }
+        Database database = new Database(file, connect(file, new SQLiteConfig()));
+        try {
+            database.run("PRAGMA page_size=" + options.pageBytes());
+            database.run("PRAGMA application_id=" + APPLICATION_ID);
+            database.run("PRAGMA journal_mode=WAL");
+            database.prepareWriting(options);
+            database.connection.setAutoCommit(false);
+            for (String table : TABLES) {
+                database.run(table);
+            }
+            return database;
+        } catch (SQLException fault) {
+            database.close();
+            throw new JournalException(file, 0, "cannot be made: " + fault.getMessage(), fault);
+        }
+    }
+
+    /** An existing file. */
+    static Database open(Path file) throws JournalException {
+        if (!Files.isRegularFile(file)) {
+            throw new JournalException(file, 0, "is not there");
+        }
+        SQLiteConfig config = new SQLiteConfig();
+        config.resetOpenMode(SQLiteOpenMode.CREATE);
+        Database database = new Database(file, connect(file, config));
+        try {
+            if (database.number("PRAGMA application_id") != APPLICATION_ID) {
+                throw new JournalException(file, 0, "is no journal of SAMI");
+            }
+            return database;
+        } catch (SQLException fault) {
+            database.close();
+            throw new JournalException(file, 0, "cannot be read: " + fault.getMessage(), fault);
+        } catch (JournalException other) {
+            database.close();
+            throw other;
+        }
+    }
+
+    private static Connection connect(Path file, SQLiteConfig config) throws JournalException {
+        try {
+            return config.createConnection("jdbc:sqlite:" + file.toAbsolutePath());
+        } catch (SQLException fault) {
+            throw new JournalException(file, 0, "cannot be opened: " + fault.getMessage(), fault);
+        }
+    }
+
+    /** Sets this connection up for writing. */
+    void prepareWriting(JournalOptions options) throws SQLException {
+        run("PRAGMA synchronous=" + (options.everSyncs() ? "NORMAL" : "OFF"));
+        run("PRAGMA wal_autocheckpoint=" + options.checkpointPages());
+    }
+
+    /** Whether SQLite finds its own structure whole and lets us write. */
+    boolean isSound() {
+        try {
+            if (!"ok".equals(text("PRAGMA quick_check(1)"))) {
+                return false;
+            }
+            run("BEGIN IMMEDIATE");
+            run("COMMIT");
+            return true;
+        } catch (SQLException damage) {
+            return false;
+        }
+    }
+
+    Connection connection() {
+        return connection;
+    }
+
+    Path file() {
+        return file;
+    }
+
+    /** SQLite's write-ahead log of a file. */
+    static Path log(Path file) {
+        return file.resolveSibling(file.getFileName() + "-wal");
+    }
+
+    /** Folds the log into the file; what cannot be folded stays in the log. */
+    void checkpoint() throws SQLException {
+        run("PRAGMA wal_checkpoint(TRUNCATE)");
+    }
+
+    void run(String sql) throws SQLException {
+        try (Statement statement = connection.createStatement()) {
+            statement.execute(sql);
+        }
+    }
+
+    private String text(String sql) throws SQLException {
+        try (Statement statement = connection.createStatement();
+                ResultSet rows = statement.executeQuery(sql)) {
+            return rows.next() ? rows.getString(1) : "";
+        }
+    }
+
+    private long number(String sql) throws SQLException {
+        try (Statement statement = connection.createStatement();
+                ResultSet rows = statement.executeQuery(sql)) {
+            return rows.next() ? rows.getLong(1) : 0;
+        }
+    }
+
+    @Override
+    public void close() throws JournalException {
+        try {
+            connection.close();
+        } catch (SQLException fault) {
+            throw new JournalException(file, 0, "cannot be closed: " + fault.getMessage(), fault);
+        }
+    }
+}

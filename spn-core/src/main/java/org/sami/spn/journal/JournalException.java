@@ -1,0 +1,37 @@
+package org.sami.spn.journal;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Objects;
+
+/** A journal cannot be read or written; says which file and which entry. */
+public final class JournalException extends IOException {
+    private final transient Path file;
+    private final long entry;
+
+    /**
+     * A fault of a journal.
+     *
+     * @param entry the first entry that is concerned; 0 where it is the file's head, or the file as a whole
+     * @param what a sentence without its subject, such as "does not follow its predecessor"
+     */
+    public JournalException(Path file, long entry, String what, Throwable cause) {
+        super(file + ", " + (entry == 0 ? "head" : "entry " + entry) + ": " + what, cause);
+        this.file = Objects.requireNonNull(file, "file");
+        this.entry = entry;
+    }
+
+    JournalException(Path file, long entry, String what) {
+        this(file, entry, what, null);
+    }
+
+    /** The journal's file. */
+    public Path file() {
+        return file;
+    }
+
+    /** The first entry that is concerned, from 1; 0 for the file's head. */
+    public long entry() {
+        return entry;
+    }
+}

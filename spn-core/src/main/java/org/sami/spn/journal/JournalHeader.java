@@ -1,0 +1,55 @@
+package org.sami.spn.journal;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+
+/**
+ * What a journal says before its first entry: all that a resume needs besides the entries. Written once.
+ *
+ * @param formatVersion of the journal's file
+ * @param project the project's document as it ran
+ * @param vocabulary the domain's documents as they ran, by file name, in the order in which they are read
+ * @param settings free: settings of the run, its seed, who made it and when (a journal reads no clock)
+ */
+public record JournalHeader(
+        int formatVersion, String project, Map<String, String> vocabulary, Map<String, String> settings) {
+    /** The version that this program writes. */
+    public static final int CURRENT_VERSION = 1;
+
+    public JournalHeader {
+        Objects.requireNonNull(project, "project");
+        vocabulary = Collections.unmodifiableMap(new LinkedHashMap<>(vocabulary));
+        settings = Collections.unmodifiableMap(new LinkedHashMap<>(settings));
+    }
+
+    /** A header of the current version. */
+    public static JournalHeader of(String project, Map<String, String> vocabulary, Map<String, String> settings) {
+        return new JournalHeader(CURRENT_VERSION, project, vocabulary, settings);
+    }
+
+    /**
+     * Which documents differ now from those that ran: the journal's own are used all the same, the user is told.
+     *
+     * @param projectName how the project's file is called in the answer
+     * @return names of documents that changed, came or went; empty where all is as it was
+     */
+    public List<String> differences(String projectName, String currentProject, Map<String, String> currentVocabulary) {
+        List<String> names = new ArrayList<>();
+        if (!project.equals(currentProject)) {
+            names.add(projectName);
+        }
+        vocabulary.forEach((name, text) -> {
+            if (!text.equals(currentVocabulary.get(name))) {
+                names.add(name);
+            }
+        });
+        currentVocabulary.keySet().stream()
+                .filter(name -> !vocabulary.containsKey(name))
+                .forEach(names::add);
+        return names;
+    }
+}

@@ -1,0 +1,117 @@
+package org.sami.spn.journal;
+
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.Optional;
+import java.util.concurrent.Future;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+
+/**
+ * Makes what SQLite has written to the write-ahead log survive the loss of power: at once, or within a delay on its own
+ * daemon thread. It forces the log through a handle of its own; SQLite's locks are on other files and not touched by it.
+ */
+final class PowerSync implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(PowerSync.class.getName());
+
+    private final Path log;
+    private final int delayMillis;
+    private final Before before;
+    private final ScheduledThreadPoolExecutor timer;
+    private final AtomicBoolean waiting = new AtomicBoolean();
+    private FileChannel channel;
+    private volatile boolean closed;
+    private volatile Future<?> scheduled;
+    private volatile IOException fault;
+
+    /**
+     * For one log.
+     *
+     * @param withinMillis an upper limit; half of it is waited. 0 = nothing happens by itself
+     * @param before done on the sync's thread before the log is forced by itself
+     */
+    PowerSync(Path log, int withinMillis, Before before) {
+        this.log = log;
+        this.before = before;
+        this.delayMillis = withinMillis / 2;
+        this.timer = new ScheduledThreadPoolExecutor(1, action -> {
+            Thread thread = new Thread(action, "journal-sync");
+            thread.setDaemon(true);
+            return thread;
+        });
+        timer.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
+    }
+
+    /** Something was written: it will be forced soon. */
+    void soon() throws IOException {
+        if (fault != null) {
+            throw new IOException("the disk refused earlier data: " + fault.getMessage(), fault);
+        }
+        if (!closed && delayMillis > 0 && waiting.compareAndSet(false, true)) {
+            scheduled = timer.schedule(this::later, delayMillis, TimeUnit.MILLISECONDS);
+        }
+    }
+
+    private void later() {
+        waiting.set(false);
+        try {
+            before.run();
+            now();
+        } catch (IOException refused) {
+            fault = refused;
+            LOG.log(Level.ERROR, "the journal's log " + log + " could not be forced to disk", refused);
+        }
+    }
+
+    /** Forces what was written until now; does nothing where there is no log. */
+    synchronized void now() throws IOException {
+        if (closed) {
+            return;
+        }
+        if (channel == null) {
+            if (!Files.exists(log)) {
+                return;
+            }
+            channel = FileChannel.open(log, StandardOpenOption.WRITE);
+            forceName();
+        }
+        channel.force(false);
+    }
+
+    /** The log's name in its folder; some systems have no handles of folders, and keep names by themselves. */
+    private void forceName() {
+        Optional<Path> folder = Optional.ofNullable(log.toAbsolutePath().getParent());
+        folder.ifPresent(path -> {
+            try (FileChannel names = FileChannel.open(path, StandardOpenOption.READ)) {
+                names.force(true);
+            } catch (IOException unsupported) {
+                LOG.log(Level.DEBUG, "the folder {0} cannot be forced: {1}", path, unsupported.getMessage());
+            }
+        });
+    }
+
+    @Override
+    public void close() throws IOException {
+        if (scheduled != null) {
+            scheduled.cancel(false);
+        }
+        timer.shutdownNow();
+        synchronized (this) {
+            closed = true;
+            if (channel != null) {
+                channel.close();
+            }
+        }
+    }
+
+    /** Work that may fail. */
+    @FunctionalInterface
+    interface Before {
+        void run() throws IOException;
+    }
+}

@@ -1,0 +1,139 @@
+package org.sami.spn.journal;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.sql.Connection;
+import java.sql.PreparedStatement;
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/**
+ * Makes journal files: new ones, and the valid part of a damaged one anew. Writing on into a file whose structure is
+ * damaged could spoil what is still true in it; so that part is copied, the damaged files are kept, and the copy takes
+ * their place by a rename (docs/decisions 0032).
+ */
+final class Rebuild {
+    private Rebuild() {}
+
+    /** A new file with nothing but a header, folded into one file and synced. */
+    static Contents begin(Path file, JournalHeader header, JournalOptions options) throws JournalException {
+        try (Database database = Database.create(file, options)) {
+            Checksum checksum = HeaderTable.write(database.connection(), header);
+            finish(database);
+            return new Contents(header, 0, 0, checksum, new TreeMap<>(), new TreeMap<>(), Optional.empty());
+        } catch (SQLException fault) {
+            throw new JournalException(file, 0, "cannot be written: " + fault.getMessage(), fault);
+        }
+    }
+
+    /**
+     * Puts a journal of the valid entries in the place of a damaged one; closes the damaged one.
+     *
+     * @return where the damaged file is kept
+     */
+    static Path of(Database damaged, Contents valid, JournalOptions options) throws IOException {
+        Path file = damaged.file();
+        Path copy = file.resolveSibling(file.getFileName() + "-rebuilt");
+        deleteWithLog(copy);
+        try (Database rebuilt = Database.create(copy, options)) {
+            HeaderTable.write(rebuilt.connection(), valid.header());
+            copyEntries(damaged, rebuilt.connection(), valid.lastValid());
+            copyAttachments(damaged, rebuilt.connection(), valid);
+            copyTelemetry(damaged, rebuilt.connection());
+            finish(rebuilt);
+        } catch (SQLException fault) {
+            throw new JournalException(file, 0, "cannot be written anew: " + fault.getMessage(), fault);
+        }
+        Path kept = keep(file);
+        closeDamaged(damaged);
+        // First the log, and only then the rename: SQLite would apply an old log to the new file.
+        Files.deleteIfExists(Database.log(file));
+        Files.deleteIfExists(file.resolveSibling(file.getFileName() + "-shm"));
+        Files.move(copy, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        return kept;
+    }
+
+    private static void finish(Database database) throws SQLException {
+        database.connection().commit();
+        database.connection().setAutoCommit(true);
+        database.checkpoint();
+    }
+
+    private static void copyEntries(Database from, Connection to, long last) throws SQLException {
+        try (PreparedStatement select = from.connection()
+                        .prepareStatement(
+                                "SELECT idx, at_millis, input, checksum FROM entries WHERE idx <= ? ORDER BY idx");
+                PreparedStatement insert = to.prepareStatement("INSERT INTO entries VALUES (?, ?, ?, ?)")) {
+            select.setLong(1, last);
+            try (ResultSet rows = select.executeQuery()) {
+                while (rows.next()) {
+                    insert.setLong(1, rows.getLong(1));
+                    insert.setLong(2, rows.getLong(2));
+                    insert.setString(3, rows.getString(3));
+                    insert.setBytes(4, rows.getBytes(4));
+                    insert.executeUpdate();
+                }
+            }
+        }
+    }
+
+    private static void copyAttachments(Database from, Connection to, Contents valid) throws SQLException {
+        Attachments old = new Attachments(from.connection());
+        Attachments fresh = new Attachments(to);
+        for (var snapshot : valid.snapshots().entrySet()) {
+            Optional<byte[]> state = old.snapshot(snapshot.getKey(), snapshot.getValue());
+            if (state.isPresent()) {
+                fresh.writeSnapshot(snapshot.getKey(), snapshot.getValue(), state.get());
+            }
+        }
+        for (var mark : valid.marks().entrySet()) {
+            Optional<String> text = old.mark(mark.getKey(), mark.getValue());
+            if (text.isPresent()) {
+                fresh.writeMark(mark.getKey(), mark.getValue(), text.get());
+            }
+        }
+    }
+
+    /** As much as can be read: readings change no state. */
+    private static void copyTelemetry(Database from, Connection to) throws SQLException {
+        try (PreparedStatement insert =
+                to.prepareStatement("INSERT INTO telemetry(at_millis, proxy, kind, json) VALUES (?, ?, ?, ?)")) {
+            for (TelemetryRow row : TelemetryTable.readable(from.connection())) {
+                TelemetryTable.insert(insert, row);
+            }
+        }
+    }
+
+    private static Path keep(Path file) throws IOException {
+        Path kept = file.resolveSibling(file.getFileName() + ".damaged");
+        for (int n = 2; Files.exists(kept); n++) {
+            kept = file.resolveSibling(file.getFileName() + ".damaged-" + n);
+        }
+        Files.copy(file, kept);
+        Path log = Database.log(file);
+        if (Files.exists(log)) {
+            Files.copy(log, Database.log(kept), StandardCopyOption.REPLACE_EXISTING);
+        }
+        return kept;
+    }
+
+    private static void closeDamaged(Database damaged) {
+        try {
+            damaged.close();
+        } catch (JournalException expected) {
+            // Folding its log may well fail; the file is kept as it was and replaced here.
+            System.getLogger(Rebuild.class.getName())
+                    .log(System.Logger.Level.DEBUG, "closing the damaged journal: {0}", expected.getMessage());
+        }
+    }
+
+    private static void deleteWithLog(Path file) throws IOException {
+        Files.deleteIfExists(Database.log(file));
+        Files.deleteIfExists(file.resolveSibling(file.getFileName() + "-shm"));
+        Files.deleteIfExists(file);
+    }
+}

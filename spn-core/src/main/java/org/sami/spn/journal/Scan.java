@@ -1,0 +1,116 @@
+package org.sami.spn.journal;
+
+import java.nio.file.Path;
+import java.sql.Connection;
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.sql.Statement;
+import java.util.NavigableMap;
+import java.util.NavigableSet;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.TreeSet;
+
+/**
+ * Reads a whole file once and finds out how far it is true. Nothing that SQLite says is believed without a checksum: of
+ * damage in its own pages it reports some, and gives the rest back as data.
+ */
+final class Scan {
+    private final Path file;
+    private final Connection connection;
+    private final Chain chain = new Chain();
+    private final NavigableMap<Long, Checksum> snapshots = new TreeMap<>();
+    private final NavigableMap<Long, Checksum> marks = new TreeMap<>();
+    private NavigableSet<Long> snapshotIndexes = new TreeSet<>();
+    private NavigableSet<Long> markIndexes = new TreeSet<>();
+    private long last;
+    private long lastMillis;
+    private Checksum checksum = new Checksum(0, 0);
+    private Optional<String> damage = Optional.empty();
+
+    private Scan(Path file, Connection connection) {
+        this.file = file;
+        this.connection = connection;
+    }
+
+    /**
+     * What is true in the file.
+     *
+     * @throws JournalException where not even the header is
+     */
+    static Contents of(Path file, Connection connection) throws JournalException {
+        return new Scan(file, connection).run();
+    }
+
+    private Contents run() throws JournalException {
+        HeaderTable.Read header = HeaderTable.read(file, connection);
+        checksum = header.checksum();
+        snapshotIndexes = indexes("snapshots");
+        markIndexes = indexes("marks");
+        remember();
+        entries();
+        return new Contents(header.header(), last, lastMillis, checksum, snapshots, marks, damage);
+    }
+
+    private void entries() {
+        try (Statement statement = connection.createStatement();
+                ResultSet rows =
+                        statement.executeQuery("SELECT idx, at_millis, input, checksum FROM entries ORDER BY idx")) {
+            while (rows.next()) {
+                if (!follows(rows.getLong(1), rows.getLong(2), bytes(rows, 3), bytes(rows, 4))) {
+                    return;
+                }
+            }
+        } catch (SQLException fault) {
+            note("entry " + (last + 1) + " cannot be read: " + fault.getMessage());
+        }
+    }
+
+    private boolean follows(long index, long atMillis, byte[] input, byte[] stored) {
+        if (index != last + 1) {
+            note("entry " + (last + 1) + " is missing, entry " + index + " is there");
+            return false;
+        }
+        Checksum expected = chain.entry(checksum, index, atMillis, input);
+        if (!expected.is(stored)) {
+            note("entry " + index + " is damaged: its checksum does not hold");
+            return false;
+        }
+        last = index;
+        lastMillis = atMillis;
+        checksum = expected;
+        remember();
+        return true;
+    }
+
+    private void remember() {
+        if (snapshotIndexes.contains(last)) {
+            snapshots.put(last, checksum);
+        }
+        if (markIndexes.contains(last)) {
+            marks.put(last, checksum);
+        }
+    }
+
+    private NavigableSet<Long> indexes(String table) {
+        NavigableSet<Long> indexes = new TreeSet<>();
+        try (Statement statement = connection.createStatement();
+                ResultSet rows = statement.executeQuery("SELECT idx FROM " + table)) {
+            while (rows.next()) {
+                indexes.add(rows.getLong(1));
+            }
+        } catch (SQLException fault) {
+            note("the " + table + " cannot be read: " + fault.getMessage());
+        }
+        return indexes;
+    }
+
+    private void note(String what) {
+        damage = Optional.of(damage.map(before -> before + "; " + what).orElse(what));
+    }
+
+    static byte[] bytes(ResultSet row, int column) throws SQLException {
+        byte[] value = row.getBytes(column);
+        return value == null ? new byte[0] : value;
+    }
+}

@@ -1,0 +1,269 @@
+package org.sami.spn.journal;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.sql.SQLException;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.sami.spn.engine.Engine;
+import org.sami.spn.engine.EngineState;
+import org.sami.spn.host.Durability;
+import org.sami.spn.host.InputJournal;
+import org.sami.spn.host.JournalEntry;
+
+/**
+ * A session's journal, open for writing (docs/decisions 0030, 0031, 0032). One writer at a time; anybody may read beside it
+ * with {@link JournalReader}. Telemetry may be added from any thread, everything else is called by whoever runs the
+ * engine.
+ *
+ * <p>What a committed batch survives: the death of the process always; the loss of power within
+ * {@link JournalOptions#syncWithinMillis()}, or before {@link #append} returns where that was asked for.
+ */
+public final class SqliteJournal implements InputJournal {
+    private final Path file;
+    private final JournalLock lock;
+    private final Database database;
+    private final JournalOptions options;
+    private final JournalHeader header;
+    private final Recovery recovery;
+    private final PowerSync power;
+    private final EntryTable entries;
+    private final Attachments attachments;
+    private final TelemetryTable telemetry = new TelemetryTable();
+    private final History history;
+    private Checksum checksum;
+    private long lastIndex;
+    private long lastMillis;
+    private long lastSnapshot;
+    private boolean broken;
+    private boolean closed;
+
+    private SqliteJournal(
+            JournalLock lock, Database database, Contents contents, Optional<String> damage, JournalOptions options)
+            throws SQLException {
+        this.file = database.file();
+        this.lock = lock;
+        this.database = database;
+        this.options = options;
+        this.header = contents.header();
+        this.recovery = new Recovery(contents.lastValid(), damage);
+        this.entries = new EntryTable(database.connection());
+        this.attachments = new Attachments(database.connection());
+        this.history = new History(file, database.connection(), contents);
+        this.power = new PowerSync(Database.log(file), options.syncWithinMillis(), this::writeTelemetry);
+        this.checksum = contents.lastChecksum();
+        this.lastIndex = contents.lastValid();
+        this.lastMillis = contents.lastMillis();
+        this.lastSnapshot =
+                contents.snapshots().isEmpty() ? 0 : contents.snapshots().lastKey();
+    }
+
+    /**
+     * A new journal; its header is in the file, and survives the loss of power, when this returns.
+     *
+     * @throws JournalException if the file exists, or cannot be made
+     */
+    public static SqliteJournal create(Path file, JournalHeader header, JournalOptions options) throws IOException {
+        JournalLock lock = JournalLock.take(file);
+        try {
+            Contents contents = Rebuild.begin(file, header, options);
+            return opened(lock, Database.open(file), contents, Optional.empty(), options);
+        } catch (IOException fault) {
+            lock.close();
+            throw fault;
+        }
+    }
+
+    /**
+     * Opens an existing journal to go on after its last valid entry. Where the file is damaged behind that entry, the
+     * valid part is written anew and the damaged file is kept beside it; {@link #recovery()} says so.
+     *
+     * @throws JournalException if it is written by somebody else, or its header does not hold
+     */
+    public static SqliteJournal open(Path file, JournalOptions options) throws IOException {
+        JournalLock lock = JournalLock.take(file);
+        try {
+            Database database = Database.open(file);
+            Contents contents;
+            Optional<String> damage;
+            try {
+                contents = Scan.of(file, database.connection());
+                damage = contents.damage().or(() -> unsound(database));
+            } catch (JournalException refused) {
+                database.close();
+                throw refused;
+            }
+            if (damage.isEmpty()) {
+                return opened(lock, database, contents, damage, options);
+            }
+            Path kept = Rebuild.of(database, contents, options);
+            Optional<String> told = damage.map(what -> what + "; the damaged file is kept as " + kept.getFileName());
+            Database rebuilt = Database.open(file);
+            return opened(lock, rebuilt, Scan.of(file, rebuilt.connection()), told, options);
+        } catch (IOException fault) {
+            lock.close();
+            throw fault;
+        }
+    }
+
+    private static Optional<String> unsound(Database database) {
+        return database.isSound() ? Optional.empty() : Optional.of("the file's inner structure is damaged");
+    }
+
+    private static SqliteJournal opened(
+            JournalLock lock, Database database, Contents contents, Optional<String> damage, JournalOptions options)
+            throws JournalException {
+        try {
+            database.prepareWriting(options);
+            return new SqliteJournal(lock, database, contents, damage, options);
+        } catch (SQLException fault) {
+            database.close();
+            throw new JournalException(database.file(), 0, "cannot be written: " + fault.getMessage(), fault);
+        }
+    }
+
+    /** What it said before its first entry. */
+    public JournalHeader header() {
+        return header;
+    }
+
+    /** What was found when it was opened. */
+    public Recovery recovery() {
+        return recovery;
+    }
+
+    /** Its file. */
+    public Path file() {
+        return file;
+    }
+
+    @Override
+    public synchronized long lastIndex() {
+        return lastIndex;
+    }
+
+    @Override
+    public synchronized long lastMillis() {
+        return lastMillis;
+    }
+
+    @Override
+    public synchronized void append(List<JournalEntry> batch, Durability durability) throws IOException {
+        checkFollows(batch);
+        if (batch.isEmpty()) {
+            return;
+        }
+        Checksum[] end = new Checksum[1];
+        commit(lastIndex + 1, () -> end[0] = entries.write(batch, checksum));
+        JournalEntry last = batch.get(batch.size() - 1);
+        checksum = end[0];
+        lastIndex = last.index();
+        lastMillis = last.atMillis();
+        if (durability == Durability.POWER && options.syncCommands()) {
+            sync();
+        } else {
+            power.soon();
+        }
+    }
+
+    @Override
+    public synchronized void offerSnapshot(Supplier<byte[]> state) throws IOException {
+        if (options.snapshotEvery() > 0 && lastIndex - lastSnapshot >= options.snapshotEvery()) {
+            byte[] bytes = state.get();
+            commit(lastIndex, () -> attachments.writeSnapshot(lastIndex, checksum, bytes));
+            lastSnapshot = lastIndex;
+        }
+    }
+
+    /** Notes what a simulated world says of itself after the last entry; a second mark there replaces the first. */
+    public synchronized void mark(String text) throws IOException {
+        Objects.requireNonNull(text, "text");
+        commit(lastIndex, () -> attachments.writeMark(lastIndex, checksum, text));
+    }
+
+    /** Adds telemetry, from any thread; it is in the file within the time of a sync, or with the next batch. */
+    public void addTelemetry(List<TelemetryRow> rows) throws IOException {
+        telemetry.add(rows);
+        power.soon();
+    }
+
+    @Override
+    public synchronized void sync() throws IOException {
+        if (options.everSyncs()) {
+            power.now();
+        }
+    }
+
+    /**
+     * The state after the last entry that was there when the journal was opened: what a resume hosts.
+     *
+     * @param engine built from this journal's plans and vocabulary ({@link #header()})
+     */
+    public synchronized EngineState restore(Engine engine) throws JournalException {
+        return history.stateAt(recovery.lastValid(), engine);
+    }
+
+    private void checkFollows(List<JournalEntry> batch) {
+        long expected = lastIndex;
+        long millis = lastMillis;
+        for (JournalEntry entry : batch) {
+            expected++;
+            if (entry.index() != expected || entry.atMillis() < millis) {
+                throw new IllegalArgumentException("entry " + expected + " at or after " + millis
+                        + " ms expected, not entry " + entry.index() + " at " + entry.atMillis() + " ms");
+            }
+            millis = entry.atMillis();
+        }
+    }
+
+    private synchronized void writeTelemetry() throws IOException {
+        if (!closed && !broken && !telemetry.isEmpty()) {
+            commit(lastIndex, () -> {});
+        }
+    }
+
+    /** One transaction, telemetry included. After a failure nothing more is written: the file's end is not known. */
+    private void commit(long entry, Writing writing) throws JournalException {
+        if (closed || broken) {
+            throw new JournalException(file, entry, closed ? "the journal is closed" : "the journal failed before");
+        }
+        broken = true;
+        try {
+            database.run("BEGIN IMMEDIATE");
+            writing.run();
+            telemetry.write(database.connection());
+            database.run("COMMIT");
+            broken = false;
+        } catch (SQLException fault) {
+            throw new JournalException(file, entry, "cannot be written: " + fault.getMessage(), fault);
+        }
+    }
+
+    /** Folds the log into the file, so that one file is left, and gives up the right to write. */
+    @Override
+    public synchronized void close() throws IOException {
+        if (closed) {
+            return;
+        }
+        try (JournalLock released = lock;
+                Database ended = database;
+                PowerSync stopped = power) {
+            if (!broken) {
+                writeTelemetry();
+                entries.close();
+                database.checkpoint();
+            }
+        } catch (SQLException fault) {
+            throw new JournalException(file, lastIndex, "cannot be closed: " + fault.getMessage(), fault);
+        } finally {
+            closed = true;
+        }
+    }
+
+    @FunctionalInterface
+    private interface Writing {
+        void run() throws SQLException;
+    }
+}
