@@ -38,7 +38,7 @@ public final class SqliteJournal implements InputJournal {
     private long lastMillis;
     private long lastSnapshot;
     private boolean broken;
-    private boolean closed;
+    private volatile boolean closed;
 
     private SqliteJournal(
             JournalLock lock, Database database, Contents contents, Optional<String> damage, JournalOptions options)
@@ -185,6 +185,9 @@ public final class SqliteJournal implements InputJournal {
 
     /** Adds telemetry, from any thread; it is in the file within the time of a sync, or with the next batch. */
     public void addTelemetry(List<TelemetryRow> rows) throws IOException {
+        if (closed) {
+            throw new JournalException(file, lastIndex(), "the journal is closed");
+        }
         telemetry.add(rows);
         power.soon();
     }

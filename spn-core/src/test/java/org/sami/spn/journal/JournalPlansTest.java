@@ -12,6 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.json.ProjectWriter;
+import org.sami.spn.json.VocabularyFiles;
+import org.sami.spn.json.VocabularyReader;
 import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
@@ -32,6 +34,11 @@ class JournalPlansTest {
             .out("arrive", "gone", "take all any")
             .build());
 
+    private static final String PROJECT_TEXT = new ProjectWriter(
+                    VocabularyReader.read(new VocabularyFiles(Map.of("domain.json", DOMAIN, "events.json", EVENTS)))
+                            .orThrow())
+            .text(PROJECT);
+
     @TempDir
     Path folder;
 
@@ -39,7 +46,7 @@ class JournalPlansTest {
         Map<String, String> vocabulary = new LinkedHashMap<>();
         vocabulary.put("domain.json", DOMAIN);
         vocabulary.put("events.json", events);
-        return JournalHeader.of(ProjectWriter.write(PROJECT), vocabulary, Map.of());
+        return JournalHeader.of(PROJECT_TEXT, vocabulary, Map.of());
     }
 
     @Test
