@@ -45,7 +45,7 @@ final class Tour {
     static final JournalHeader HEADER =
             JournalHeader.of("the plans of the tour", Map.of("domain.json", "its words"), Map.of("seed", "7"));
 
-    private static final List<String> BOATS = List.of("b1", "b2", "b3");
+    private static final List<String> BOATS = List.of("b1", "b2", "b3", "b4", "b5");
 
     private final ManualExecutor executor = new ManualExecutor();
     private final ManualClock clock = new ManualClock();
@@ -105,6 +105,9 @@ final class Tour {
 
     private boolean turn() {
         executor.runAll();
+        if (host.status().kind() != HostStatus.Kind.RUNNING) {
+            return false;
+        }
         EngineView view = engine.view(state);
         Optional<Input> next = begin(view).or(() -> arrival(view)).or(() -> answer(view));
         if (next.isPresent()) {
