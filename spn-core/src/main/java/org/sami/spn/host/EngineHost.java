@@ -19,7 +19,6 @@ import java.util.stream.Collectors;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.EngineView;
-import org.sami.spn.engine.StateCodec;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
@@ -43,8 +42,7 @@ import org.sami.spn.vocabulary.EventType;
 public final class EngineHost implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(EngineHost.class.getName());
 
-    private final Engine engine;
-    private final EngineState state;
+    private final EngineFunction engine;
     private final EngineView view;
     private final InputJournal journal;
     private final HostClock clock;
@@ -69,8 +67,7 @@ public final class EngineHost implements AutoCloseable {
 
     private EngineHost(Builder parts) {
         this.engine = parts.engine;
-        this.state = parts.state;
-        this.view = engine.view(state);
+        this.view = engine.view();
         this.journal = parts.journal;
         this.clock = parts.clock;
         this.executor = parts.executor;
@@ -84,13 +81,18 @@ public final class EngineHost implements AutoCloseable {
         refreshAwaited();
     }
 
+    /** A host of anything that behaves as an engine, to be put together. */
+    public static Builder builder(EngineFunction engine) {
+        return new Builder(engine);
+    }
+
     /**
      * A host to be put together.
      *
      * @param state the state to go on from; belongs to the host from now on
      */
     public static Builder builder(Engine engine, EngineState state) {
-        return new Builder(engine, state);
+        return new Builder(new EngineWithState(engine, state));
     }
 
     /**
@@ -334,7 +336,7 @@ public final class EngineHost implements AutoCloseable {
             step(inputs, steps);
             makeDurable(steps);
             letOut(steps);
-            journal.offerSnapshot(() -> StateCodec.encode(state));
+            journal.offerSnapshot(engine::encode);
             armTimer();
         } catch (IOException fault) {
             fail("the journal failed: " + fault.getMessage(), fault);
@@ -349,7 +351,7 @@ public final class EngineHost implements AutoCloseable {
         for (Input input : inputs) {
             index++;
             List<Effect> effects = new ArrayList<>(4);
-            engine.step(state, now, input, effects::add);
+            engine.step(now, input, effects::add);
             steps.add(new Step(new JournalEntry(index, now, input), Collections.unmodifiableList(effects)));
         }
     }
@@ -426,17 +428,15 @@ public final class EngineHost implements AutoCloseable {
 
     /** Puts a host together: an engine with its state, an executor and a clock are required. */
     public static final class Builder {
-        private final Engine engine;
-        private final EngineState state;
+        private final EngineFunction engine;
         private InputJournal journal = new MemoryJournal();
         private HostClock clock;
         private Executor executor;
         private int batchLimit = 1024;
         private long slowListenerMillis = 50;
 
-        private Builder(Engine engine, EngineState state) {
+        private Builder(EngineFunction engine) {
             this.engine = Objects.requireNonNull(engine, "engine");
-            this.state = Objects.requireNonNull(state, "state");
         }
 
         /** Where inputs are written; at its end stands the state that is hosted. Without it: memory. */
