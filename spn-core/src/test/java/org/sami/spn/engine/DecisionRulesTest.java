@@ -1,0 +1,266 @@
+package org.sami.spn.engine;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.sami.spn.model.FieldSource;
+import org.sami.spn.model.MarkupSpec;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Answerer;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.testing.NetBuilder;
+import org.sami.spn.testing.Session;
+import org.sami.spn.value.DurationValue;
+import org.sami.spn.value.EnumValue;
+import org.sami.spn.value.IntegerValue;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
+import org.sami.spn.value.ValueType;
+import org.sami.spn.value.VariableReference;
+
+/** Decisions (DESIGN, How data flows) and parameters asked at the start (SEMANTICS, Firing). */
+class DecisionRulesTest {
+    private static MarkupSpec trigger(String when, long millis) {
+        return new MarkupSpec(
+                "MixedInitiativeTrigger",
+                Map.of("trigger", new EnumValue("Trigger", when), "timeout", new DurationValue(millis)));
+    }
+
+    private static Session approve(MarkupSpec... markups) {
+        return new Session(new NetBuilder("net")
+                .start("s")
+                .output(
+                        "s",
+                        "Approve",
+                        Map.of("question", new FieldSource.Fixed(new TextValue("Go?"))),
+                        Map.of(),
+                        markups)
+                .transition("yes", "Yes")
+                .in("s", "yes", "generic >= 1")
+                .out("yes", "x", "take 1 generic")
+                .transition("no", "No")
+                .in("s", "no", "generic >= 1")
+                .out("no", "y", "take 1 generic")
+                .build());
+    }
+
+    @Test
+    void theFirstAnswerCountsAndIsTheOnlyOne() {
+        Session s = approve();
+        long m = s.start("net");
+        long id = s.onlyDecision().id();
+        assertThat(s.onlyDecision().prompt()).isEqualTo("Go?");
+
+        s.step(new Input.AnswerDecision(id, new Answer.Option(0), Answerer.OPERATOR));
+        assertThat(s.notes()).containsExactly(NoteKind.REJECTED_INPUT);
+        s.step(new Input.AnswerDecision(id, new Answer.YesNo(false), Answerer.OPERATOR));
+        assertThat(s.fired()).containsExactly("no");
+        s.step(new Input.AnswerDecision(id, new Answer.YesNo(true), Answerer.OPERATOR));
+
+        assertThat(s.notes()).containsExactly(NoteKind.REJECTED_INPUT);
+        assertThat(s.marking(m)).isEqualTo(Map.of("y", "generic"));
+    }
+
+    @Test
+    void autonomyAnswersInTheSameStepWhereTheMarkupSaysSo() {
+        Session s = approve(trigger("IMMEDIATELY", 0));
+
+        s.start("net");
+
+        assertThat(s.fired()).containsExactly("yes");
+        assertThat(s.last())
+                .contains(new Effect.DecisionClosed(
+                        1, Optional.of(new Answer.YesNo(true)), Optional.of(Answerer.AUTONOMY)));
+    }
+
+    @Test
+    void autonomyAnswersWhenTheTimerRunsOut() {
+        Session s = approve(trigger("TIMER", 2000));
+        s.start("net");
+        assertThat(s.onlyDecision().deadlineMillis()).hasValue(2000);
+
+        s.advance(1999);
+        assertThat(s.fired()).isEmpty();
+        s.advance(1);
+
+        assertThat(s.fired()).containsExactly("yes");
+        assertThat(s.view().nextDueMillis()).isEmpty();
+    }
+
+    @Test
+    void autonomyWithoutAnswerSaysSo() {
+        Session s = new Session(new NetBuilder("net")
+                .start("s")
+                .output("s", "Provide", trigger("TIMER", 10))
+                .build());
+        s.start("net");
+
+        s.advance(10);
+
+        assertThat(s.notes()).containsExactly(NoteKind.NO_AUTOMATIC_ANSWER);
+        assertThat(s.view().decisions()).hasSize(1);
+    }
+
+    @Test
+    void choicesAreCheckedAndNamingNobodyKeepsTheQuestionOpen() {
+        Session s = new Session(new NetBuilder("net")
+                .start("s")
+                .output("s", "ChooseSome")
+                .transition("t", "Chosen")
+                .in("s", "t", "relevant all")
+                .out("t", "x", "take all relevant")
+                .build());
+        s.join("A", "B").start("net");
+
+        s.decide(new Answer.Proxies(List.of("C")));
+        assertThat(s.notes()).containsExactly(NoteKind.REJECTED_INPUT);
+        s.decide(new Answer.Proxies(List.of("A", "A")));
+        assertThat(s.notes()).containsExactly(NoteKind.REJECTED_INPUT);
+        s.decide(new Answer.Proxies(List.of()));
+        assertThat(s.notes()).containsExactly(NoteKind.NAMES_NOBODY);
+        s.decide(new Answer.Proxies(List.of("B")));
+
+        assertThat(s.fired()).containsExactly("t");
+    }
+
+    @Test
+    void aQuestionClosesWithItsVisit() {
+        Session s = new Session(new NetBuilder("net")
+                .start("s")
+                .output("s", "Approve", trigger("TIMER", 100))
+                .transition("t", "News")
+                .in("s", "t", "always")
+                .out("t", "x", "take all any")
+                .build());
+        s.start("net");
+
+        s.news("News");
+
+        assertThat(s.view().decisions()).isEmpty();
+        assertThat(s.view().nextDueMillis()).isEmpty();
+        assertThat(s.last()).contains(new Effect.DecisionClosed(1, Optional.empty(), Optional.empty()));
+    }
+
+    @Test
+    void redefiningChecksTheType() {
+        Session s = new Session(new NetBuilder("net")
+                .start("s")
+                .variable("@n", ValueType.Simple.INTEGER, new IntegerValue(1))
+                .output(
+                        "s",
+                        "Redefine",
+                        Map.of("variable", new FieldSource.Fixed(new VariableReference("@n"))),
+                        Map.of())
+                .transition("t", "Redefined")
+                .in("s", "t", "always")
+                .out("t", "x", "take 1 generic")
+                .build());
+        long m = s.start("net");
+
+        s.decide(new Answer.Fields(Map.of("@n", new TextValue("x"))));
+        assertThat(s.notes()).containsExactly(NoteKind.REJECTED_INPUT);
+        s.decide(new Answer.Fields(Map.of("@n", new IntegerValue(2))));
+
+        assertThat(s.fired()).containsExactly("t");
+        assertThat(s.view().variable(m, "@n")).contains(new IntegerValue(2));
+    }
+
+    private static Session asking() {
+        return new Session(new NetBuilder("net")
+                .start("s")
+                .output(
+                        "s",
+                        "Do",
+                        Map.of(
+                                "number", new FieldSource.Asked(Optional.empty(), true),
+                                "speed", new FieldSource.Asked(Optional.of(new IntegerValue(3)), false)),
+                        Map.of("number", "@n"))
+                .build());
+    }
+
+    @Test
+    void parametersAreAskedAndTheStartMarkingWaits() {
+        Session s = asking();
+        long m = s.join("A").start("net");
+        assertThat(s.view().mission(m).orElseThrow().status()).isEqualTo(MissionView.Status.WAITING);
+        assertThat(s.marking(m)).isEmpty();
+
+        s.decide(new Answer.Fields(Map.of("s.Do.number", new IntegerValue(9))));
+
+        assertThat(s.marking(m, "s")).isEqualTo("generic A");
+        assertThat(s.latest("s").values())
+                .isEqualTo(Map.<String, Value>of("number", new IntegerValue(9), "speed", new IntegerValue(3)));
+        assertThat(s.view().variable(m, "@n")).contains(new IntegerValue(9));
+    }
+
+    @Test
+    void parametersCanBeGivenAndAreChecked() {
+        Session s = asking();
+        assertThat(s.start("net", Map.of("number", new TextValue("x")))).isZero();
+        assertThat(s.notes()).containsExactly(NoteKind.REJECTED_INPUT);
+        assertThat(s.start("net", Map.of("nothing", new IntegerValue(1)))).isZero();
+        assertThat(s.start("net", Map.of("speed", new IntegerValue(1)))).isZero();
+
+        long m = s.start("net", Map.of("number", new IntegerValue(9)));
+
+        assertThat(s.marking(m, "s")).isEqualTo("generic");
+        assertThat(s.view().decisions()).isEmpty();
+    }
+
+    @Test
+    void aHandlersFailureIsNotedAndTheQuestionStaysOpen() {
+        Session s =
+                new Session(new NetBuilder("net").start("s").output("s", "Do").build());
+        s.start("net");
+
+        s.step(new Input.HandlerFailed(1, "no link"));
+
+        assertThat(s.notes()).containsExactly(NoteKind.HANDLER_FAILED);
+        assertThat(s.view().openActivations()).hasSize(1);
+    }
+
+    @Test
+    void generatedTasksAreNamedAndApplied() {
+        Session s = new Session(new NetBuilder("net")
+                .start("s")
+                .output(
+                        "s",
+                        "GenerateTasks",
+                        Map.of(
+                                "locations",
+                                        new FieldSource.Fixed(new org.sami.spn.value.ListValue(List.of(
+                                                org.sami.spn.value.GeoPoint.of(1, 2),
+                                                org.sami.spn.value.GeoPoint.of(3, 4)))),
+                                "taskClass", new FieldSource.Fixed(new TextValue("Look"))),
+                        Map.of())
+                .transition("t", "TasksGenerated")
+                .in("s", "t", "generic >= 1")
+                .out("t", "x", "add all relevant")
+                .output("x", "Do", Map.of("location", new FieldSource.FromTask()), Map.of())
+                .build());
+
+        long m = s.start("net");
+
+        assertThat(s.marking(m, "x")).isEqualTo("#Look 1 #Look 2");
+        assertThat(s.latest("x").taskValues()).hasSize(2);
+    }
+
+    @Test
+    void memoryIsKeptUntilTheMissionEnds() {
+        Session s = approve();
+        long m = s.start("net");
+
+        s.step(new Input.Remember(m, "k", new IntegerValue(1)));
+        assertThat(s.view().memory(m, "k")).contains(new IntegerValue(1));
+        s.step(new Input.AbortMission(m));
+
+        assertThat(s.view().memory(m, "k")).isEmpty();
+        s.step(new Input.Remember(m, "k", new IntegerValue(1)));
+        assertThat(s.notes()).containsExactly(NoteKind.REJECTED_INPUT);
+    }
+}
