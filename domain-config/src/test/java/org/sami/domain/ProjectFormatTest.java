@@ -1,6 +1,7 @@
 package org.sami.domain;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import com.fasterxml.jackson.core.JsonPointer;
 import com.fasterxml.jackson.databind.JsonNode;
@@ -10,6 +11,8 @@ import com.networknt.schema.Schema;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFileAttributeView;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.stream.Stream;
 import org.assertj.core.groups.Tuple;
 import org.junit.jupiter.api.Test;
@@ -77,6 +80,22 @@ class ProjectFormatTest {
         try (Stream<Path> files = Files.list(folder)) {
             assertThat(files).containsExactly(file);
         }
+    }
+
+    @Test
+    void writingKeepsTheFilesPermissionsAndFollowsLinks(@TempDir Path folder) throws IOException {
+        Path file = Files.writeString(folder.resolve("p.json"), "old");
+        PosixFileAttributeView view = Files.getFileAttributeView(file, PosixFileAttributeView.class);
+        assumeThat(view).as("a file system with permissions").isNotNull();
+        view.setPermissions(PosixFilePermissions.fromString("rw-rw-r--"));
+        Path link = Files.createSymbolicLink(folder.resolve("link.json"), file);
+
+        writer.write(reader.read(EVERYTHING).orThrow(), link);
+
+        assertThat(link).isSymbolicLink();
+        assertThat(file).hasSameTextualContentAs(EVERYTHING);
+        assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file)))
+                .isEqualTo("rw-rw-r--");
     }
 
     @Test

@@ -4,19 +4,25 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.PosixFileAttributeView;
 
 /** Replaces a file by a new one that is whole and on disk before it takes the name: readers see the old or the new. */
 final class AtomicFile {
+    private static final int ATTEMPTS = 1000;
+
     private AtomicFile() {}
 
-    static void write(Path file, String text) throws IOException {
-        Path folder = file.toAbsolutePath().getParent();
+    /** Writes the text; a link is followed, and the permissions of a file that was there are kept. */
+    static void write(Path path, String text) throws IOException {
+        Path file = Files.exists(path) ? path.toRealPath() : path.toAbsolutePath();
+        Path folder = file.getParent();
         Files.createDirectories(folder);
-        Path temporary = Files.createTempFile(folder, "." + file.getFileName(), ".tmp");
+        Path temporary = createBeside(file);
         try {
             try (FileChannel channel = FileChannel.open(temporary, StandardOpenOption.WRITE)) {
                 ByteBuffer bytes = ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8));
@@ -25,11 +31,31 @@ final class AtomicFile {
                 }
                 channel.force(true);
             }
+            copyPermissions(file, temporary);
             Files.move(temporary, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
         } finally {
             Files.deleteIfExists(temporary);
         }
         syncFolder(folder);
+    }
+
+    /** An empty file with the permissions that new files have here; those of the JDK's temporary files are too narrow. */
+    private static Path createBeside(Path file) throws IOException {
+        for (int i = 0; i < ATTEMPTS; i++) {
+            try {
+                return Files.createFile(file.resolveSibling("." + file.getFileName() + "." + i + ".tmp"));
+            } catch (FileAlreadyExistsException e) {
+                // another writer's, or left by one that was killed: take the next
+            }
+        }
+        throw new FileAlreadyExistsException(file + ": too many unfinished copies beside it");
+    }
+
+    private static void copyPermissions(Path from, Path to) throws IOException {
+        PosixFileAttributeView target = Files.getFileAttributeView(to, PosixFileAttributeView.class);
+        if (target != null && Files.exists(from)) {
+            target.setPermissions(Files.getPosixFilePermissions(from));
+        }
     }
 
     /** Makes the rename itself durable where the platform lets a folder be opened (Windows does not). */

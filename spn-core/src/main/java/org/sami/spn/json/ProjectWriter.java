@@ -48,7 +48,8 @@ public final class ProjectWriter {
 
     /**
      * Replaces a file by the project, or, where the path is a folder, the files in it: {@code project.json} and one file for
-     * each plan. Each file is replaced by renaming; {@code project.json} is the last.
+     * each plan. Each file is replaced by renaming; {@code project.json} is the last. Files of plans that are gone stay, and
+     * are read no more.
      */
     public void write(Project project, Path path) throws IOException {
         if (!Files.isDirectory(path)) {

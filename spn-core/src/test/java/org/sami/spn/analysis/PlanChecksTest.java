@@ -40,6 +40,7 @@ import org.sami.spn.value.VariableReference;
 /** For each code a tiny plan that must be found, and one like it that must pass without that finding. */
 class PlanChecksTest {
     private static final Path SOURCES = Path.of("src/main/java/org/sami/spn/analysis");
+    private static final Path DOCUMENT = Path.of("../docs/plan-checks.md");
     private static final int LEAST_CODES = 30;
     private static final FieldSource SPEED = new FieldSource.Fixed(new RealValue(1));
     private static final ValueType REAL = ValueType.Simple.REAL;
@@ -353,7 +354,7 @@ class PlanChecksTest {
     }
 
     @Test
-    void everyCodeIsTried() throws IOException {
+    void everyCodeIsTriedAndDocumented() throws IOException {
         Set<String> codes = new TreeSet<>();
         try (Stream<Path> files = Files.list(SOURCES)) {
             for (Path file : files.toList()) {
@@ -363,9 +364,15 @@ class PlanChecksTest {
                 }
             }
         }
+        Set<String> documented = new TreeSet<>();
+        Matcher code = Pattern.compile("`([EW]-[A-Z-]+[A-Z])`").matcher(Files.readString(DOCUMENT));
+        while (code.find()) {
+            documented.add(code.group(1));
+        }
 
         assertThat(codes).hasSizeGreaterThan(LEAST_CODES);
         assertThat(new TreeSet<>(cases().stream().map(Case::code).toList())).isEqualTo(codes);
+        assertThat(documented).isEqualTo(codes);
     }
 
     @Test
