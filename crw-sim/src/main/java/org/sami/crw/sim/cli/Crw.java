@@ -1,0 +1,68 @@
+package org.sami.crw.sim.cli;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** The command {@code crw}: team plans for boats, run without a window. */
+@Command(
+        name = "crw",
+        description = "Checks team plans and runs them on simulated boats.",
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        synopsisSubcommandLabel = "COMMAND",
+        subcommands = {
+            PlansCommand.class,
+            CheckCommand.class,
+            RunCommand.class,
+            ResumeCommand.class,
+            DemoCommand.class,
+            CommandLine.HelpCommand.class
+        },
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:done; the mission ended",
+            "1:a plan or file has errors (findings)",
+            "2:wrong usage, or a file that cannot be read",
+            "3:the mission was aborted",
+            "4:the mission or the program failed",
+            "5:the mission was still running when the run was stopped"
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  crw demo               see it work, within half a minute or so",
+            "  crw plans              which plans there are",
+            "  crw run clv --boats 5 --locations 30 --speed max --report out",
+            "  crw check my-plan.json",
+            "",
+            "'crw help COMMAND' tells more about one of them."
+        })
+public final class Crw implements Runnable {
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public void run() {
+        throw new ParameterException(spec.commandLine(), "Which command? One of plans, check, run, resume, demo.");
+    }
+
+    /** The command line, ready to be executed in any process. */
+    public static CommandLine commandLine() {
+        CommandLine line = new CommandLine(new Crw());
+        line.setCaseInsensitiveEnumValuesAllowed(true);
+        line.setParameterExceptionHandler(Faults::onWrongUsage);
+        line.setExecutionExceptionHandler(Faults::onException);
+        return line;
+    }
+
+    /** Runs the command and ends the process with its exit code. */
+    public static void main(String[] args) {
+        System.setProperty("java.awt.headless", "true");
+        LogLines.install();
+        int code = commandLine().execute(args);
+        System.out.flush();
+        System.exit(code);
+    }
+}

@@ -1,0 +1,66 @@
+package org.sami.crw.sim.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.NoSuchFileException;
+import picocli.CommandLine;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.UnmatchedArgumentException;
+
+/** What is said when a command line makes no sense or something breaks: one or two lines, no stack of calls. */
+final class Faults {
+    /** Set to see where a fault came from. */
+    private static final String TRACE = "crw.trace";
+
+    private Faults() {}
+
+    static boolean wantsTrace() {
+        return Boolean.getBoolean(TRACE);
+    }
+
+    static int onWrongUsage(ParameterException fault, String[] args) {
+        CommandLine command = fault.getCommandLine();
+        PrintWriter err = command.getErr();
+        err.println("crw: " + fault.getMessage());
+        UnmatchedArgumentException.printSuggestions(fault, err);
+        String name = command.getCommandSpec().qualifiedName(" ");
+        err.println("Try '" + name + " --help'.");
+        err.flush();
+        return ExitCode.USAGE;
+    }
+
+    static int onException(Exception fault, CommandLine command, ParseResult arguments) {
+        PrintWriter err = command.getErr();
+        if (fault instanceof UsageFault) {
+            err.println("crw: " + fault.getMessage());
+            err.flush();
+            return ExitCode.USAGE;
+        }
+        err.println("crw: " + words(fault));
+        if (wantsTrace()) {
+            fault.printStackTrace(err);
+        }
+        err.flush();
+        return ExitCode.FAILED;
+    }
+
+    private static String words(Exception fault) {
+        if (fault instanceof NoSuchFileException) {
+            return "there is no file or folder " + fault.getMessage();
+        }
+        if (fault instanceof AccessDeniedException) {
+            return "no permission for " + fault.getMessage();
+        }
+        if (fault instanceof FileAlreadyExistsException) {
+            return fault.getMessage() + " is there already";
+        }
+        String message = fault.getMessage();
+        if (fault instanceof IOException && message != null) {
+            return message;
+        }
+        return fault + " (run with JAVA_OPTS=-D" + TRACE + "=true to see where)";
+    }
+}

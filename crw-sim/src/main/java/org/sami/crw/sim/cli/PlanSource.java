@@ -1,0 +1,114 @@
+package org.sami.crw.sim.cli;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.sami.spn.analysis.PlanChecks;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.ProjectReader;
+import org.sami.spn.json.Reading;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.model.SubMissionSpec;
+
+/**
+ * A project that was named on the command line: a plan of the library by its id, or a file or folder by its path.
+ *
+ * @param source as it was named
+ * @param plan the plan that the name itself chose; empty for files
+ * @param findings all that reader and checks found
+ */
+record PlanSource(String source, Optional<Project> project, Optional<Plan> plan, List<Finding> findings) {
+    private static final String DOMAIN = "/org/sami/domain/crw";
+
+    PlanSource {
+        Objects.requireNonNull(source, "source");
+        Objects.requireNonNull(project, "project");
+        Objects.requireNonNull(plan, "plan");
+        findings = List.copyOf(findings);
+    }
+
+    /** The domain that ships with the program. */
+    static DomainLibrary library() {
+        return DomainLibrary.fromClassPath(DOMAIN).orThrow();
+    }
+
+    /**
+     * Finds and reads it.
+     *
+     * @throws UsageFault if there is no such plan and no such file
+     */
+    static PlanSource find(String name, DomainLibrary library) {
+        Path path = Path.of(name);
+        if (Files.exists(path)) {
+            Reading<Project> reading = new ProjectReader(library.vocabulary()).read(path);
+            return new PlanSource(
+                    name, reading.result(), Optional.empty(), checked(library, reading.result(), reading.findings()));
+        }
+        Optional<Project> project = library.projectOf(name);
+        if (project.isEmpty()) {
+            String kind = name.endsWith(".json") || name.contains("/") ? "file" : "file and no plan of the library";
+            throw new UsageFault("there is no " + kind + " '" + name + "'; the library has " + ids(library.plans()));
+        }
+        return new PlanSource(name, project, project.get().plan(name), checked(library, project, List.of()));
+    }
+
+    private static List<Finding> checked(DomainLibrary library, Optional<Project> project, List<Finding> read) {
+        List<Finding> all = new ArrayList<>(read);
+        project.ifPresent(p -> all.addAll(PlanChecks.check(p, library.vocabulary())));
+        return all;
+    }
+
+    boolean hasErrors() {
+        return findings.stream().anyMatch(Finding::isError);
+    }
+
+    /**
+     * The plan to run.
+     *
+     * @param wanted id or name of a plan; empty text where the user did not say
+     * @throws UsageFault if there is none such, or several could be meant
+     */
+    Plan choose(String wanted) {
+        List<Plan> plans = project.map(Project::plans).orElse(List.of());
+        if (!wanted.isEmpty()) {
+            return plans.stream()
+                    .filter(p -> p.id().equals(wanted) || p.name().equals(wanted))
+                    .findFirst()
+                    .orElseThrow(() -> new UsageFault(
+                            "--plan: " + source + " has no plan '" + wanted + "'; it has " + ids(plans)));
+        }
+        if (plan.isPresent()) {
+            return plan.get();
+        }
+        List<Plan> roots = roots(plans);
+        if (roots.size() == 1) {
+            return roots.get(0);
+        }
+        throw new UsageFault(source
+                + (plans.isEmpty() ? " has no plan" : " has several plans; choose with --plan one of " + ids(plans)));
+    }
+
+    /** Plans that no other plan runs as a sub-mission. */
+    private static List<Plan> roots(List<Plan> plans) {
+        Set<String> children = new LinkedHashSet<>();
+        for (Plan parent : plans) {
+            for (Place place : parent.places()) {
+                place.subMissions().stream().map(SubMissionSpec::plan).forEach(children::add);
+            }
+        }
+        return plans.stream().filter(p -> !children.contains(p.id())).toList();
+    }
+
+    private static String ids(List<Plan> plans) {
+        return plans.stream().map(Plan::id).collect(Collectors.joining(", "));
+    }
+}

@@ -1,0 +1,62 @@
+package org.sami.crw.sim.cli;
+
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import org.sami.crw.sim.run.Speed;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code crw resume}: goes on with a run whose process ended. */
+@Command(
+        name = "resume",
+        mixinStandardHelpOptions = true,
+        sortOptions = false,
+        description =
+                "Goes on with a run that has a journal, from where its process ended. The plan and all settings are the "
+                        + "journal's; its end is the same as if the run had never been interrupted.",
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:the mission ended",
+            "2:wrong usage, or a file that cannot be read",
+            "3:the mission was aborted",
+            "4:the mission or the program failed, or the run cannot be taken up again",
+            "5:the mission was still running when the run was stopped (--for, Ctrl-C)"
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {"  crw resume visit.journal", "  crw resume visit.journal --speed max --json"})
+final class ResumeCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "JOURNAL", description = "The file that 'crw run --journal' wrote.")
+    private Path journal;
+
+    @Option(
+            names = "--speed",
+            paramLabel = "X|max",
+            converter = SpeedConverter.class,
+            description = "Another speed than the recorded one.")
+    private Speed speed;
+
+    @Option(
+            names = "--for",
+            paramLabel = "SECONDS",
+            converter = SecondsConverter.class,
+            description = "Stop after so much simulated time since the start of the run, instead of the recorded time.")
+    private Long limitMillis;
+
+    @Mixin
+    private OutputOptions output;
+
+    @Override
+    public Integer call() throws Exception {
+        return new Execution(spec.commandLine(), PlanSource.library(), output).resume(journal, settings -> {
+            var other = speed == null ? settings : settings.withSpeed(speed);
+            return limitMillis == null ? other : other.withLimit(java.util.OptionalLong.of(limitMillis));
+        });
+    }
+}

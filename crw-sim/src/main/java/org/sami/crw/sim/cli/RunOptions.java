@@ -1,0 +1,124 @@
+package org.sami.crw.sim.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import org.sami.crw.sim.run.RunSettings;
+import org.sami.crw.sim.run.Speed;
+import picocli.CommandLine.Option;
+
+/** The options that decide a run. */
+final class RunOptions {
+    @Option(
+            names = "--boats",
+            paramLabel = "N",
+            defaultValue = "3",
+            description = "How many boats, named boat1, boat2, ...; 1 to 250 (default ${DEFAULT-VALUE}).")
+    private int boats;
+
+    @Option(
+            names = "--locations",
+            paramLabel = "N",
+            defaultValue = "12",
+            description = "How many locations the simulated operator gives; 1 to 10000 (default ${DEFAULT-VALUE}).")
+    private int locations;
+
+    @Option(
+            names = "--area",
+            paramLabel = "METRES",
+            defaultValue = "600",
+            description = "Side of the square in which they lie; 10 to 20000 (default ${DEFAULT-VALUE}).")
+    private double areaM;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "S",
+            defaultValue = "1",
+            description =
+                    "Where chance comes from; equal seeds give equal runs at any speed (default ${DEFAULT-VALUE}).")
+    private long seed;
+
+    @Option(
+            names = "--speed",
+            paramLabel = "X|max",
+            defaultValue = "20",
+            converter = SpeedConverter.class,
+            description = "Simulated seconds in one second; 1 is real time, max waits for nothing "
+                    + "(default ${DEFAULT-VALUE}).")
+    private Speed speed;
+
+    @Option(
+            names = "--for",
+            paramLabel = "SECONDS",
+            converter = SecondsConverter.class,
+            description = "Stop after so much simulated time, whether or not the mission is over (default one day).")
+    private Long limitMillis;
+
+    @Option(
+            names = "--set",
+            paramLabel = "NAME=VALUE",
+            description =
+                    "A value for what the plan would ask at its start: a field (event.field, or field where that is "
+                            + "unique) or a variable (@name). May be given several times. 'crw plans' names them.")
+    private Map<String, String> parameters = new LinkedHashMap<>();
+
+    @Option(
+            names = "--answer-after",
+            paramLabel = "SECONDS",
+            defaultValue = "5",
+            converter = SecondsConverter.class,
+            description = "Simulated seconds after which the simulated operator answers (default ${DEFAULT-VALUE}).")
+    private long answerAfterMillis;
+
+    @Option(
+            names = "--answers",
+            paramLabel = "FILE",
+            description =
+                    "What the simulated operator answers (JSON; see docs/command-line.md). Without it: all boats, "
+                            + "drawn locations, the first option, yes, and default values.")
+    private Path answers;
+
+    RunSettings settings(String plan, String mission) {
+        within("--boats", boats, 1, RunSettings.Fleet.MOST_BOATS);
+        within("--locations", locations, 1, RunSettings.Fleet.MOST_LOCATIONS);
+        within("--area", areaM, RunSettings.Fleet.SHORTEST_AREA_M, RunSettings.Fleet.LONGEST_AREA_M);
+        try {
+            return new RunSettings(
+                    plan,
+                    mission,
+                    new RunSettings.Fleet(boats, locations, areaM, seed),
+                    speed,
+                    Optional.ofNullable(limitMillis).map(OptionalLong::of).orElse(OptionalLong.empty()),
+                    parameters,
+                    answerAfterMillis,
+                    answersText());
+        } catch (IllegalArgumentException e) {
+            throw new UsageFault(e.getMessage());
+        }
+    }
+
+    private static void within(String option, double value, double least, double most) {
+        if (!(value >= least && value <= most)) {
+            throw new UsageFault(option + " is " + number(least) + " to " + number(most) + ", not " + number(value));
+        }
+    }
+
+    private static String number(double value) {
+        return value == Math.rint(value) ? String.valueOf((long) value) : String.valueOf(value);
+    }
+
+    private String answersText() {
+        if (answers == null) {
+            return "";
+        }
+        try {
+            return Files.readString(answers);
+        } catch (IOException e) {
+            throw new UsageFault("--answers: cannot read " + answers);
+        }
+    }
+}

@@ -1,0 +1,45 @@
+package org.sami.crw.sim.report;
+
+import java.util.Locale;
+
+/** A table in the form of RFC 4180, with line feeds: what spreadsheets and statistics programs read. */
+final class CsvTable {
+    private final StringBuilder text = new StringBuilder();
+    private final int columns;
+
+    CsvTable(String... header) {
+        columns = header.length;
+        row((Object[]) header);
+    }
+
+    /** Adds a row; numbers are written with a point, text is quoted where it must be. */
+    void row(Object... cells) {
+        if (cells.length != columns) {
+            throw new IllegalArgumentException("a row of " + cells.length + " cells in a table of " + columns);
+        }
+        for (int i = 0; i < cells.length; i++) {
+            text.append(i == 0 ? "" : ",").append(quoted(String.valueOf(cells[i])));
+        }
+        text.append('\n');
+    }
+
+    /** A number with a fixed count of digits after the point. */
+    static String fixed(double value, int digits) {
+        return String.format(Locale.ROOT, "%." + digits + "f", value);
+    }
+
+    /** Milliseconds as seconds. */
+    static String seconds(long millis) {
+        return fixed(millis / 1000.0, 3);
+    }
+
+    private static String quoted(String cell) {
+        boolean plain = cell.chars().noneMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
+        return plain ? cell : '"' + cell.replace("\"", "\"\"") + '"';
+    }
+
+    @Override
+    public String toString() {
+        return text.toString();
+    }
+}

@@ -1,0 +1,15 @@
+package org.sami.crw.sim.report;
+
+import java.util.Objects;
+
+/**
+ * Something that was noted while the run went on.
+ *
+ * @param kind the engine's word for it, in lower case, such as {@code late}
+ */
+public record NoteResult(long atMillis, String kind, long mission, String message) {
+    public NoteResult {
+        Objects.requireNonNull(kind, "kind");
+        Objects.requireNonNull(message, "message");
+    }
+}

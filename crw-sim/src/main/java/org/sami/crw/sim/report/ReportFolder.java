@@ -1,0 +1,49 @@
+package org.sami.crw.sim.report;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.Objects;
+
+/**
+ * Writes a report's files into a folder: {@code report.json}, {@code boats.csv}, {@code locations.csv},
+ * {@code firings.csv}, {@code tracks.csv}, {@code decisions.csv} and {@code map.png}. Files of those names are replaced;
+ * each appears whole or not at all.
+ */
+public final class ReportFolder {
+    private final Path folder;
+
+    /** A folder, which is made when something is written. */
+    public ReportFolder(Path folder) {
+        this.folder = Objects.requireNonNull(folder, "folder");
+    }
+
+    /** Writes all files of a report. */
+    public void write(RunReport report) throws IOException {
+        Files.createDirectories(folder);
+        text("report.json", ReportJson.text(report));
+        text("boats.csv", ReportTables.boats(report).toString());
+        text("locations.csv", ReportTables.locations(report).toString());
+        text("firings.csv", ReportTables.firings(report).toString());
+        text("tracks.csv", ReportTables.tracks(report).toString());
+        text("decisions.csv", ReportTables.decisions(report).toString());
+        bytes("map.png", new MapPicture(report).png());
+    }
+
+    /** Where the picture is, once it is written. */
+    public Path picture() {
+        return folder.resolve("map.png");
+    }
+
+    private void text(String name, String content) throws IOException {
+        bytes(name, content.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private void bytes(String name, byte[] content) throws IOException {
+        Path whole = folder.resolve(name + ".new");
+        Files.write(whole, content);
+        Files.move(whole, folder.resolve(name), StandardCopyOption.REPLACE_EXISTING);
+    }
+}

@@ -1,0 +1,136 @@
+package org.sami.crw.sim.report;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.SerializationFeature;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+
+/** The report as one JSON object. Its members are described in docs/command-line.md; programs rely on them. */
+public final class ReportJson {
+    private static final ObjectMapper MAPPER = new ObjectMapper()
+            .enable(SerializationFeature.INDENT_OUTPUT)
+            .enable(JsonGenerator.Feature.WRITE_BIGDECIMAL_AS_PLAIN);
+    private static final JsonNodeFactory NODES = JsonNodeFactory.instance;
+
+    private ReportJson() {}
+
+    /** The report's text, indented, with a line feed at its end. */
+    public static String text(RunReport report) {
+        try {
+            return MAPPER.writeValueAsString(object(report)) + "\n";
+        } catch (JsonProcessingException e) {
+            throw new IllegalStateException("a tree of plain nodes was not writable", e);
+        }
+    }
+
+    private static ObjectNode object(RunReport report) {
+        RunHeader header = report.header();
+        RunResult result = report.result();
+        ObjectNode json = NODES.objectNode();
+        json.put("outcome", result.outcome().word());
+        json.put("reason", result.reason());
+        json.put("plan", header.plan());
+        json.put("planName", header.planName());
+        json.put("mission", header.mission());
+        json.put("seed", header.seed());
+        json.put("speed", header.speed());
+        json.put("simulatedSeconds", seconds(result.simulatedMillis()));
+        json.put("wallSeconds", decimal(result.wallSeconds(), 3));
+        json.put("clicks", result.clicks());
+        json.put("firings", result.firings());
+        json.put("locationsVisited", report.locationsVisited());
+        json.put("distanceM", decimal(report.distanceM(), 2));
+        json.set("boats", boats(report));
+        json.set("locations", locations(report));
+        json.set("interrupts", interrupts(report));
+        json.set("decisions", decisions(report));
+        json.set("notes", notes(report));
+        if (result.resumedFrom().isPresent()) {
+            json.put("resumedFrom", result.resumedFrom().getAsLong());
+        } else {
+            json.putNull("resumedFrom");
+        }
+        json.put("runHash", result.runHash());
+        return json;
+    }
+
+    private static ArrayNode boats(RunReport report) {
+        ArrayNode array = NODES.arrayNode();
+        for (BoatResult boat : report.boats()) {
+            array.addObject()
+                    .put("id", boat.id())
+                    .put("link", boat.link())
+                    .put("distanceM", decimal(boat.distanceM(), 2))
+                    .put("batteryPercent", decimal(boat.batteryPercent(), 2))
+                    .put("recharges", boat.recharges());
+        }
+        return array;
+    }
+
+    private static ArrayNode locations(RunReport report) {
+        ArrayNode array = NODES.arrayNode();
+        for (LocationResult location : report.locations()) {
+            ObjectNode node = array.addObject();
+            node.put("number", location.number());
+            node.put("latDeg", decimal(location.latDeg(), 7));
+            node.put("lonDeg", decimal(location.lonDeg(), 7));
+            node.put("visited", location.visited());
+            if (location.visited()) {
+                node.put("visitedAt", seconds(location.visitedAtMillis().getAsLong()));
+                node.put("visitedBy", location.visitedBy());
+            }
+        }
+        return array;
+    }
+
+    private static ArrayNode interrupts(RunReport report) {
+        ArrayNode array = NODES.arrayNode();
+        for (InterruptResult interrupt : report.interrupts()) {
+            array.addObject()
+                    .put("name", interrupt.name())
+                    .put("boat", interrupt.boat())
+                    .put("pressedAt", seconds(interrupt.pressedAtMillis()))
+                    .put("taken", interrupt.taken());
+        }
+        return array;
+    }
+
+    private static ArrayNode decisions(RunReport report) {
+        ArrayNode array = NODES.arrayNode();
+        for (DecisionResult decision : report.decisions()) {
+            ObjectNode node = array.addObject();
+            node.put("id", decision.id());
+            node.put("type", decision.type());
+            node.put("openedAt", seconds(decision.openedAtMillis()));
+            decision.closedAtMillis().ifPresent(at -> node.put("closedAt", seconds(at)));
+            node.put("by", decision.by());
+            node.put("clicks", decision.clicks());
+        }
+        return array;
+    }
+
+    private static ArrayNode notes(RunReport report) {
+        ArrayNode array = NODES.arrayNode();
+        for (NoteResult note : report.notes()) {
+            array.addObject()
+                    .put("at", seconds(note.atMillis()))
+                    .put("kind", note.kind())
+                    .put("mission", note.mission())
+                    .put("message", note.message());
+        }
+        return array;
+    }
+
+    private static BigDecimal seconds(long millis) {
+        return BigDecimal.valueOf(millis, 3).stripTrailingZeros();
+    }
+
+    private static BigDecimal decimal(double value, int digits) {
+        return BigDecimal.valueOf(value).setScale(digits, RoundingMode.HALF_UP).stripTrailingZeros();
+    }
+}

@@ -1,0 +1,108 @@
+package org.sami.crw.sim.report;
+
+import static org.sami.crw.sim.report.CsvTable.fixed;
+import static org.sami.crw.sim.report.CsvTable.seconds;
+
+/** The report's tables. Times are simulated seconds, lengths metres, angles degrees. */
+final class ReportTables {
+    private ReportTables() {}
+
+    static CsvTable boats(RunReport report) {
+        CsvTable table =
+                new CsvTable("boat", "link", "distance_m", "battery_percent", "recharges", "locations_visited");
+        for (BoatResult boat : report.boats()) {
+            long visited = report.locations().stream()
+                    .filter(location -> location.visitedBy().equals(boat.id()))
+                    .count();
+            table.row(
+                    boat.id(),
+                    boat.link(),
+                    fixed(boat.distanceM(), 2),
+                    fixed(boat.batteryPercent(), 2),
+                    boat.recharges(),
+                    visited);
+        }
+        return table;
+    }
+
+    static CsvTable locations(RunReport report) {
+        CsvTable table =
+                new CsvTable("location", "lat_deg", "lon_deg", "east_m", "north_m", "visited", "visited_at_s", "boat");
+        for (LocationResult location : report.locations()) {
+            table.row(
+                    location.number(),
+                    fixed(location.latDeg(), 7),
+                    fixed(location.lonDeg(), 7),
+                    fixed(location.eastM(), 3),
+                    fixed(location.northM(), 3),
+                    location.visited(),
+                    location.visited() ? seconds(location.visitedAtMillis().getAsLong()) : "",
+                    location.visitedBy());
+        }
+        return table;
+    }
+
+    static CsvTable firings(RunReport report) {
+        CsvTable table =
+                new CsvTable("firing", "input", "at_s", "mission", "plan", "transition", "input_events", "tokens");
+        for (FiringResult firing : report.firings()) {
+            table.row(
+                    firing.number(),
+                    firing.input(),
+                    seconds(firing.atMillis()),
+                    firing.mission(),
+                    firing.plan(),
+                    firing.transition(),
+                    firing.events(),
+                    firing.moves());
+        }
+        return table;
+    }
+
+    static CsvTable tracks(RunReport report) {
+        CsvTable table =
+                new CsvTable("boat", "at_s", "lat_deg", "lon_deg", "east_m", "north_m", "speed_mps", "battery_percent");
+        for (BoatResult boat : report.boats()) {
+            for (TrackPoint point : boat.track()) {
+                table.row(
+                        boat.id(),
+                        seconds(point.atMillis()),
+                        fixed(point.latDeg(), 7),
+                        fixed(point.lonDeg(), 7),
+                        fixed(point.eastM(), 3),
+                        fixed(point.northM(), 3),
+                        fixed(point.speedMps(), 2),
+                        fixed(point.batteryPercent(), 2));
+            }
+        }
+        return table;
+    }
+
+    static CsvTable decisions(RunReport report) {
+        CsvTable table = new CsvTable(
+                "decision",
+                "mission",
+                "type",
+                "prompt",
+                "opened_at_s",
+                "closed_at_s",
+                "answered_by",
+                "answer",
+                "clicks");
+        for (DecisionResult decision : report.decisions()) {
+            table.row(
+                    decision.id(),
+                    decision.mission(),
+                    decision.type(),
+                    decision.prompt(),
+                    seconds(decision.openedAtMillis()),
+                    decision.closedAtMillis().isPresent()
+                            ? seconds(decision.closedAtMillis().getAsLong())
+                            : "",
+                    decision.by(),
+                    decision.answer(),
+                    decision.clicks());
+        }
+        return table;
+    }
+}

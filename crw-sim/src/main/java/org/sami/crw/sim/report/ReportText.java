@@ -1,0 +1,112 @@
+package org.sami.crw.sim.report;
+
+import java.util.List;
+import java.util.Locale;
+
+/** The report as text for a terminal. */
+public final class ReportText {
+    private static final int NOTES_SHOWN = 10;
+    private static final String DISCARDED = "discarded";
+
+    private ReportText() {}
+
+    /** The report, with line feeds, about one screen. */
+    public static String text(RunReport report) {
+        StringBuilder text = new StringBuilder();
+        summary(text, report);
+        boats(text, report);
+        notes(text, report);
+        return text.toString();
+    }
+
+    private static void summary(StringBuilder text, RunReport report) {
+        RunHeader header = report.header();
+        RunResult result = report.result();
+        line(text, "%s (plan %s), seed %d", header.planName(), header.plan(), header.seed());
+        line(text, "  %-20s%s%s", "outcome", result.outcome().word(), reason(result));
+        line(
+                text,
+                "  %-20s%s (%.1f s)",
+                result.outcome() == RunOutcome.ENDED ? "completion time" : "simulated time",
+                duration(result.simulatedMillis()),
+                result.simulatedMillis() / 1000.0);
+        line(text, "  %-20s%.1f s", "wall time", result.wallSeconds());
+        line(text, "  %-20s%d", "clicks", result.clicks());
+        line(
+                text,
+                "  %-20s%d of %d",
+                "locations visited",
+                report.locationsVisited(),
+                report.locations().size());
+        line(text, "  %-20s%.0f m", "distance", report.distanceM());
+        line(text, "  %-20s%d", "firings", result.firings());
+        long answered =
+                report.decisions().stream().filter(DecisionResult::answered).count();
+        line(
+                text,
+                "  %-20s%d of %d answered",
+                "decisions",
+                answered,
+                report.decisions().size());
+        result.resumedFrom().ifPresent(from -> line(text, "  %-20sjournal entry %d", "resumed from", from));
+        line(text, "  %-20s%s", "run hash", result.runHash());
+    }
+
+    private static String reason(RunResult result) {
+        return result.reason().isEmpty() ? "" : ": " + result.reason();
+    }
+
+    private static void boats(StringBuilder text, RunReport report) {
+        line(text, "");
+        line(text, "  %-12s%12s%12s%12s   %s", "boat", "distance", "battery", "recharges", "link");
+        for (BoatResult boat : report.boats()) {
+            line(
+                    text,
+                    "  %-12s%10.0f m%10.1f %%%12d   %s",
+                    boat.id(),
+                    boat.distanceM(),
+                    boat.batteryPercent(),
+                    boat.recharges(),
+                    boat.link());
+        }
+    }
+
+    /** News that no transition wanted is counted, the rest is shown. */
+    private static void notes(StringBuilder text, RunReport report) {
+        List<NoteResult> shown = report.notes().stream()
+                .filter(note -> !note.kind().equals(DISCARDED))
+                .toList();
+        int discarded = report.notes().size() - shown.size();
+        if (report.notes().isEmpty()) {
+            return;
+        }
+        line(text, "");
+        line(text, "  notes");
+        shown.stream().limit(NOTES_SHOWN).forEach(note -> {
+            line(text, "  %8.1f s  %-18s%s", note.atMillis() / 1000.0, note.kind(), note.message());
+        });
+        if (shown.size() > NOTES_SHOWN) {
+            line(text, "  and %d more (report.json)", shown.size() - NOTES_SHOWN);
+        }
+        if (discarded > 0) {
+            line(text, "  %d answers or pieces of news were discarded, for no transition waited for them", discarded);
+        }
+    }
+
+    /** A span of time for people: {@code 45 s}, {@code 7 min 12 s}, {@code 1 h 5 min}. */
+    public static String duration(long millis) {
+        long seconds = Math.round(millis / 1000.0);
+        if (seconds < 60) {
+            return seconds + " s";
+        }
+        if (seconds < 3600) {
+            return seconds / 60 + " min " + seconds % 60 + " s";
+        }
+        return seconds / 3600 + " h " + seconds % 3600 / 60 + " min";
+    }
+
+    private static void line(StringBuilder text, String format, Object... values) {
+        text.append(values.length == 0 ? format : String.format(Locale.ROOT, format, values))
+                .append('\n');
+    }
+}

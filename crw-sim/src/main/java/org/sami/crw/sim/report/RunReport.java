@@ -1,0 +1,36 @@
+package org.sami.crw.sim.report;
+
+import java.util.List;
+import java.util.Objects;
+
+/** Everything that is told about one run. Immutable; all writers read only this. */
+public record RunReport(
+        RunHeader header,
+        RunResult result,
+        List<BoatResult> boats,
+        List<LocationResult> locations,
+        List<DecisionResult> decisions,
+        List<FiringResult> firings,
+        List<InterruptResult> interrupts,
+        List<NoteResult> notes) {
+    public RunReport {
+        Objects.requireNonNull(header, "header");
+        Objects.requireNonNull(result, "result");
+        boats = List.copyOf(boats);
+        locations = List.copyOf(locations);
+        decisions = List.copyOf(decisions);
+        firings = List.copyOf(firings);
+        interrupts = List.copyOf(interrupts);
+        notes = List.copyOf(notes);
+    }
+
+    /** How many of the locations a boat has visited. */
+    public int locationsVisited() {
+        return (int) locations.stream().filter(LocationResult::visited).count();
+    }
+
+    /** Metres travelled by all boats together. */
+    public double distanceM() {
+        return boats.stream().mapToDouble(BoatResult::distanceM).sum();
+    }
+}

@@ -1,0 +1,185 @@
+package org.sami.crw.sim.resume;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalLong;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.sami.crw.sim.run.RunJournal;
+import org.sami.spn.host.Durability;
+import org.sami.spn.host.InputJournal;
+import org.sami.spn.host.JournalEntry;
+import org.sami.spn.journal.JournalReader;
+import org.sami.spn.journal.SqliteJournal;
+import org.sami.spn.journal.WorldMark;
+
+/**
+ * The journal of a run that is taken up: as far as it goes, what the run produces is compared with it, and from then on
+ * written to it. The run does not notice.
+ */
+public final class ResumedJournal implements RunJournal, AutoCloseable {
+    private static final int WORDS_LENGTH = 160;
+
+    private final SqliteJournal journal;
+    private final List<JournalEntry> past;
+    private final Map<Long, MarkText> marks;
+    private final Inputs inputs = new Inputs();
+    private final long knownUntilMillis;
+    private long index;
+    private long reachedMillis = -1;
+
+    private ResumedJournal(SqliteJournal journal, List<JournalEntry> past, Map<Long, MarkText> marks) {
+        this.journal = journal;
+        this.past = past;
+        this.marks = marks;
+        MarkText last = marks.get((long) past.size());
+        knownUntilMillis = last == null ? -1 : last.atMillis();
+    }
+
+    /**
+     * Opens a journal to go on with it.
+     *
+     * @throws IOException if it is no journal, is damaged from its head, or another process writes it
+     */
+    public static ResumedJournal open(Path file) throws IOException {
+        SqliteJournal journal = SqliteJournal.open(file, WrittenJournal.OPTIONS);
+        try (JournalReader reader = JournalReader.open(file)) {
+            Map<Long, MarkText> marks = new TreeMap<>();
+            for (WorldMark mark : reader.marks()) {
+                marks.put(mark.index(), MarkText.of(mark));
+            }
+            return new ResumedJournal(journal, reader.entries(), marks);
+        } catch (IOException | RuntimeException fault) {
+            journal.close();
+            throw fault;
+        }
+    }
+
+    /** What the run is a function of. */
+    public RunRecord record() {
+        return RunRecord.of(journal.header());
+    }
+
+    /** Names of documents that are not now as they were when the run began. */
+    public List<String> differences(String project, Map<String, String> vocabulary) {
+        return journal.header().differences(record().source(), project, vocabulary);
+    }
+
+    /** What was wrong with the file, in a sentence; empty text where nothing was. */
+    public String damage() {
+        return journal.recovery().damage().orElse("");
+    }
+
+    /** How many entries the run has added since. */
+    public long added() {
+        return Math.max(0, index - past.size());
+    }
+
+    @Override
+    public InputJournal inputs() {
+        return inputs;
+    }
+
+    @Override
+    public void mark(long atMillis, String fingerprint) throws IOException {
+        reachedMillis = atMillis;
+        MarkText known = marks.get(index);
+        if (known != null
+                && known.atMillis() == atMillis
+                && !known.fingerprint().equals(fingerprint)) {
+            throw new JournalMismatchException(
+                    index, "the boats are elsewhere " + atMillis / 1000.0 + " s after the start than they were");
+        }
+        boolean isNews = index > past.size() || (index == past.size() && atMillis > knownUntilMillis);
+        if (isNews) {
+            journal.mark(new MarkText(atMillis, fingerprint).toString());
+        }
+    }
+
+    @Override
+    public boolean isCatchingUp() {
+        return index < past.size() || (index == past.size() && reachedMillis < knownUntilMillis);
+    }
+
+    @Override
+    public OptionalLong resumedFrom() {
+        return OptionalLong.of(past.size());
+    }
+
+    @Override
+    public void over() throws JournalMismatchException {
+        if (index < past.size()) {
+            throw new JournalMismatchException(
+                    index + 1,
+                    "this program ends the mission before it; the journal has "
+                            + past.get((int) index).input().getClass().getSimpleName());
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        journal.close();
+    }
+
+    private final class Inputs implements InputJournal {
+        private long lastMillis;
+
+        @Override
+        public long lastIndex() {
+            return index;
+        }
+
+        @Override
+        public long lastMillis() {
+            return lastMillis;
+        }
+
+        @Override
+        public void append(List<JournalEntry> batch, Durability durability) throws IOException {
+            int known = (int) Math.min(batch.size(), Math.max(0, past.size() - index));
+            for (JournalEntry entry : batch.subList(0, known)) {
+                compare(past.get((int) entry.index() - 1), entry);
+            }
+            if (known < batch.size()) {
+                journal.append(batch.subList(known, batch.size()), durability);
+            }
+            index += batch.size();
+            lastMillis =
+                    batch.isEmpty() ? lastMillis : batch.get(batch.size() - 1).atMillis();
+        }
+
+        private void compare(JournalEntry expected, JournalEntry entry) throws JournalMismatchException {
+            if (!expected.equals(entry)) {
+                throw new JournalMismatchException(
+                        entry.index(), "it holds " + words(expected) + ", but this program comes to " + words(entry));
+            }
+        }
+
+        private static String words(JournalEntry entry) {
+            return shortened(entry.input().toString()) + " at " + entry.atMillis() / 1000.0 + " s";
+        }
+
+        private static String shortened(String text) {
+            return text.length() <= WORDS_LENGTH ? text : text.substring(0, WORDS_LENGTH) + "...";
+        }
+
+        @Override
+        public void offerSnapshot(Supplier<byte[]> state) throws IOException {
+            if (index > past.size()) {
+                journal.offerSnapshot(state);
+            }
+        }
+
+        @Override
+        public void sync() throws IOException {
+            journal.sync();
+        }
+
+        @Override
+        public void close() {
+            // The outer object closes the file.
+        }
+    }
+}

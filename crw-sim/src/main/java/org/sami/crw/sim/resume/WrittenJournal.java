@@ -1,0 +1,60 @@
+package org.sami.crw.sim.resume;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.OptionalLong;
+import org.sami.crw.sim.run.RunJournal;
+import org.sami.spn.host.InputJournal;
+import org.sami.spn.journal.JournalOptions;
+import org.sami.spn.journal.SqliteJournal;
+
+/** The journal of a run that begins. */
+public final class WrittenJournal implements RunJournal, AutoCloseable {
+    /** A simulated run survives its process; nobody loses a boat when a laptop loses its power in the middle of it. */
+    static final JournalOptions OPTIONS = JournalOptions.DEFAULT.withoutSync();
+
+    private final SqliteJournal journal;
+
+    private WrittenJournal(SqliteJournal journal) {
+        this.journal = journal;
+    }
+
+    /**
+     * Makes a journal's file.
+     *
+     * @throws IOException if there is one already, or none can be made
+     */
+    public static WrittenJournal create(Path file, RunRecord record) throws IOException {
+        return new WrittenJournal(SqliteJournal.create(file, record.toHeader(), OPTIONS));
+    }
+
+    @Override
+    public InputJournal inputs() {
+        return journal;
+    }
+
+    @Override
+    public void mark(long atMillis, String fingerprint) throws IOException {
+        journal.mark(new MarkText(atMillis, fingerprint).toString());
+    }
+
+    @Override
+    public boolean isCatchingUp() {
+        return false;
+    }
+
+    @Override
+    public OptionalLong resumedFrom() {
+        return OptionalLong.empty();
+    }
+
+    @Override
+    public void over() {
+        // The last entry says it.
+    }
+
+    @Override
+    public void close() throws IOException {
+        journal.close();
+    }
+}

@@ -1,0 +1,64 @@
+package org.sami.crw.sim.run;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Executor;
+import org.sami.crw.decision.OperatorMessage;
+import org.sami.crw.handler.CrwDomain;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.sim.report.NoteResult;
+import org.sami.spn.engine.Engine;
+import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.HostClock;
+import org.sami.spn.host.InputJournal;
+
+/** The base: the engine with its host, and the boats domain on it. Everything of it runs on the run's one executor. */
+final class BaseStation {
+    /** In a run in process nobody waits for a listener but the run itself. */
+    private static final long NEVER_SLOW_MILLIS = 3_600_000;
+
+    private final EngineHost host;
+    private final ProxyRegistry boats = new ProxyRegistry();
+    private final CrwDomain domain;
+    private final List<NoteResult> messages = new ArrayList<>();
+
+    BaseStation(RunPlan plan, InputJournal journal, HostClock clock, Executor executor) {
+        Engine engine = new Engine(plan.vocabulary(), plan.project());
+        host = EngineHost.builder(engine, engine.newState())
+                .journal(journal)
+                .clock(clock)
+                .executor(executor)
+                .slowListenerMillis(NEVER_SLOW_MILLIS)
+                .build();
+        domain = CrwDomain.install(host, boats, executor, this::tell);
+    }
+
+    private void tell(OperatorMessage message) {
+        messages.add(new NoteResult(
+                message.atMillis(),
+                message.source().name().toLowerCase(Locale.ROOT) + " message",
+                message.mission(),
+                message.text()));
+    }
+
+    EngineHost host() {
+        return host;
+    }
+
+    /** What the base hears of each boat. */
+    BoatListener boatListener() {
+        return domain.boatListener();
+    }
+
+    /** From now on the base has these boats. */
+    void know(ProxyRegistry fleet) {
+        fleet.all().forEach(boats::add);
+    }
+
+    /** What plans and the domain told the operator, oldest first. */
+    List<NoteResult> messages() {
+        return messages;
+    }
+}

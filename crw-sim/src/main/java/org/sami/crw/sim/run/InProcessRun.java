@@ -1,0 +1,242 @@
+package org.sami.crw.sim.run;
+
+import java.io.IOException;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.decision.OperatorDefaults;
+import org.sami.crw.decision.SimulatedOperator;
+import org.sami.crw.sim.clock.VirtualClock;
+import org.sami.crw.sim.fleet.SimulatedBoat;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.HostStatus;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Outcome;
+import org.sami.spn.value.Value;
+
+/**
+ * One mission on simulated boats, all in one thread: engine, handlers, links, boats and operator. A function of its plan
+ * and its settings; of the speed depends only how long it takes. Used once, by one thread.
+ */
+public final class InProcessRun {
+    private static final long LOOK_MILLIS = 200;
+    private static final long TRACK_MILLIS = 1000;
+    private static final long MARK_MILLIS = 10_000;
+    private static final long MARK_ENTRIES = 10;
+    private static final long JOIN_MILLIS = 30_000;
+
+    private final RunPlan plan;
+    private final RunSettings settings;
+    private final Map<String, Value> parameters;
+    private final RunJournal journal;
+    private final LoopExecutor executor = new LoopExecutor();
+    private final VirtualClock clock = new VirtualClock();
+    private final SimulatedWater water;
+    private final OperatorStation operator;
+    private final BaseStation base;
+    private final RunRecorder recorder;
+    private final VisitRecorder visits = new VisitRecorder();
+    private final TrackRecorder tracks = new TrackRecorder();
+    private final StallWatch stall;
+    private Optional<String> fault = Optional.empty();
+    private boolean started;
+    private boolean catchingUp = true;
+    private long markedIndex;
+
+    /**
+     * Puts the world together; nothing happens in it yet.
+     *
+     * @param answers what the simulated operator is told to answer
+     * @throws IllegalArgumentException naming the parameter, if a given one does not fit the plan
+     */
+    public InProcessRun(RunPlan plan, RunSettings settings, AnswersFile answers, RunJournal journal) {
+        this.plan = plan;
+        this.settings = settings;
+        this.journal = journal;
+        parameters = new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
+        RunSettings.Fleet fleet = settings.fleet();
+        base = new BaseStation(plan, journal.inputs(), new VirtualHostClock(clock), executor);
+        water = new SimulatedWater(clock, fleet, boat -> base.boatListener());
+        base.know(water.fleet().proxies());
+        OperatorDefaults defaults =
+                new OperatorDefaults(SimulatedWater.CENTRE, fleet.areaM(), fleet.locations(), fleet.seed());
+        operator = new OperatorStation(
+                new SimulatedOperator(plan.vocabulary(), defaults, answers), clock, settings.answerAfterMillis());
+        recorder = new RunRecorder(plan.project());
+        base.host().addListener(recorder);
+        base.host().addListener(operator);
+        base.host().addListener(new LocationListener(visits, water));
+        operator.connect(base.host());
+        stall = new StallWatch(base.host(), operator, recorder);
+    }
+
+    /**
+     * Runs it to its end, to the set time, or until somebody wants it to stop.
+     *
+     * @param pacer keeps its time; not asked while the run only catches up with its journal
+     */
+    public RunReport run(Pacer pacer, RunObserver observer) {
+        long wallStart = System.nanoTime();
+        begin(observer);
+        RunOutcome outcome = loop(pacer, observer);
+        double wallSeconds = (System.nanoTime() - wallStart) / 1e9;
+        return new ReportBuilder(plan, settings, recorder, journal)
+                .build(outcome, fault.orElse(""), wallSeconds, water, visits, tracks, base.messages());
+    }
+
+    /** The boats and their time, for tests. */
+    SimulatedWater water() {
+        return water;
+    }
+
+    /** The engine's host, for tests. */
+    EngineHost host() {
+        return base.host();
+    }
+
+    /** Lets the world go on without the mission: what boats do when nobody wants anything of them any more. */
+    void coast(long millis) {
+        long until = now() + millis;
+        for (long next = now(); next <= until; next = clock.nextTimeMs().orElse(Long.MAX_VALUE)) {
+            executor.drain();
+            clock.runNext();
+        }
+        executor.drain();
+    }
+
+    private void begin(RunObserver observer) {
+        repeat(LOOK_MILLIS, () -> {
+            visits.look(now(), water.boats());
+            observer.progress().accept(progress());
+        });
+        repeat(TRACK_MILLIS, () -> tracks.look(now(), water.boats()));
+        repeat(MARK_MILLIS, this::mark);
+        repeat(MARK_MILLIS, () -> stall.look(now(), water.boats()).ifPresent(this::fail));
+        water.fleet().start();
+    }
+
+    /** Every so often, from now on. The world's clock runs nothing else at any moment. */
+    private void repeat(long everyMillis, Runnable action) {
+        action.run();
+        clock.after(everyMillis, () -> repeat(everyMillis, action));
+    }
+
+    private RunOutcome loop(Pacer pacer, RunObserver observer) {
+        while (true) {
+            executor.drain();
+            startWhenAllAreThere();
+            markAfterEntries();
+            Optional<RunOutcome> over = outcome();
+            if (over.isPresent()) {
+                return over.get();
+            }
+            if (observer.stop().getAsBoolean()) {
+                return RunOutcome.RUNNING;
+            }
+            long next = clock.nextTimeMs().orElseThrow();
+            if (next > settings.stopMillis()) {
+                clock.runUntil(settings.stopMillis());
+                return RunOutcome.RUNNING;
+            }
+            pace(pacer, next);
+            clock.runNext();
+        }
+    }
+
+    private void pace(Pacer pacer, long nextMillis) {
+        if (catchingUp) {
+            catchingUp = journal.isCatchingUp();
+            if (!catchingUp) {
+                pacer.start(now());
+            }
+        }
+        if (!catchingUp) {
+            pacer.awaitTurn(nextMillis);
+        }
+    }
+
+    private void startWhenAllAreThere() {
+        if (!started && recorder.boatsJoined() == settings.fleet().boats()) {
+            started = true;
+            base.host().post(new Input.StartMission(plan.plan().id(), settings.mission(), parameters));
+            executor.drain();
+        } else if (!started && now() > JOIN_MILLIS) {
+            fail("only " + recorder.boatsJoined() + " of " + settings.fleet().boats() + " boats answered");
+        }
+    }
+
+    private Optional<RunOutcome> outcome() {
+        HostStatus status = base.host().status();
+        if (status.kind() == HostStatus.Kind.FAILED) {
+            fail(status.reason());
+        }
+        recorder.failure().ifPresent(this::fail);
+        if (fault.isEmpty() && recorder.outcome().isPresent()) {
+            return recorder.outcome().map(this::over);
+        }
+        return fault.map(reason -> RunOutcome.FAILED);
+    }
+
+    private RunOutcome over(Outcome outcome) {
+        try {
+            journal.over();
+        } catch (IOException e) {
+            fail(e.getMessage());
+            return RunOutcome.FAILED;
+        }
+        return switch (outcome) {
+            case ENDED, COMPLETED -> RunOutcome.ENDED;
+            case ABORTED -> RunOutcome.ABORTED;
+            case HALTED -> {
+                fail("the mission was halted: it fired without end (livelock)");
+                yield RunOutcome.FAILED;
+            }
+        };
+    }
+
+    private void fail(String reason) {
+        if (fault.isEmpty()) {
+            fault = Optional.of(reason);
+        }
+    }
+
+    private void markAfterEntries() {
+        if (journal.inputs().lastIndex() >= markedIndex + MARK_ENTRIES) {
+            mark();
+        }
+    }
+
+    private void mark() {
+        long index = journal.inputs().lastIndex();
+        if (index == 0 || fault.isPresent()) {
+            return;
+        }
+        markedIndex = index;
+        try {
+            journal.mark(now(), water.fingerprint());
+        } catch (IOException e) {
+            fail(e.getMessage());
+        }
+    }
+
+    private long now() {
+        return clock.nowMs();
+    }
+
+    private RunProgress progress() {
+        double least = water.fleet().boats().stream()
+                .mapToDouble(SimulatedBoat::batteryPercent)
+                .min()
+                .orElse(100);
+        return new RunProgress(
+                catchingUp ? "catching up" : "running",
+                now(),
+                visits.visited(),
+                visits.count(),
+                recorder.openDecisions(),
+                recorder.firings().size(),
+                least);
+    }
+}

@@ -1,0 +1,91 @@
+package org.sami.crw.sim.run;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.sami.crw.decision.SimulatedOperator;
+import org.sami.crw.sim.clock.VirtualScheduler;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.json.Reading;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Answerer;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
+
+/** Where the simulated operator sits: sees a decision when it opens, answers it a while later. */
+final class OperatorStation implements HostListener {
+    private final SimulatedOperator operator;
+    private final VirtualScheduler clock;
+    private final long answerAfterMillis;
+    private final Map<Long, String> planOfMission = new TreeMap<>();
+    private final Map<Long, Decision> open = new TreeMap<>();
+    private final List<String> troubles = new ArrayList<>();
+    private EngineHost host;
+    private int thinking;
+
+    OperatorStation(SimulatedOperator operator, VirtualScheduler clock, long answerAfterMillis) {
+        this.operator = operator;
+        this.clock = clock;
+        this.answerAfterMillis = answerAfterMillis;
+    }
+
+    /** Tells it whom to answer; before the first decision. */
+    void connect(EngineHost answered) {
+        host = answered;
+    }
+
+    @Override
+    public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        for (Effect effect : effects) {
+            if (effect instanceof Effect.MissionStarted started) {
+                planOfMission.put(started.mission(), started.plan());
+            } else if (effect instanceof Effect.DecisionOpened opened) {
+                asked(opened.decision());
+            } else if (effect instanceof Effect.DecisionClosed closed) {
+                open.remove(closed.decision());
+            }
+        }
+    }
+
+    private void asked(Decision decision) {
+        open.put(decision.id(), decision);
+        thinking++;
+        clock.after(answerAfterMillis, () -> {
+            thinking--;
+            if (open.containsKey(decision.id())) {
+                answer(decision);
+            }
+        });
+    }
+
+    private void answer(Decision decision) {
+        Reading<Answer> answer = operator.answer(decision, planOfMission.getOrDefault(decision.mission(), ""));
+        for (Finding finding : answer.findings()) {
+            troubles.add(
+                    finding.pointer().isEmpty()
+                            ? finding.message()
+                            : "answers file, " + finding.pointer() + ": " + finding.message());
+        }
+        answer.result().ifPresent(a -> host.post(new Input.AnswerDecision(decision.id(), a, Answerer.OPERATOR)));
+    }
+
+    /** Whether an answer will be given without anything else happening. */
+    boolean isThinking() {
+        return thinking > 0;
+    }
+
+    /** Questions that nobody has answered yet, in order. */
+    List<Decision> open() {
+        return List.copyOf(open.values());
+    }
+
+    /** What the operator could not answer, in words, oldest first. */
+    List<String> troubles() {
+        return troubles;
+    }
+}

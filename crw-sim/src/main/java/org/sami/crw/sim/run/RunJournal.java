@@ -1,0 +1,68 @@
+package org.sami.crw.sim.run;
+
+import java.io.IOException;
+import java.util.OptionalLong;
+import org.sami.spn.host.InputJournal;
+import org.sami.spn.host.MemoryJournal;
+
+/**
+ * What a run in process writes down as it goes: the engine's inputs, and marks by which its world is known again. For the
+ * thread of the run.
+ */
+public interface RunJournal {
+    /** Where the engine's host writes its inputs. */
+    InputJournal inputs();
+
+    /**
+     * The world at a moment: after the last input, at a time.
+     *
+     * @param fingerprint a hash of the boats' true state
+     * @throws IOException where it cannot be written, or is not what was written before
+     */
+    void mark(long atMillis, String fingerprint) throws IOException;
+
+    /** Whether the run is still where an earlier process has been already. */
+    boolean isCatchingUp();
+
+    /** Index of the last entry that an earlier process wrote; empty for a run from its start. */
+    OptionalLong resumedFrom();
+
+    /**
+     * The mission is over.
+     *
+     * @throws IOException if it was not when an earlier process came here
+     */
+    void over() throws IOException;
+
+    /** A journal that nobody reads again. */
+    static RunJournal none() {
+        return new RunJournal() {
+            private final InputJournal inputs = new MemoryJournal();
+
+            @Override
+            public InputJournal inputs() {
+                return inputs;
+            }
+
+            @Override
+            public void mark(long atMillis, String fingerprint) {
+                // Nobody will compare it.
+            }
+
+            @Override
+            public boolean isCatchingUp() {
+                return false;
+            }
+
+            @Override
+            public OptionalLong resumedFrom() {
+                return OptionalLong.empty();
+            }
+
+            @Override
+            public void over() {
+                // There is nothing to compare it with.
+            }
+        };
+    }
+}

@@ -1,0 +1,219 @@
+package org.sami.crw.sim.run;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.Set;
+import org.sami.crw.decision.ClickCount;
+import org.sami.crw.sim.report.DecisionResult;
+import org.sami.crw.sim.report.FiringResult;
+import org.sami.crw.sim.report.InterruptResult;
+import org.sami.crw.sim.report.NoteResult;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Outcome;
+
+/** Notes down what the engine does, for the report and for the hash of the run. One root mission is the run's. */
+final class RunRecorder implements HostListener {
+    private final Project project;
+    private final RunHash hash = new RunHash();
+    private final Map<Long, String> planOfMission = new LinkedHashMap<>();
+    private final List<FiringResult> firings = new ArrayList<>();
+    private final Set<Long> openDecisions = new LinkedHashSet<>();
+    private final Map<Long, DecisionResult> decisions = new LinkedHashMap<>();
+    private final List<InterruptResult> interrupts = new ArrayList<>();
+    private final List<NoteResult> notes = new ArrayList<>();
+    private OptionalLong root = OptionalLong.empty();
+    private Optional<Outcome> outcome = Optional.empty();
+    private Optional<String> failure = Optional.empty();
+    private final ClickCount clicks = new ClickCount();
+    private long costOfInput;
+    private int boatsJoined;
+    private long lastInputMillis;
+
+    RunRecorder(Project project) {
+        this.project = project;
+    }
+
+    @Override
+    public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        lastInputMillis = atMillis;
+        boatsJoined += input instanceof Input.ProxyJoined ? 1 : 0;
+        hash.add(atMillis, effects);
+        long before = clicks.clicks();
+        clicks.count(input, effects);
+        costOfInput = clicks.clicks() - before;
+        for (Effect effect : effects) {
+            take(index, atMillis, effect);
+        }
+        if (input instanceof Input.Interrupt interrupt) {
+            interrupt(atMillis, interrupt, effects);
+        }
+        if (input instanceof Input.StartMission && root.isEmpty()) {
+            failure = Optional.of(
+                    notes.isEmpty()
+                            ? "the mission did not start"
+                            : notes.get(notes.size() - 1).message());
+        }
+    }
+
+    @Override
+    public void onFailed(String reason) {
+        failure = Optional.of(reason);
+    }
+
+    private void take(long index, long atMillis, Effect effect) {
+        if (effect instanceof Effect.MissionStarted started) {
+            planOfMission.put(started.mission(), started.plan());
+            if (started.parent() == Ids.NONE && root.isEmpty()) {
+                root = OptionalLong.of(started.mission());
+            }
+        } else if (effect instanceof Effect.Fired fired) {
+            firings.add(firing(index, atMillis, fired));
+        } else if (effect instanceof Effect.DecisionOpened opened) {
+            opened(atMillis, opened.decision());
+        } else if (effect instanceof Effect.DecisionClosed closed) {
+            closed(atMillis, closed);
+        } else if (effect instanceof Effect.Noted noted) {
+            noted(atMillis, noted);
+        } else if (effect instanceof Effect.MissionEnded ended && isRoot(ended.mission())) {
+            outcome = Optional.of(ended.outcome());
+        }
+    }
+
+    private boolean isRoot(long mission) {
+        return root.isPresent() && root.getAsLong() == mission;
+    }
+
+    private FiringResult firing(long index, long atMillis, Effect.Fired fired) {
+        String planId = planOfMission.getOrDefault(fired.mission(), "");
+        Optional<Plan> plan = project.plan(planId);
+        return new FiringResult(
+                fired.firing(),
+                index,
+                atMillis,
+                fired.mission(),
+                planId,
+                plan.map(known -> Words.transition(known, fired.transition())).orElse(fired.transition()),
+                Words.occurrences(fired.used()),
+                plan.map(known -> Words.moves(known, fired.moves())).orElse(""));
+    }
+
+    private void opened(long atMillis, Decision decision) {
+        openDecisions.add(decision.id());
+        decisions.put(
+                decision.id(),
+                new DecisionResult(
+                        decision.id(),
+                        decision.mission(),
+                        decision.type(),
+                        decision.prompt(),
+                        atMillis,
+                        OptionalLong.empty(),
+                        "",
+                        "",
+                        0));
+    }
+
+    private void closed(long atMillis, Effect.DecisionClosed closed) {
+        boolean wasOpen = openDecisions.remove(closed.decision());
+        DecisionResult open = decisions.get(closed.decision());
+        if (!wasOpen || open == null) {
+            return;
+        }
+        decisions.put(
+                closed.decision(),
+                new DecisionResult(
+                        open.id(),
+                        open.mission(),
+                        open.type(),
+                        open.prompt(),
+                        open.openedAtMillis(),
+                        OptionalLong.of(atMillis),
+                        closed.by()
+                                .map(who -> who.name().toLowerCase(Locale.ROOT))
+                                .orElse(""),
+                        closed.answer().map(Words::answer).orElse(""),
+                        closed.answer().isPresent() ? (int) costOfInput : 0));
+    }
+
+    private void noted(long atMillis, Effect.Noted noted) {
+        notes.add(new NoteResult(
+                atMillis, noted.kind().name().toLowerCase(Locale.ROOT), noted.mission(), noted.message()));
+        if (noted.kind() == NoteKind.LIVELOCK && isRoot(noted.mission())) {
+            outcome = Optional.of(Outcome.HALTED);
+        }
+    }
+
+    private void interrupt(long atMillis, Input.Interrupt interrupt, List<Effect> effects) {
+        boolean refused = effects.stream()
+                .anyMatch(e -> e instanceof Effect.Noted noted && noted.kind() == NoteKind.INTERRUPT_REFUSED);
+        interrupts.add(
+                new InterruptResult(interrupt.name(), String.join(" ", interrupt.proxies()), atMillis, !refused));
+    }
+
+    /** How the run's mission ended; empty while it goes on. */
+    Optional<Outcome> outcome() {
+        return outcome;
+    }
+
+    /** Why the run cannot go on, in one sentence; empty while it can. */
+    Optional<String> failure() {
+        return failure;
+    }
+
+    /** The run's mission, empty before it started. */
+    OptionalLong root() {
+        return root;
+    }
+
+    RunHash hash() {
+        return hash;
+    }
+
+    int clicks() {
+        return (int) clicks.clicks();
+    }
+
+    /** When the engine last took something in. */
+    long lastInputMillis() {
+        return lastInputMillis;
+    }
+
+    /** How many boats the engine has got to know. */
+    int boatsJoined() {
+        return boatsJoined;
+    }
+
+    int openDecisions() {
+        return openDecisions.size();
+    }
+
+    List<FiringResult> firings() {
+        return firings;
+    }
+
+    List<DecisionResult> decisions() {
+        return List.copyOf(decisions.values());
+    }
+
+    List<InterruptResult> interrupts() {
+        return interrupts;
+    }
+
+    List<NoteResult> notes() {
+        return notes;
+    }
+}

@@ -1,0 +1,152 @@
+package org.sami.crw.sim.run;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Objects;
+import java.util.OptionalLong;
+import java.util.TreeMap;
+
+/**
+ * Everything that decides an in-process run, beside its plans and its vocabulary. The run is a function of these; of the
+ * speed only how long it takes.
+ *
+ * @param plan id of the plan
+ * @param mission name of the mission
+ * @param fleet how many boats and locations, in what area, drawn from which seed
+ * @param speed of simulated time
+ * @param limitMillis simulated time after which it stops, in milliseconds; empty = {@link #LONGEST_MILLIS}
+ * @param parameters values for what the plan asks at its start, as they were given, by name
+ * @param answerAfterMillis after how long the simulated operator answers, in simulated milliseconds
+ * @param answers text of the answers file; empty text where there is none
+ */
+public record RunSettings(
+        String plan,
+        String mission,
+        Fleet fleet,
+        Speed speed,
+        OptionalLong limitMillis,
+        Map<String, String> parameters,
+        long answerAfterMillis,
+        String answers) {
+    /** A run that is not told when to stop gives up after one simulated day. */
+    public static final long LONGEST_MILLIS = 86_400_000;
+
+    private static final String PARAMETER = "set.";
+
+    /**
+     * The boats and what they are sent to.
+     *
+     * @param areaM side of the square in which locations lie, in metres
+     */
+    public record Fleet(int boats, int locations, double areaM, long seed) {
+        /** The greatest number of boats (DESIGN, Numbers to design for). */
+        public static final int MOST_BOATS = 250;
+
+        /** The greatest number of locations. */
+        public static final int MOST_LOCATIONS = 10_000;
+
+        /** The shortest side of the area, in metres. */
+        public static final double SHORTEST_AREA_M = 10;
+
+        /** The longest side of the area, in metres: the plane of the simulated water is exact to there. */
+        public static final double LONGEST_AREA_M = 20_000;
+
+        /** A fleet within the limits. */
+        public Fleet {
+            within("boats", boats, 1, MOST_BOATS);
+            within("locations", locations, 1, MOST_LOCATIONS);
+            if (!(areaM >= SHORTEST_AREA_M && areaM <= LONGEST_AREA_M)) {
+                throw new IllegalArgumentException("the area's side is 10 to 20000 m, not " + areaM);
+            }
+        }
+
+        private static void within(String what, int value, int least, int most) {
+            if (value < least || value > most) {
+                throw new IllegalArgumentException(what + " are " + least + " to " + most + ", not " + value);
+            }
+        }
+    }
+
+    public RunSettings {
+        Objects.requireNonNull(plan, "plan");
+        Objects.requireNonNull(mission, "mission");
+        Objects.requireNonNull(fleet, "fleet");
+        Objects.requireNonNull(speed, "speed");
+        Objects.requireNonNull(limitMillis, "limitMillis");
+        parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
+        Objects.requireNonNull(answers, "answers");
+        if (answerAfterMillis < 0) {
+            throw new IllegalArgumentException("the operator answers after 0 s or more, not " + answerAfterMillis);
+        }
+    }
+
+    /** The same run at another speed. */
+    public RunSettings withSpeed(Speed other) {
+        return new RunSettings(plan, mission, fleet, other, limitMillis, parameters, answerAfterMillis, answers);
+    }
+
+    /** The same run with another end. */
+    public RunSettings withLimit(OptionalLong other) {
+        return new RunSettings(plan, mission, fleet, speed, other, parameters, answerAfterMillis, answers);
+    }
+
+    /** When it stops at the latest, in simulated milliseconds. */
+    public long stopMillis() {
+        return limitMillis.orElse(LONGEST_MILLIS);
+    }
+
+    /** As text by name, for the header of a journal. */
+    public Map<String, String> toMap() {
+        Map<String, String> map = new TreeMap<>();
+        map.put("plan", plan);
+        map.put("mission", mission);
+        map.put("boats", String.valueOf(fleet.boats()));
+        map.put("locations", String.valueOf(fleet.locations()));
+        map.put("areaM", String.valueOf(fleet.areaM()));
+        map.put("seed", String.valueOf(fleet.seed()));
+        map.put("speed", speed.toString());
+        limitMillis.ifPresent(limit -> map.put("limitMillis", String.valueOf(limit)));
+        map.put("answerAfterMillis", String.valueOf(answerAfterMillis));
+        map.put("answers", answers);
+        parameters.forEach((name, value) -> map.put(PARAMETER + name, value));
+        return map;
+    }
+
+    /**
+     * Reads what {@link #toMap} wrote; names that it does not know are left alone.
+     *
+     * @throws IllegalArgumentException where something is missing or makes no sense
+     */
+    public static RunSettings fromMap(Map<String, String> map) {
+        Map<String, String> parameters = new TreeMap<>();
+        map.forEach((name, value) -> {
+            if (name.startsWith(PARAMETER)) {
+                parameters.put(name.substring(PARAMETER.length()), value);
+            }
+        });
+        Fleet fleet = new Fleet(
+                Integer.parseInt(needed(map, "boats")),
+                Integer.parseInt(needed(map, "locations")),
+                Double.parseDouble(needed(map, "areaM")),
+                Long.parseLong(needed(map, "seed")));
+        String limit = map.get("limitMillis");
+        return new RunSettings(
+                needed(map, "plan"),
+                needed(map, "mission"),
+                fleet,
+                Speed.parse(needed(map, "speed")),
+                limit == null ? OptionalLong.empty() : OptionalLong.of(Long.parseLong(limit)),
+                parameters,
+                Long.parseLong(needed(map, "answerAfterMillis")),
+                needed(map, "answers"));
+    }
+
+    private static String needed(Map<String, String> map, String name) {
+        String value = map.get(name);
+        if (value == null) {
+            throw new IllegalArgumentException("the setting '" + name + "' is missing");
+        }
+        return value;
+    }
+}

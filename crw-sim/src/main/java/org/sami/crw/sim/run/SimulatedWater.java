@@ -1,0 +1,88 @@
+package org.sami.crw.sim.run;
+
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.function.Function;
+import org.sami.boat.server.LocalFrame;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.sim.clock.VirtualClock;
+import org.sami.crw.sim.fleet.SimulatedBoat;
+import org.sami.crw.sim.fleet.SimulatedFleet;
+import org.sami.spn.value.GeoPoint;
+
+/** The simulated part of the world that is not the base: the area, the boats on it, and their time. */
+final class SimulatedWater {
+    /** Centre of the area: open water of Lake Garda. */
+    static final GeoPoint CENTRE = GeoPoint.of(45.7000, 10.7200);
+
+    /** The boats' line lies this far south of the area. */
+    private static final double QUAY_M = 20;
+
+    private static final double SPACING_M = 5;
+
+    private final VirtualClock clock;
+    private final LocalFrame plane = new LocalFrame(CENTRE.latDeg(), CENTRE.lonDeg());
+    private final SimulatedFleet fleet;
+
+    SimulatedWater(VirtualClock clock, RunSettings.Fleet settings, Function<String, BoatListener> listeners) {
+        this.clock = clock;
+        double eastM = -(settings.boats() - 1) * SPACING_M / 2;
+        double northM = -settings.areaM() / 2 - QUAY_M;
+        fleet = new SimulatedFleet(
+                clock,
+                settings.seed(),
+                settings.boats(),
+                plane.latDeg(eastM, northM),
+                plane.lonDeg(eastM, northM),
+                listeners);
+    }
+
+    VirtualClock clock() {
+        return clock;
+    }
+
+    SimulatedFleet fleet() {
+        return fleet;
+    }
+
+    double eastM(GeoPoint point) {
+        return plane.eastM(point.latDeg(), point.lonDeg());
+    }
+
+    double northM(GeoPoint point) {
+        return plane.northM(point.latDeg(), point.lonDeg());
+    }
+
+    /** All boats as they truly are, in order. */
+    List<BoatState> boats() {
+        List<BoatState> states = new ArrayList<>();
+        for (SimulatedBoat boat : fleet.boats()) {
+            GeoPoint position = boat.position();
+            states.add(new BoatState(
+                    boat.id(),
+                    eastM(position),
+                    northM(position),
+                    position.latDeg(),
+                    position.lonDeg(),
+                    boat.hull().speedMps(),
+                    boat.batteryPercent(),
+                    boat.distanceM(),
+                    boat.recharges()));
+        }
+        return states;
+    }
+
+    /** A short hash of the true positions and batteries, to the last bit: what a world is compared by. */
+    String fingerprint() {
+        MessageDigest digest = RunHash.sha256();
+        for (SimulatedBoat boat : fleet.boats()) {
+            String state = boat.id() + " " + boat.hull().eastM() + " "
+                    + boat.hull().northM() + " " + boat.hull().headingRad() + " " + boat.batteryPercent() + "\n";
+            digest.update(state.getBytes(StandardCharsets.UTF_8));
+        }
+        return HexFormat.of().formatHex(digest.digest(), 0, 8);
+    }
+}

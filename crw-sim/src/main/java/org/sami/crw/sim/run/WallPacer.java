@@ -1,0 +1,36 @@
+package org.sami.crw.sim.run;
+
+import java.util.concurrent.locks.LockSupport;
+
+/** Paces against the machine's monotonic clock. Time that a slow machine lost is caught up, as far as it can. */
+final class WallPacer implements Pacer {
+    /** Shorter waits are left out: the next one makes up for them. */
+    private static final long LEAST_WAIT_NANOS = 1_000_000;
+
+    private static final long LONGEST_WAIT_NANOS = 100_000_000;
+
+    private final Speed speed;
+    private long wallStart;
+    private long virtualStart;
+
+    WallPacer(Speed speed) {
+        this.speed = speed;
+        this.wallStart = System.nanoTime();
+    }
+
+    @Override
+    public void start(long virtualMillis) {
+        wallStart = System.nanoTime();
+        virtualStart = virtualMillis;
+    }
+
+    @Override
+    public void awaitTurn(long virtualMillis) {
+        long due = wallStart + (long) ((virtualMillis - virtualStart) * 1e6 / speed.factor());
+        long left = due - System.nanoTime();
+        while (left >= LEAST_WAIT_NANOS && !Thread.currentThread().isInterrupted()) {
+            LockSupport.parkNanos(Math.min(left, LONGEST_WAIT_NANOS));
+            left = due - System.nanoTime();
+        }
+    }
+}

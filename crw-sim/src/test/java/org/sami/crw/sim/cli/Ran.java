@@ -1,0 +1,19 @@
+package org.sami.crw.sim.cli;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import picocli.CommandLine;
+
+/** A command line that was executed in this process. */
+record Ran(int exitCode, String out, String err) {
+    static Ran crw(String... args) {
+        StringWriter out = new StringWriter();
+        StringWriter err = new StringWriter();
+        CommandLine line = Crw.commandLine()
+                .setOut(new PrintWriter(out))
+                .setErr(new PrintWriter(err))
+                .setColorScheme(CommandLine.Help.defaultColorScheme(CommandLine.Help.Ansi.OFF));
+        int code = line.execute(args);
+        return new Ran(code, out.toString(), err.toString());
+    }
+}

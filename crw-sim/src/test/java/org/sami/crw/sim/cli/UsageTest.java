@@ -1,0 +1,135 @@
+package org.sami.crw.sim.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What is said of command lines that make no sense, and how help looks. */
+class UsageTest {
+    @TempDir
+    Path folder;
+
+    static List<List<String>> wrong() {
+        return List.of(
+                List.of("Which command", ""),
+                List.of("'dance'", "dance"),
+                List.of("--fast", "run clv --fast"),
+                List.of("--boats is 1 to 250, not 0", "run clv --boats 0"),
+                List.of("--boats is 1 to 250, not 251", "run clv --boats 251"),
+                List.of("--boats", "run clv --boats many"),
+                List.of("--locations is 1 to 10000, not 0", "run clv --locations 0"),
+                List.of("--area is 10 to 20000, not 5", "run clv --area 5"),
+                List.of("a speed is 'max' or a number above 0", "run clv --speed fast"),
+                List.of("--speed", "run clv --speed 0"),
+                List.of("--for", "run clv --for soon"),
+                List.of("--answer-after", "run clv --answer-after -1"),
+                List.of("--seed", "run clv --seed x"),
+                List.of("--set", "run clv --set nonsense"),
+                List.of("no parameter 'depth'; it has", "run clv --set depth=3"),
+                List.of("expected is a number such as 2.5", "run station-keep --set ask-stations.spacing=wide"),
+                List.of("the library has clv, station-keep", "run clw"),
+                List.of("there is no file 'none.json'", "run none.json"),
+                List.of("--plan: clv has no plan 'x'; it has clv", "run clv --plan x"),
+                List.of("--answers: cannot read none.json", "run clv --answers none.json"),
+                List.of("PLAN|FILE", "run"),
+                List.of("FILE|PLAN", "check"),
+                List.of("JOURNAL", "resume"),
+                List.of("there is no journal none.journal", "resume none.journal"),
+                List.of("there is no file", "check none.json"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("wrong")
+    void wrongUsageIsNamedAndNothingIsPrinted(List<String> caseOf) {
+        String line = caseOf.get(1);
+
+        Ran ran = Ran.crw(line.isEmpty() ? new String[0] : line.split(" "));
+
+        assertThat(ran.exitCode()).isEqualTo(2);
+        assertThat(ran.err()).contains(caseOf.get(0)).doesNotContain("Exception");
+        assertThat(ran.out()).isEmpty();
+    }
+
+    @Test
+    void journalThatIsThereIsNotOverwritten() throws Exception {
+        Path journal = Files.writeString(folder.resolve("old.journal"), "precious");
+
+        Ran ran = Ran.crw("run", "clv", "--journal", journal.toString());
+
+        assertThat(ran.exitCode()).isEqualTo(2);
+        assertThat(ran.err()).contains("is there already").contains("crw resume " + journal);
+        assertThat(journal).hasContent("precious");
+    }
+
+    @Test
+    void fileThatIsNoJournalIsRefused() throws Exception {
+        Path file = Files.writeString(folder.resolve("text"), "not a journal");
+
+        Ran ran = Ran.crw("resume", file.toString());
+
+        assertThat(ran.exitCode()).isEqualTo(4);
+        assertThat(ran.err()).contains(file.toString()).doesNotContain("\tat ");
+        assertThat(file).hasContent("not a journal");
+    }
+
+    @Test
+    void answersFileWithFaultsIsAFinding() throws Exception {
+        Path answers = Files.writeString(
+                folder.resolve("answers.json"),
+                "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [{\"event\": \"NoSuchEvent\", \"answer\": {}}]}");
+
+        Ran ran = Ran.crw("run", "clv", "--answers", answers.toString());
+
+        assertThat(ran.exitCode()).isEqualTo(1);
+        assertThat(ran.err()).contains("/rules/0").contains("NoSuchEvent");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"plans", "check", "run", "resume", "demo"})
+    void helpOfEveryCommandHasExamples(String command) {
+        Ran ran = Ran.crw(command, "--help");
+
+        assertThat(ran.exitCode()).isZero();
+        assertThat(ran.out())
+                .contains("Usage: crw " + command)
+                .contains("Example")
+                .contains("crw " + command);
+        assertThat(ran.err()).isEmpty();
+    }
+
+    @Test
+    void helpOfTheWholeListsCommandsAndExitCodes() {
+        Ran ran = Ran.crw("--help");
+
+        assertThat(ran.exitCode()).isZero();
+        assertThat(ran.out())
+                .contains("plans", "check", "run", "resume", "demo")
+                .contains("Exit codes:", "3", "aborted")
+                .contains("Examples:");
+    }
+
+    @Test
+    void runsHelpNamesEveryOptionWithItsDefault() {
+        String help = Ran.crw("run", "--help").out();
+
+        assertThat(help)
+                .contains("--boats", "--locations", "--area", "--seed", "--speed", "--for", "--set", "--answer-after")
+                .contains("--answers", "--report", "--journal", "--json", "--plan")
+                .contains("default 3", "default 12", "default 600", "default 1", "default 20", "default 5");
+    }
+
+    @Test
+    void versionSaysWhatItRunsOn() {
+        Ran ran = Ran.crw("--version");
+
+        assertThat(ran.exitCode()).isZero();
+        assertThat(ran.out()).startsWith("crw ").contains("Java 1");
+    }
+}

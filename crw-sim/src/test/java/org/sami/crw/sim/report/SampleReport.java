@@ -1,0 +1,65 @@
+package org.sami.crw.sim.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalLong;
+import java.util.Random;
+
+/** A made-up report in which every kind of row occurs. */
+final class SampleReport {
+    private SampleReport() {}
+
+    static RunReport of(int boats, int locations) {
+        Random random = new Random(7);
+        List<LocationResult> places = new ArrayList<>();
+        for (int i = 0; i < locations; i++) {
+            double east = random.nextDouble() * 600 - 300;
+            double north = random.nextDouble() * 600 - 300;
+            boolean visited = i != 2;
+            places.add(new LocationResult(
+                    i + 1,
+                    40 + north / 111_000,
+                    -80 + east / 85_000,
+                    east,
+                    north,
+                    visited ? OptionalLong.of(60_000L * (i + 1)) : OptionalLong.empty(),
+                    visited ? "boat" + (i % boats + 1) : ""));
+        }
+        List<BoatResult> fleet = new ArrayList<>();
+        for (int b = 0; b < boats; b++) {
+            fleet.add(boat(b, boats, places));
+        }
+        return new RunReport(
+                new RunHeader("clv", "Cooperative Location Visit", "clv", 7, "max", 600),
+                new RunResult(
+                        RunOutcome.ABORTED, "by the user", 754_300, 1.25, 19, 23, OptionalLong.of(12), "ab".repeat(32)),
+                fleet,
+                places,
+                List.of(new DecisionResult(
+                        1,
+                        1,
+                        "OperatorApprove",
+                        "Say \"yes\", or no",
+                        0,
+                        OptionalLong.of(5_000),
+                        "operator",
+                        "yes",
+                        1)),
+                List.of(new FiringResult(
+                        1, 4, 5_000, 1, "clv", "boats selected", "OperatorSelectsBoatList", "boat1: a, b")),
+                List.of(new InterruptResult("Alarm", "boat1", 65_000, true)),
+                List.of(new NoteResult(70_000, "late", 1, "An answer came late.")));
+    }
+
+    private static BoatResult boat(int number, int boats, List<LocationResult> places) {
+        List<TrackPoint> track = new ArrayList<>();
+        double east = (number - boats / 2.0) * 12;
+        track.add(new TrackPoint(0, east, -320, 40, -80, 0, 100));
+        for (int i = number; i < places.size(); i += boats) {
+            LocationResult place = places.get(i);
+            track.add(new TrackPoint(
+                    60_000L * (i + 1), place.eastM(), place.northM(), place.latDeg(), place.lonDeg(), 1.5, 90.0 - i));
+        }
+        return new BoatResult("boat" + (number + 1), "in-process", 600 * 2.5, 100.0 / 3, 0, track);
+    }
+}

@@ -1,0 +1,237 @@
+package org.sami.crw.sim.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.OptionalLong;
+import java.util.Set;
+import java.util.function.Supplier;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.sim.fleet.ExecutedCommand;
+import org.sami.crw.sim.fleet.SimulatedBoat;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.resume.ResumedJournal;
+import org.sami.crw.sim.resume.RunRecord;
+import org.sami.crw.sim.resume.WrittenJournal;
+import org.sami.spn.host.Durability;
+import org.sami.spn.host.InputJournal;
+import org.sami.spn.host.JournalEntry;
+import org.sami.spn.json.ProjectWriter;
+
+/** A run that dies after any entry of its journal and is taken up again is the run that never died. */
+class CrashTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void crashAfterAnyEntryAndResumeIsTheSameRun() throws Exception {
+        List<String> commands = new ArrayList<>();
+        RunReport whole = uninterrupted(commands);
+        assertThat(whole.result().outcome()).isEqualTo(RunOutcome.ENDED);
+        int crashes = 0;
+
+        for (long entry = 1; ; entry++) {
+            Path file = folder.resolve("crash-" + entry);
+            if (!crashAfter(entry, file)) {
+                break;
+            }
+            crashes++;
+            try (ResumedJournal journal = ResumedJournal.open(file)) {
+                assertThat(journal.resumedFrom().orElseThrow()).isGreaterThanOrEqualTo(entry);
+                InProcessRun run = sample(journal);
+
+                RunReport resumed = run.run(Pacer.UNPACED, RunObserver.NONE);
+
+                assertThat(resumed.result().reason())
+                        .as("crash after entry %d", entry)
+                        .isEmpty();
+                assertThat(resumed.result().runHash())
+                        .as("crash after entry %d", entry)
+                        .isEqualTo(whole.result().runHash());
+                assertThat(commandsOf(run)).as("crash after entry %d", entry).isEqualTo(commands);
+            }
+        }
+
+        assertThat(crashes).isGreaterThan(25);
+        assertThat(new HashSet<>(commands)).hasSameSizeAs(commands);
+    }
+
+    @Test
+    void resumedRunCanCrashAndBeResumedAgain() throws Exception {
+        RunReport whole = uninterrupted(new ArrayList<>());
+        Path file = folder.resolve("twice");
+        assertThat(crashAfter(6, file)).isTrue();
+        try (ResumedJournal journal = ResumedJournal.open(file)) {
+            assertThatExceptionOfType(Crash.class)
+                    .isThrownBy(() -> sample(new CrashingJournal(journal, 15)).run(Pacer.UNPACED, RunObserver.NONE));
+        }
+
+        try (ResumedJournal journal = ResumedJournal.open(file)) {
+            RunReport resumed = sample(journal).run(Pacer.UNPACED, RunObserver.NONE);
+
+            assertThat(resumed.result().runHash()).isEqualTo(whole.result().runHash());
+            assertThat(resumed.result().resumedFrom()).isEqualTo(OptionalLong.of(15));
+        }
+    }
+
+    @Test
+    void journalOfAFinishedRunGivesTheSameReportAndIsLeftAlone() throws Exception {
+        Path file = folder.resolve("finished");
+        RunReport first;
+        try (WrittenJournal journal = WrittenJournal.create(file, record())) {
+            first = sample(journal).run(Pacer.UNPACED, RunObserver.NONE);
+        }
+
+        try (ResumedJournal journal = ResumedJournal.open(file)) {
+            RunReport again = sample(journal).run(Pacer.UNPACED, RunObserver.NONE);
+
+            assertThat(again.result().outcome()).isEqualTo(RunOutcome.ENDED);
+            assertThat(again.result().runHash()).isEqualTo(first.result().runHash());
+            assertThat(journal.added()).isZero();
+        }
+    }
+
+    @Test
+    void worldThatTakesAnotherCourseIsRefusedByEntry() throws Exception {
+        Path file = folder.resolve("other");
+        assertThat(crashAfter(25, file)).isTrue();
+
+        try (ResumedJournal journal = ResumedJournal.open(file)) {
+            RunSettings other = new RunSettings(
+                    "sample",
+                    "sample",
+                    new RunSettings.Fleet(3, 5, 120, 12),
+                    Speed.MAX,
+                    OptionalLong.of(3_600_000),
+                    java.util.Map.of(),
+                    4_000,
+                    "");
+            RunReport refused = new InProcessRun(Runs.sample(), other, Runs.sampleAnswers(), journal)
+                    .run(Pacer.UNPACED, RunObserver.NONE);
+
+            assertThat(refused.result().outcome()).isEqualTo(RunOutcome.FAILED);
+            assertThat(refused.result().reason()).containsPattern("entry \\d+ of the journal");
+            assertThat(journal.added()).isZero();
+        }
+    }
+
+    private RunReport uninterrupted(List<String> commands) {
+        InProcessRun run = sample(RunJournal.none());
+        RunReport report = run.run(Pacer.UNPACED, RunObserver.NONE);
+        commands.addAll(commandsOf(run));
+        return report;
+    }
+
+    /** Whether it came to that entry; false: the run ended before. */
+    private static boolean crashAfter(long entry, Path file) throws IOException {
+        try (WrittenJournal journal = WrittenJournal.create(file, record())) {
+            sample(new CrashingJournal(journal, entry)).run(Pacer.UNPACED, RunObserver.NONE);
+            return false;
+        } catch (Crash crash) {
+            return true;
+        }
+    }
+
+    private static InProcessRun sample(RunJournal journal) {
+        return new InProcessRun(Runs.sample(), Runs.sampleSettings(), Runs.sampleAnswers(), journal);
+    }
+
+    private static RunRecord record() {
+        return new RunRecord(
+                Runs.sampleSettings(),
+                "sample-project.json",
+                new ProjectWriter(Runs.LIBRARY.vocabulary()).text(Runs.sample().project()),
+                Runs.LIBRARY.files().texts());
+    }
+
+    private static List<String> commandsOf(InProcessRun run) {
+        List<String> commands = new ArrayList<>();
+        Set<String> ids = new HashSet<>();
+        for (SimulatedBoat boat : run.water().fleet().boats()) {
+            for (ExecutedCommand command : boat.executed()) {
+                assertThat(ids.add(boat.id() + command.commandId())).isTrue();
+                commands.add(boat.id() + " " + command.timeMs() + " " + command.commandId());
+            }
+        }
+        return commands;
+    }
+
+    /** The death of the process: nothing catches it on its way out of the run. */
+    private static final class Crash extends Error {}
+
+    private static final class CrashingJournal implements RunJournal {
+        private final RunJournal real;
+        private final long after;
+
+        CrashingJournal(RunJournal real, long after) {
+            this.real = real;
+            this.after = after;
+        }
+
+        @Override
+        public InputJournal inputs() {
+            InputJournal inputs = real.inputs();
+            return new InputJournal() {
+                @Override
+                public long lastIndex() {
+                    return inputs.lastIndex();
+                }
+
+                @Override
+                public long lastMillis() {
+                    return inputs.lastMillis();
+                }
+
+                @Override
+                public void append(List<JournalEntry> entries, Durability durability) throws IOException {
+                    inputs.append(entries, durability);
+                    if (inputs.lastIndex() >= after) {
+                        throw new Crash();
+                    }
+                }
+
+                @Override
+                public void offerSnapshot(Supplier<byte[]> state) throws IOException {
+                    inputs.offerSnapshot(state);
+                }
+
+                @Override
+                public void sync() throws IOException {
+                    inputs.sync();
+                }
+
+                @Override
+                public void close() throws IOException {
+                    inputs.close();
+                }
+            };
+        }
+
+        @Override
+        public void mark(long atMillis, String fingerprint) throws IOException {
+            real.mark(atMillis, fingerprint);
+        }
+
+        @Override
+        public boolean isCatchingUp() {
+            return real.isCatchingUp();
+        }
+
+        @Override
+        public OptionalLong resumedFrom() {
+            return real.resumedFrom();
+        }
+
+        @Override
+        public void over() throws IOException {
+            real.over();
+        }
+    }
+}

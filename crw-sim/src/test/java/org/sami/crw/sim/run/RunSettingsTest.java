@@ -1,0 +1,56 @@
+package org.sami.crw.sim.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Map;
+import java.util.OptionalLong;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class RunSettingsTest {
+    private static final RunSettings FULL = new RunSettings(
+            "visit",
+            "Visit \u00e4",
+            new RunSettings.Fleet(5, 30, 612.5, -7),
+            new Speed(2.5),
+            OptionalLong.of(90_500),
+            Map.of("@x", "a=b", "event.field", "1"),
+            1_500,
+            "{\"rules\": []}");
+
+    @Test
+    void comesBackFromAJournalsHeader() {
+        assertThat(RunSettings.fromMap(FULL.toMap())).isEqualTo(FULL);
+    }
+
+    @Test
+    void comesBackWithoutALimit() {
+        RunSettings unlimited = FULL.withLimit(OptionalLong.empty());
+
+        assertThat(RunSettings.fromMap(unlimited.toMap())).isEqualTo(unlimited);
+        assertThat(unlimited.stopMillis()).isEqualTo(RunSettings.LONGEST_MILLIS);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"plan", "boats", "seed", "speed", "answerAfterMillis", "answers"})
+    void namesTheSettingThatIsMissing(String name) {
+        Map<String, String> map = new TreeMap<>(FULL.toMap());
+        map.remove(name);
+
+        assertThatThrownBy(() -> RunSettings.fromMap(map))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("'" + name + "'");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0,12,600", "251,12,600", "3,0,600", "3,10001,600", "3,12,9", "3,12,20001", "3,12,NaN"})
+    void refusesNonsense(int boats, int locations, double areaM) {
+        assertThatThrownBy(() -> new RunSettings.Fleet(boats, locations, areaM, 1))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining(", not ");
+    }
+}

@@ -1,0 +1,129 @@
+package org.sami.crw.sim.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+
+/** The main job, whole: plans of the library on simulated boats. */
+class VisitRunTest {
+    @ParameterizedTest
+    @CsvSource({"3,20", "3,30", "5,20", "5,30"})
+    void cooperativeLocationVisitEndsWithAllLocationsVisited(int boats, int locations) {
+        RunPlan plan = Runs.plan("clv");
+
+        RunReport report = Runs.run(plan, Runs.settings(plan, boats, locations, 1));
+
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.locations()).hasSize(locations).allMatch(LocationResult::visited);
+        assertThat(report.boats()).hasSize(boats).allSatisfy(boat -> {
+            assertThat(boat.distanceM()).isPositive();
+            assertThat(boat.batteryPercent()).isBetween(1.0, 99.9);
+        });
+        assertThat(report.notes()).noneMatch(note -> note.kind().equals("handler_failed"));
+    }
+
+    @Test
+    void clicksAreThoseOfTheTable() {
+        RunPlan plan = Runs.plan("clv");
+
+        RunReport report = Runs.run(plan, Runs.settings(plan, 3, 20, 1));
+
+        // start 1, three boats and their confirmation 4, twenty locations and theirs 21, the allocation 1
+        assertThat(report.result().clicks()).isEqualTo(27);
+    }
+
+    @Test
+    void equalSeedsGiveEqualRunsAtAnySpeed() {
+        RunPlan plan = Runs.plan("clv");
+        RunSettings settings = Runs.settings(plan, 3, 12, 5);
+        FakePacer pacer = new FakePacer();
+
+        RunReport fast = Runs.run(plan, settings);
+        RunReport again = Runs.run(plan, settings);
+        RunReport paced = new InProcessRun(plan, settings.withSpeed(new Speed(3)), AnswersFile.EMPTY, RunJournal.none())
+                .run(pacer, RunObserver.NONE);
+
+        assertThat(again.result().runHash()).isEqualTo(fast.result().runHash());
+        assertThat(paced.result().runHash()).isEqualTo(fast.result().runHash());
+        assertThat(paced.result().simulatedMillis()).isEqualTo(fast.result().simulatedMillis());
+        assertThat(pacer.turns).hasSizeGreaterThan(1000).isSorted();
+    }
+
+    @Test
+    void anotherSeedGivesAnotherRun() {
+        RunPlan plan = Runs.plan("clv");
+
+        String first = Runs.run(plan, Runs.settings(plan, 3, 12, 5)).result().runHash();
+        String second = Runs.run(plan, Runs.settings(plan, 3, 12, 6)).result().runHash();
+
+        assertThat(first).matches("[0-9a-f]{64}").isNotEqualTo(second);
+    }
+
+    @Test
+    void stationKeepingEnds() {
+        RunPlan plan = Runs.plan("station-keep");
+
+        RunReport report = Runs.run(plan, Runs.settings(plan, 3, 1, 1));
+
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.boats())
+                .allSatisfy(boat -> assertThat(boat.distanceM()).isGreaterThan(50));
+    }
+
+    @Test
+    void sampleWithSubMissionsEnds() {
+        RunReport report = new InProcessRun(
+                        Runs.sample(), Runs.sampleSettings(), Runs.sampleAnswers(), RunJournal.none())
+                .run(Pacer.UNPACED, RunObserver.NONE);
+
+        assertThat(report.result().outcome()).as(report.result().reason()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.locations()).hasSize(15); // five of them belong to the allocation that is rejected
+        assertThat(report.locationsVisited()).isGreaterThanOrEqualTo(10);
+        assertThat(report.firings()).extracting(f -> f.plan()).contains("sample", "leg");
+    }
+
+    @Test
+    void stopsAtTheSetTime() {
+        RunPlan plan = Runs.plan("clv");
+        RunSettings settings = Runs.settings(plan, 3, 12, 5).withLimit(java.util.OptionalLong.of(100_050));
+
+        RunReport report = Runs.run(plan, settings);
+
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.RUNNING);
+        assertThat(report.result().simulatedMillis()).isEqualTo(100_050);
+    }
+
+    @Test
+    void stopsWhenItIsAskedTo() {
+        RunPlan plan = Runs.plan("clv");
+        int[] asked = {0};
+        RunObserver impatient = new RunObserver(progress -> {}, () -> ++asked[0] > 500);
+
+        RunReport report = new InProcessRun(plan, Runs.settings(plan, 3, 12, 5), AnswersFile.EMPTY, RunJournal.none())
+                .run(Pacer.UNPACED, impatient);
+
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.RUNNING);
+    }
+
+    private static final class FakePacer implements Pacer {
+        private final List<Long> turns = new ArrayList<>();
+
+        @Override
+        public void start(long virtualMillis) {
+            turns.add(virtualMillis);
+        }
+
+        @Override
+        public void awaitTurn(long virtualMillis) {
+            turns.add(virtualMillis);
+        }
+    }
+}
