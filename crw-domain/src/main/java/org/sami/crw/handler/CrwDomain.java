@@ -13,9 +13,7 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.BoatPositions;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.EngineHost;
-import org.sami.spn.host.HostListener;
 import org.sami.spn.host.Registration;
-import org.sami.spn.protocol.Effect;
 
 /**
  * The boats domain on a host: every handler registered, withdrawals passed on to the boats, what boats report posted as inputs. The
@@ -44,7 +42,7 @@ public final class CrwDomain implements AutoCloseable {
         handlers.put(CompareDistanceHandler.TYPE, new CompareDistanceHandler(positions));
         handlers.put(DisplayMessageHandler.TYPE, new DisplayMessageHandler(messages));
         handlers.forEach((type, handler) -> registrations.add(host.register(type, handler, fleet)));
-        registrations.add(host.addListener(withdrawals(motion, fleet)));
+        registrations.add(host.addListener(new Withdrawals(motion, fleet)));
     }
 
     /**
@@ -78,19 +76,5 @@ public final class CrwDomain implements AutoCloseable {
     @Override
     public void close() {
         registrations.forEach(Registration::close);
-    }
-
-    /**
-     * Passes withdrawals on, in order with the activations: both are handed to the same executor, and what a step withdraws is
-     * handed over before what the same step asks for.
-     */
-    private static HostListener withdrawals(MotionCommands motion, Executor fleet) {
-        return (index, atMillis, input, effects, view) -> {
-            for (Effect effect : effects) {
-                if (effect instanceof Effect.CommandsWithdrawn withdrawn) {
-                    fleet.execute(() -> motion.withdraw(withdrawn.mission(), withdrawn.proxies()));
-                }
-            }
-        };
     }
 }

@@ -1,10 +1,13 @@
 package org.sami.crw.handler;
 
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.sami.crw.decision.MessageSink;
 import org.sami.crw.decision.OperatorMessage;
 import org.sami.crw.proxy.BoatCommand;
@@ -28,6 +31,7 @@ final class MotionCommands implements BoatListener {
     private final ProxyRegistry boats;
     private final MessageSink messages;
     private final Map<String, Sent> sent = new LinkedHashMap<>();
+    private final Map<Long, Set<String>> takenBack = new HashMap<>();
 
     MotionCommands(ProxyRegistry boats, MessageSink messages) {
         this.boats = boats;
@@ -36,8 +40,13 @@ final class MotionCommands implements BoatListener {
 
     /** Gives commands to boats; what is settled at once is answered in one batch. */
     void send(Activation activation, HandlerContext context, List<Move> moves) {
+        Set<String> without = takenBack.getOrDefault(activation.id(), Set.of());
+        takenBack.remove(activation.id());
         List<Input> settled = new ArrayList<>();
         for (Move move : moves) {
+            if (without.contains(move.addressee().boat())) {
+                continue;
+            }
             Sent one = new Sent(activation, context, move);
             Optional<BoatProxy> boat = boats.find(move.addressee().boat());
             if (move.command() instanceof FollowPath path
@@ -53,6 +62,11 @@ final class MotionCommands implements BoatListener {
         if (!settled.isEmpty()) {
             context.post(settled);
         }
+    }
+
+    /** Takes back for boats what an activation is about to ask: the step that asked went on to withdraw it. */
+    void takeBack(long activation, List<String> named) {
+        takenBack.computeIfAbsent(activation, id -> new HashSet<>()).addAll(named);
     }
 
     /** Takes back what a mission has for boats; no boats named = for all. */

@@ -179,11 +179,28 @@ class MotionTest {
 
         world.happens(
                 engine,
-                executePath(Map.of("a", EAST)).id(8).of("a").effect(),
-                new Effect.CommandsWithdrawn(1, List.of("a")));
+                new Effect.CommandsWithdrawn(1, List.of("a")),
+                executePath(Map.of("a", EAST)).id(8).of("a").effect());
 
         assertThat(world.boats.find("a").orElseThrow().currentCommand().map(BoatCommand::activation))
                 .contains(8L);
+    }
+
+    @Test
+    void whatAStepAsksAndThenWithdrawsReachesNoBoat() {
+        world.happens(
+                engine,
+                executePath(Map.of("a", NORTH, "b", EAST)).of("a", "b").effect(),
+                executePath(Map.of("a", NORTH)).id(8).mission(2).of("a").effect(),
+                new Effect.CommandsWithdrawn(1, List.of("a")),
+                executePath(Map.of("a", NORTH)).id(9).mission(3).of("a").effect(),
+                new Effect.CommandsWithdrawn(3, List.of()));
+
+        assertThat(world.boats.find("a").orElseThrow().currentCommand().map(BoatCommand::activation))
+                .contains(8L);
+        assertThat(world.boats.find("a").orElseThrow().waitingCommands()).isEmpty();
+        assertThat(world.boats.find("b").orElseThrow().currentCommand().map(BoatCommand::activation))
+                .contains(7L);
     }
 
     @Test

@@ -1,0 +1,53 @@
+package org.sami.crw.handler;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.Executor;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
+
+/**
+ * Passes withdrawals on to the boats, in the order of a step's effects. The host calls listeners before the step's handlers, on
+ * the same executor as far as the fleet is concerned; so what the step asked before it withdrew is taken back in advance,
+ * and what it asks afterwards stands.
+ */
+final class Withdrawals implements HostListener {
+    private static final Set<String> COMMANDS =
+            Set.of(ExecutePathHandler.TYPE, GotoPointHandler.TYPE, GotoLatLonHandler.TYPE, BlockMovementHandler.TYPE);
+
+    private final MotionCommands motion;
+    private final Executor fleet;
+
+    Withdrawals(MotionCommands motion, Executor fleet) {
+        this.motion = motion;
+        this.fleet = fleet;
+    }
+
+    @Override
+    public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        List<Activation> asked = new ArrayList<>();
+        for (Effect effect : effects) {
+            if (effect instanceof Effect.Activated activated
+                    && COMMANDS.contains(activated.activation().type())) {
+                asked.add(activated.activation());
+            } else if (effect instanceof Effect.CommandsWithdrawn withdrawn) {
+                List<Activation> before = asked.stream()
+                        .filter(activation -> activation.mission() == withdrawn.mission())
+                        .toList();
+                fleet.execute(() -> withdraw(withdrawn, before));
+            }
+        }
+    }
+
+    private void withdraw(Effect.CommandsWithdrawn withdrawn, List<Activation> askedBefore) {
+        motion.withdraw(withdrawn.mission(), withdrawn.proxies());
+        for (Activation activation : askedBefore) {
+            motion.takeBack(
+                    activation.id(), withdrawn.proxies().isEmpty() ? activation.proxies() : withdrawn.proxies());
+        }
+    }
+}
