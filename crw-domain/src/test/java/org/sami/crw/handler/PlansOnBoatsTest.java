@@ -2,6 +2,8 @@ package org.sami.crw.handler;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -25,6 +27,8 @@ import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.ProjectReader;
+import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Effect;
@@ -34,8 +38,8 @@ import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 
-/** The plans of the library with everything real but the hulls: engine, host, handlers, proxies, boat servers. */
-class ShippedPlansTest {
+/** The plans of the library, and one with a button, with everything real but the hulls: engine, host, handlers, proxies, boat servers. */
+class PlansOnBoatsTest {
     private static final DomainLibrary LIBRARY =
             DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
     private static final long ANSWER_AFTER_MS = 5000;
@@ -116,16 +120,50 @@ class ShippedPlansTest {
         }
     }
 
+    @Test
+    void aPathThatAButtonInterruptsGoesOnAtItsFirstUnvisitedLocation() throws IOException {
+        String text = new String(
+                PlansOnBoatsTest.class.getResourceAsStream("paused-visit.json").readAllBytes(), StandardCharsets.UTF_8);
+        Project project =
+                new ProjectReader(TestWorld.VOCABULARY).readAndCheck(text).orThrow();
+        start(project, "paused-visit", 1, 0, Optional.empty());
+        TestHull hull = world.hull("boat-1");
+        GeoPoint second = Geodesy.offset(TestWorld.HOME, 0, 60);
+        for (int tick = 0; tick < 2000 && Geodesy.distanceM(hull.position(), second) > 2; tick++) {
+            runFor(0.1);
+        }
+        runFor(5);
+
+        world.host.post(new Input.Interrupt(1, "Pause", List.of()));
+        runFor(3);
+        assertThat(hull.isAtRest()).isTrue();
+        GeoPoint paused = hull.position();
+        double furthestBackM = 0;
+        for (int tick = 0; tick < 3000 && outcome().isEmpty(); tick++) {
+            runFor(0.1);
+            double northM = (hull.position().latDeg() - paused.latDeg()) * 111_130;
+            furthestBackM = Math.max(furthestBackM, -northM);
+        }
+
+        assertThat(outcome()).contains(Outcome.ENDED);
+        assertThat(furthestBackM).isLessThan(5);
+        assertThat(problems()).isEmpty();
+    }
+
     private void start(String plan, int boats, int locations) {
         start(plan, boats, locations, Optional.empty());
     }
 
     private void start(String plan, int boats, int locations, Optional<Executor> enginesOwn) {
-        HostedEngine engine = new HostedEngine(LIBRARY.projects().values().stream()
-                .filter(project -> project.plan(plan).isPresent())
+        Project project = LIBRARY.projects().values().stream()
+                .filter(candidate -> candidate.plan(plan).isPresent())
                 .findFirst()
-                .orElseThrow());
-        world = new TestWorld(engine, enginesOwn);
+                .orElseThrow();
+        start(project, plan, boats, locations, enginesOwn);
+    }
+
+    private void start(Project project, String plan, int boats, int locations, Optional<Executor> enginesOwn) {
+        world = new TestWorld(new HostedEngine(project), enginesOwn);
         world.host.addListener((index, atMillis, input, stepped, view) -> effects.addAll(stepped));
         operator = new SimulatedOperator(
                 TestWorld.VOCABULARY, new OperatorDefaults(TestWorld.HOME, 200, locations, 42), AnswersFile.EMPTY);
