@@ -53,7 +53,7 @@ public final class BenchmarkMain {
                 .forks(1)
                 .warmupIterations(quick ? 2 : 5)
                 .warmupTime(TimeValue.seconds(quick ? 1 : 2))
-                .measurementIterations(quick ? 3 : 8)
+                .measurementIterations(quick ? 5 : 8)
                 .measurementTime(TimeValue.seconds(quick ? 1 : 2))
                 .jvmArgs("-Xms1g", "-Xmx1g")
                 .build();

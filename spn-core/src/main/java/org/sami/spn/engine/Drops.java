@@ -23,16 +23,28 @@ final class Drops {
         if (input.mission() != Ids.NONE && root == null) {
             return Optional.of("There is no running mission " + input.mission());
         }
-        if (input.mission() == Ids.NONE && !rules.state.proxies.remove(input.proxy())) {
+        Token token = new Token.Proxy(input.proxy());
+        if (input.mission() == Ids.NONE && !rules.state.proxies.remove(input.proxy()) && !standsSomewhere(token)) {
             return Optional.of("No robot '" + input.proxy() + "' is known");
         }
-        Token token = new Token.Proxy(input.proxy());
         for (Mission m : List.copyOf(rules.state.missions.values())) {
             if (!m.ended && (root == null || m.root == root.root)) {
                 drop(m, token, input.proxy());
             }
         }
         return Optional.empty();
+    }
+
+    /** An occurrence can have brought in a robot that never joined. */
+    private boolean standsSomewhere(Token token) {
+        for (Mission m : rules.state.missions.values()) {
+            for (PlaceState place : m.places) {
+                if (place != null && place.find(token) != null) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     private void drop(Mission m, Token token, String robot) {
