@@ -29,9 +29,6 @@ final class MapScale {
             box[2] = Math.max(box[2], p.getX());
             box[3] = Math.max(box[3], p.getY());
         });
-        if (box[0] > box[2]) {
-            return new MapScale(frame, 0, 0, frame.height / LEAST_EXTENT_M);
-        }
         double width = Math.max(LEAST_EXTENT_M, (box[2] - box[0]) * 1.12);
         double height = Math.max(LEAST_EXTENT_M, (box[3] - box[1]) * 1.12);
         double scale = Math.min(frame.width / width, frame.height / height);
@@ -43,7 +40,9 @@ final class MapScale {
         Stream<Point2D> tracks = report.boats().stream()
                 .flatMap(b -> b.track().stream())
                 .map(t -> new Point2D.Double(t.eastM(), t.northM()));
-        return Stream.concat(locations, tracks);
+        double half = report.header().areaM() / 2;
+        Stream<Point2D> area = Stream.of(new Point2D.Double(-half, -half), new Point2D.Double(half, half));
+        return Stream.concat(area, Stream.concat(locations, tracks));
     }
 
     Point2D at(double eastM, double northM) {

@@ -228,6 +228,32 @@ class CommandsTest {
     }
 
     @Test
+    void abortedMissionHasItsOwnExitCode() throws Exception {
+        Path file = Files.writeString(
+                folder.resolve("aborts.json"), org.sami.crw.sim.run.Runs.text("aborting-project.json"));
+
+        Ran ran = Ran.crw("run", file.toString(), "--boats", "2", "--speed", "max", "--json");
+
+        assertThat(ran.exitCode()).as(ran.err() + ran.out()).isEqualTo(3);
+        assertThat(JSON.readTree(ran.out()).get("outcome").asText()).isEqualTo("aborted");
+    }
+
+    @Test
+    void missionThatIsStuckHasItsOwnExitCode() throws Exception {
+        Path answers = Files.writeString(
+                folder.resolve("answers.json"),
+                "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": "
+                        + "[{\"event\": \"OperatorCreateLocations\", \"answer\": {\"silent\": true}}]}");
+
+        Ran ran = Ran.crw("run", "clv", "--speed", "max", "--answers", answers.toString(), "--json");
+
+        assertThat(ran.exitCode()).isEqualTo(4);
+        JsonNode json = JSON.readTree(ran.out());
+        assertThat(json.get("outcome").asText()).isEqualTo("failed");
+        assertThat(json.get("reason").asText()).contains("nobody answers");
+    }
+
+    @Test
     void demoEndsByItselfAndShowsWhereThePictureIs() {
         Ran ran = Ran.crw(
                 "demo", "--speed", "max", "--report", folder.resolve("demo").toString());
