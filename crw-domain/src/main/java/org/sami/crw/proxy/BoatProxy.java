@@ -18,6 +18,7 @@ import org.sami.boat.link.GrantCommand;
 import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Nack;
+import org.sami.boat.link.NackReason;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Telemetry;
@@ -215,6 +216,17 @@ public final class BoatProxy {
         fleetRequests.send(new FleetRelease(driver.wireId("fleet-release")), nowMs);
     }
 
+    /**
+     * Only watches the boat from now on, until the base asks for the command, takes it or is granted it. A boat that it has
+     * commanded, and nobody else wants, does what is set for a lost link.
+     */
+    public void observe() {
+        link.observe();
+        if (link.isCommanding()) {
+            link.hello(nowMs);
+        }
+    }
+
     /** Tells the boat that this base wishes to command it; who commands it then decides. */
     public void askForCommand() {
         handOver.request(new AskForCommand(driver.wireId("ask-command")), nowMs);
@@ -367,7 +379,9 @@ public final class BoatProxy {
     }
 
     private void refused(Nack nack) {
-        if (!handOver.refused(nack) && driver.refused(nack)) {
+        boolean mayPass = !handOver.refused(nack) && driver.refused(nack);
+        boolean lostThere = nack.reason() == NackReason.NOT_GREETED && !awaitingProgress; // though not here
+        if (mayPass || lostThere) {
             resync();
         }
     }

@@ -79,6 +79,11 @@ final class ProxyLink {
         send(new Hello(boatId, config.clientId(), wanted, config.telemetryHz(), ""), nowMs);
     }
 
+    /** Wishes no longer to command. */
+    void observe() {
+        wanted = Role.OBSERVER;
+    }
+
     void helloIfDue(long nowMs) {
         if (nowMs >= nextHelloMs) {
             hello(nowMs);

@@ -19,6 +19,7 @@ import org.sami.boat.link.Hello;
 import org.sami.boat.link.HoldPosition;
 import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.ReadBack;
@@ -36,8 +37,9 @@ import org.sami.boat.link.Welcome;
  * a second, all with milliseconds of one clock that never runs back; a wall clock will not do.
  *
  * <p>One client commands, others observe. When nothing has come from the commander for the configured time, or its link
- * closes, the boat does what is set for a lost link, in every mode but the latched fleet stop. Regaining the link starts
- * nothing: the boat goes on with that until it gets a command. The command changes hands only by a message that says so
+ * closes, the boat does what is set for a lost link, in every mode but the latched fleet stop. From a client that was lost it
+ * takes nothing but a hello and what only stops it. Regaining the link starts nothing: the boat goes on with that until it
+ * gets a command. The command changes hands only by a message that says so
  * ({@link CommandTransfer}), or when a client asks for it in its hello and nobody has it.
  */
 public final class BoatServer {
@@ -122,17 +124,22 @@ public final class BoatServer {
     }
 
     void received(ServerSession session, Frame frame, long nowMs) {
-        if (isCommander(session)) {
-            commanderLost = false;
-        }
         LinkMessage message = frame.message();
         if (message instanceof Hello) {
             greet(session, (Hello) message, nowMs);
+        } else if (isCommander(session) && commanderLost && !isStopping(message)) {
+            refuseLate(session, message, nowMs);
         } else if (message instanceof CommandMessage) {
             command(session, (CommandMessage) message, frame.sequence(), nowMs);
         } else if (message instanceof Teleoperate) {
             teleoperate(session, (Teleoperate) message, frame.sequence(), nowMs);
         } // heartbeats have done their work by arriving; what only boats say is no concern of a boat
+    }
+
+    /** What comes after a lost link may have been under way all the time: only a new hello shows that the client is there. */
+    private void refuseLate(ServerSession session, LinkMessage message, long nowMs) {
+        String id = message instanceof CommandMessage ? ((CommandMessage) message).commandId() : "";
+        session.send(new Nack(id, NackReason.NOT_GREETED, "the link was lost: say hello again"), nowMs);
     }
 
     void closed(ServerSession session, long nowMs) {
@@ -222,11 +229,11 @@ public final class BoatServer {
     }
 
     /** What only stops the boat is obeyed however late it comes. */
-    private static boolean isStopping(CommandMessage command) {
+    private static boolean isStopping(LinkMessage command) {
         return command instanceof FleetStop || isStoppingOnly(command);
     }
 
-    private static boolean isStoppingOnly(CommandMessage command) {
+    private static boolean isStoppingOnly(LinkMessage command) {
         return command instanceof StopMotors || command instanceof HoldPosition;
     }
 

@@ -303,6 +303,7 @@ class BoatServerTest {
         bench.run(10);
         assertThat(bench.server.mode()).isEqualTo(BoatMode.FLEET_STOP);
 
+        client.say(new Hello("boat1", "test", Role.COMMANDER, 1, "")); // its link was lost meanwhile
         client.command(new FleetRelease("r"));
         bench.run(1, client);
         assertThat(bench.server.mode()).isEqualTo(BoatMode.STOPPED);
@@ -385,12 +386,31 @@ class BoatServerTest {
     void regainedLinkStartsNothing() {
         Client client = driving();
         bench.run(4);
+        client.say(new Hello("boat1", "test", Role.COMMANDER, 1, ""));
         bench.run(5, client);
 
         assertThat(bench.server.hasCommander()).isTrue();
         assertThat(bench.server.mode()).isEqualTo(BoatMode.HOLD);
         assertThat(client.command(new StartWaypoints("on", "l1", 1))).isInstanceOf(Ack.class);
         assertThat(bench.server.mode()).isEqualTo(BoatMode.PATH);
+    }
+
+    @Test
+    void whatComesThirtySecondsLateMovesNothingButStillStops() {
+        Client client = driving();
+        bench.run(30);
+
+        assertNack(client.command(new StartWaypoints("late", "l1", 1)), NackReason.NOT_GREETED);
+        client.say(new Teleoperate(1, 0));
+        assertNack(client.command(new UploadWaypoints("u", "late", PATH)), NackReason.NOT_GREETED);
+        bench.run(1, client);
+        assertThat(bench.server.mode()).isEqualTo(BoatMode.HOLD);
+        assertThat(bench.server.hasCommander()).isFalse();
+        assertThat(client.command(new StopMotors("stop"))).isInstanceOf(Ack.class);
+        assertThat(bench.server.mode()).isEqualTo(BoatMode.STOPPED);
+
+        client.say(new Hello("boat1", "test", Role.COMMANDER, 1, ""));
+        assertThat(client.command(new StartWaypoints("on", "l1", 1))).isInstanceOf(Ack.class);
     }
 
     @Test

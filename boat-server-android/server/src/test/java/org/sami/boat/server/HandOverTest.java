@@ -10,7 +10,6 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandAsked;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.GrantCommand;
-import org.sami.boat.link.Heartbeat;
 import org.sami.boat.link.Hello;
 import org.sami.boat.link.HoldPosition;
 import org.sami.boat.link.LinkMessage;
@@ -111,7 +110,7 @@ class HandOverTest {
 
         bench.run(4, first);
         assertThat(bench.server.hasCommander()).isFalse();
-        second.say(new Heartbeat(1));
+        second.say(new Hello("", "b", Role.COMMANDER, 1, ""));
         first.session.closed(bench.nowMs);
         assertThat(bench.server.hasCommander()).isTrue();
     }

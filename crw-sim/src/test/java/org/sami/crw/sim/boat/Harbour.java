@@ -66,7 +66,14 @@ final class Harbour implements AutoCloseable {
     }
 
     Base base(String clientId, LongSupplier clockMs) {
-        return keep(new Base(clientId, new SteadyClock(clockMs)));
+        ProxyConfig proxy = ProxyConfig.DEFAULT.withClientId(clientId).withTelemetryHz(20);
+        return keep(new Base(proxy, new SteadyClock(clockMs)));
+    }
+
+    /** A base that sends again after so many ms what stays unanswered. */
+    Base impatientBase(String clientId, long resendMs) {
+        ProxyConfig proxy = new ProxyConfig(clientId, 0, 1.5, 20, 3500, resendMs, 20);
+        return keep(new Base(proxy, SteadyClock.ofThisMachine()));
     }
 
     private <C extends AutoCloseable> C keep(C closeable) {
@@ -118,9 +125,9 @@ final class Harbour implements AutoCloseable {
         final ConcurrentLinkedQueue<String> failures = new ConcurrentLinkedQueue<>();
         final Map<String, BoatStatus> statuses = new ConcurrentHashMap<>();
         final TcpBase tcp;
+        volatile boolean onlyWatches;
 
-        Base(String clientId, SteadyClock clock) {
-            ProxyConfig proxy = ProxyConfig.DEFAULT.withClientId(clientId).withTelemetryHz(20);
+        Base(ProxyConfig proxy, SteadyClock clock) {
             tcp = new TcpBase(new TcpBaseConfig(proxy, 5, 50, 1000, 20, 200, 256, 1 << 20), clock, this);
         }
 
@@ -186,6 +193,13 @@ final class Harbour implements AutoCloseable {
         @Override
         public BoatListener found(String boatId) {
             return new Ear();
+        }
+
+        @Override
+        public void onBoat(BoatProxy proxy) {
+            if (onlyWatches) {
+                proxy.observe();
+            }
         }
 
         @Override

@@ -2,6 +2,8 @@ package org.sami.crw.sim.boat;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -12,6 +14,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.link.BoatMode;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.LinkState;
@@ -85,10 +89,14 @@ class TcpBaseTest {
     }
 
     private long uploads(String type) {
+        return executed("anna", type);
+    }
+
+    private long executed(String name, String type) {
         try {
-            return harbour.executed("anna", type);
-        } catch (java.io.IOException e) {
-            throw new java.io.UncheckedIOException(e);
+            return harbour.executed(name, type);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 
@@ -102,6 +110,7 @@ class TcpBaseTest {
         base.submit("anna", Harbour.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
         Base watching = harbour.base("watching");
+        watching.onlyWatches = true;
         watching.connect(boat.address(), "anna");
         relay.setSwallows(true);
         backMs.set(3_600_000); // and somebody sets the clock back
@@ -292,6 +301,59 @@ class TcpBaseTest {
         for (String name : names) {
             assertThat(harbour.executedIds(name)).doesNotHaveDuplicates();
             assertThat(harbour.executed(name, "upload")).isEqualTo(1);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.05, 0.2, 0.5})
+    void uploadOverALossyLinkIsReadBackEqualOrFailsForAReason(double loss) throws Exception {
+        BoatOnTcp boat = harbour.boat("anna");
+        TestRelay relay = harbour.relay(boat);
+        Base base = harbour.impatientBase("base", 100);
+        base.connect(relay.address(), "anna");
+        relay.setLoss(loss);
+        double[] northM = new double[20];
+        for (int i = 0; i < northM.length; i++) {
+            northM[i] = 100 + 10 * i;
+        }
+        base.submit("anna", Harbour.path("m1", 1, northM));
+
+        Await.until(
+                "read back equal and started, or failed",
+                60,
+                () -> failed(base)
+                        || (base.mode("anna").equals(Optional.of(BoatMode.PATH))
+                                && base.upload("anna")
+                                        .filter(upload -> upload.state() == Upload.State.READ_BACK_EQUAL)
+                                        .isPresent()));
+        assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+        assertThat(loss < 0.5 && failed(base))
+                .as("failed at a loss that can be borne")
+                .isFalse();
+    }
+
+    private static boolean failed(Base base) {
+        return base.heard.stream().anyMatch(line -> line.startsWith("anna failed m1: "));
+    }
+
+    @Test
+    void boatThatDoesNotReadIsDroppedAndDelaysNoOther() throws Exception {
+        BoatOnTcp berta = harbour.boat("berta");
+        Base base = harbour.base("base");
+        base.connect(berta.address(), "berta");
+        try (StuckBoat stuck = new StuckBoat("anna")) {
+            base.connect(stuck.address(), "anna");
+            List<Double> startedMs = new ArrayList<>();
+            for (int i = 1; i <= 5; i++) {
+                int times = i;
+                base.submit("anna", Harbour.path("a" + i, i, new double[10_000]));
+                base.submit("berta", Harbour.path("b" + i, 1));
+                startedMs.add(Await.until("berta starts", 10, () -> executed("berta", "start") == times));
+            }
+
+            assertThat(startedMs).as("ms").allMatch(ms -> ms < 1000);
+            Await.until("the stuck one is dropped", 30, () -> base.count("anna LOST") >= 1);
+            assertThat(base.links().get(0).connections()).isEqualTo(1);
         }
     }
 }

@@ -10,6 +10,7 @@ import java.net.Socket;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.Set;
+import java.util.SplittableRandom;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicReference;
 import org.sami.boat.link.FrameReader;
@@ -35,6 +36,8 @@ final class TestRelay implements Closeable {
     private final LinkCodec codec = new LinkCodec();
     private final Set<Socket> open = ConcurrentHashMap.newKeySet();
     private final AtomicReference<Optional<Cut>> armed = new AtomicReference<>(Optional.empty());
+    private final SplittableRandom random = new SplittableRandom(64);
+    private volatile double lossProbability;
     private volatile boolean swallows;
 
     TestRelay(InetSocketAddress boat) throws IOException {
@@ -50,6 +53,15 @@ final class TestRelay implements Closeable {
     /** From now on nothing gets through, either way, and no connection is closed: as a router that is off. */
     void setSwallows(boolean value) {
         swallows = value;
+    }
+
+    /** From now on a part of the frames is lost, either way. */
+    void setLoss(double probability) {
+        lossProbability = probability;
+    }
+
+    private synchronized boolean loses() {
+        return random.nextDouble() < lossProbability;
     }
 
     void arm(Cut cut) {
@@ -104,7 +116,7 @@ final class TestRelay implements Closeable {
             FrameReader frames = new FrameReader(from.getInputStream(), codec);
             OutputStream out = to.getOutputStream();
             for (Optional<byte[]> next = frames.next(); next.isPresent(); next = frames.next()) {
-                if (!swallows && !carry(next.get(), out)) {
+                if (!swallows && !loses() && !carry(next.get(), out)) {
                     return;
                 }
             }
