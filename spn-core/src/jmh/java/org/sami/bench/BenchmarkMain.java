@@ -53,7 +53,7 @@ public final class BenchmarkMain {
                 .forks(1)
                 .warmupIterations(quick ? 2 : 5)
                 .warmupTime(TimeValue.seconds(quick ? 1 : 2))
-                .measurementIterations(quick ? 5 : 8)
+                .measurementIterations(quick ? 4 : 8)
                 .measurementTime(TimeValue.seconds(quick ? 1 : 2))
                 .jvmArgs("-Xms1g", "-Xmx1g")
                 .build();
@@ -69,7 +69,6 @@ public final class BenchmarkMain {
         switch (method) {
             case "proxiesByBoats" -> params.put("missions", 1);
             case "proxiesByMissions" -> params.put("boats", 10);
-            case "barrier" -> params.put("boats", 1000);
             default -> {}
         }
         Result<?> primary = r.getPrimaryResult();

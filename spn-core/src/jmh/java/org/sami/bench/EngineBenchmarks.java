@@ -22,8 +22,8 @@ import org.sami.spn.protocol.Input;
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.SECONDS)
 public class EngineBenchmarks {
-    /** How many robots report to the barrier in one invocation. */
-    private static final int BARRIER = 1000;
+    /** How many reports one invocation of the barrier makes: whole rounds of all sizes. */
+    private static final int REPORTS = 1000;
 
     /** Ten places, one token. */
     @State(Scope.Thread)
@@ -72,12 +72,16 @@ public class EngineBenchmarks {
     /** Places that wait for all robots. */
     @State(Scope.Thread)
     public static class Barrier {
+        /** How many robots have to report. */
+        @Param({"100", "1000"})
+        public int boats;
+
         Run run;
 
         /** Starts anew. */
         @Setup(Level.Iteration)
         public void start() {
-            run = new Run(Rings.together(2), BARRIER, 1);
+            run = new Run(Rings.together(2), boats, 1);
         }
     }
 
@@ -116,11 +120,11 @@ public class EngineBenchmarks {
         return many.run.next();
     }
 
-    /** engine.barrier: a round of reports, the last of which moves everybody on. */
+    /** engine.barrier: rounds of reports, the last of each moves everybody on. */
     @Benchmark
-    @OperationsPerInvocation(BARRIER)
+    @OperationsPerInvocation(REPORTS)
     public void barrier(Barrier barrier) {
-        for (int i = 0; i < BARRIER; i++) {
+        for (int i = 0; i < REPORTS; i++) {
             barrier.run.next();
         }
     }
@@ -131,6 +135,9 @@ public class EngineBenchmarks {
     @OutputTimeUnit(TimeUnit.MICROSECONDS)
     public List<Effect> start(Starting s) {
         List<Effect> effects = s.engine.step(s.state, 0, new Input.StartMission("ring", "ring", Map.of()));
+        if (effects.size() != 2) {
+            throw new IllegalStateException("A mission starts and activates its first output: " + effects);
+        }
         s.engine.step(s.state, 0, new Input.AbortMission(++s.mission));
         return effects;
     }
