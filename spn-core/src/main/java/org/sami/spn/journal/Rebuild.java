@@ -19,15 +19,25 @@ import java.util.TreeMap;
 final class Rebuild {
     private Rebuild() {}
 
-    /** A new file with nothing but a header, folded into one file and synced. */
-    static Contents begin(Path file, JournalHeader header, JournalOptions options) throws JournalException {
-        try (Database database = Database.create(file, options)) {
-            Checksum checksum = HeaderTable.write(database.connection(), header);
+    /**
+     * A new file with nothing but a header, folded into one file and synced. It gets its name only when it is whole: a
+     * process that is killed before leaves no journal, rather than one that nobody can go on with.
+     */
+    static Contents begin(Path file, JournalHeader header, JournalOptions options) throws IOException {
+        if (Files.exists(file)) {
+            throw new JournalException(file, 0, "exists already; a journal is never written over");
+        }
+        Path unborn = file.resolveSibling(file.getFileName() + "-new");
+        deleteWithLog(unborn);
+        Checksum checksum;
+        try (Database database = Database.create(unborn, options)) {
+            checksum = HeaderTable.write(database.connection(), header);
             finish(database);
-            return new Contents(header, 0, 0, checksum, new TreeMap<>(), new TreeMap<>(), Optional.empty());
         } catch (SQLException fault) {
             throw new JournalException(file, 0, "cannot be written: " + fault.getMessage(), fault);
         }
+        Files.move(unborn, file, StandardCopyOption.ATOMIC_MOVE);
+        return new Contents(header, 0, 0, checksum, new TreeMap<>(), new TreeMap<>(), Optional.empty());
     }
 
     /**

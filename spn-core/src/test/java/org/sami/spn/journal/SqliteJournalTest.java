@@ -114,6 +114,22 @@ class SqliteJournalTest {
     }
 
     @Test
+    void whatAKilledProcessHadNotFinishedMakingIsNoJournalAndInNobodysWay() throws Exception {
+        Path unborn = file.resolveSibling(file.getFileName() + "-new");
+        Files.writeString(unborn, "begun, and killed before the header was whole");
+        assertThatThrownBy(() -> SqliteJournal.open(file, OPTIONS)).hasMessageContaining("is not there");
+
+        try (SqliteJournal journal = create()) {
+            journal.append(numbers(1, 2), Durability.PROCESS);
+        }
+
+        assertThat(unborn).doesNotExist();
+        try (JournalReader reader = JournalReader.open(file)) {
+            assertThat(reader.lastIndex()).isEqualTo(2);
+        }
+    }
+
+    @Test
     void whatIsNoJournalIsRefusedByName() throws Exception {
         assertThatThrownBy(() -> SqliteJournal.open(file, OPTIONS))
                 .isInstanceOf(JournalException.class)
