@@ -19,6 +19,7 @@ import picocli.CommandLine.Spec;
             RunCommand.class,
             ResumeCommand.class,
             DemoCommand.class,
+            BoatCommand.class,
             CommandLine.HelpCommand.class
         },
         exitCodeListHeading = "%nExit codes:%n",
@@ -45,7 +46,8 @@ public final class Crw implements Runnable {
 
     @Override
     public void run() {
-        throw new ParameterException(spec.commandLine(), "Which command? One of plans, check, run, resume, demo.");
+        throw new ParameterException(
+                spec.commandLine(), "Which command? One of plans, check, run, resume, demo, boat.");
     }
 
     /** The command line, ready to be executed in any process. */

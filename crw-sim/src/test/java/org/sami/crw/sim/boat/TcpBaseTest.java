@@ -337,6 +337,27 @@ class TcpBaseTest {
     }
 
     @Test
+    void tenThousandWaypointsAreReadBackEqual() throws Exception {
+        BoatOnTcp boat = harbour.boat("anna");
+        Base base = harbour.base("base");
+        base.connect(boat.address(), "anna");
+        double[] northM = new double[10_000];
+        for (int i = 0; i < northM.length; i++) {
+            northM[i] = 100 + i * 0.37;
+        }
+        base.submit("anna", Harbour.path("m1", 1, northM));
+
+        double ms = Await.until(
+                "read back equal",
+                10,
+                () -> base.upload("anna")
+                        .filter(upload -> upload.state() == Upload.State.READ_BACK_EQUAL)
+                        .isPresent());
+        assertThat(ms).as("ms").isLessThan(3000); // a link counts as lost after 3.5 s without a frame
+        assertThat(base.count("anna LOST")).isZero();
+    }
+
+    @Test
     void boatThatDoesNotReadIsDroppedAndDelaysNoOther() throws Exception {
         BoatOnTcp berta = harbour.boat("berta");
         Base base = harbour.base("base");

@@ -1,0 +1,240 @@
+package org.sami.crw.sim.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.log.LogLines;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.BoatStatus;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.ProxyConfig;
+import org.sami.crw.proxy.tcp.BaseListener;
+import org.sami.crw.proxy.tcp.TcpBase;
+import org.sami.crw.proxy.tcp.TcpBaseConfig;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
+
+/** Real processes of {@code crw boat}, ended in order and by {@code kill -9}, and a base that commands them. */
+@Timeout(120)
+class BoatProcessTest {
+    @TempDir
+    private Path folder;
+
+    private final List<Process> started = new ArrayList<>();
+    private final AtomicReference<BoatStatus> status = new AtomicReference<>(BoatStatus.unknown("anna"));
+    private final AtomicInteger restarts = new AtomicInteger();
+
+    /** A process of the command, and the port that it printed. */
+    private record Boat(Process process, int port) {}
+
+    private Boat boat(int port, String... more) throws IOException {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-cp",
+                System.getProperty("java.class.path"),
+                "-XX:TieredStopAtLevel=1",
+                Crw.class.getName(),
+                "boat",
+                "--port",
+                "" + port,
+                "--name",
+                "anna",
+                "--at",
+                "45.4,10.9"));
+        command.addAll(List.of(more));
+        Process process = new ProcessBuilder(command)
+                .redirectError(ProcessBuilder.Redirect.DISCARD)
+                .start();
+        started.add(process);
+        BufferedReader out =
+                new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
+        String line = out.readLine();
+        assertThat(line).startsWith("anna listens on 127.0.0.1:");
+        return new Boat(process, Integer.parseInt(line.substring(line.lastIndexOf(':') + 1)));
+    }
+
+    @AfterEach
+    void endProcesses() {
+        started.forEach(Process::destroyForcibly);
+    }
+
+    private TcpBase base(int port) {
+        TcpBaseConfig config = new TcpBaseConfig(
+                ProxyConfig.DEFAULT.withClientId("base").withTelemetryHz(20), 1, 50, 1000, 20, 200, 256, 4 << 20);
+        TcpBase base = new TcpBase(config, SteadyClock.ofThisMachine(), new Ear());
+        base.connect(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
+        return base;
+    }
+
+    private static void tell(TcpBase base, Consumer<BoatProxy> what) {
+        base.query(proxies -> {
+                    what.accept(proxies.find("anna").orElseThrow());
+                    return true;
+                })
+                .join();
+    }
+
+    private static FollowPath farAway(int points) {
+        List<GeoPoint> path = new ArrayList<>();
+        for (int i = 0; i < points; i++) {
+            path.add(GeoPoint.of(45.5 + i * 1e-5, 10.9));
+        }
+        return FollowPath.of("m1-a1-anna", 1, 1, path, Priority.MEDIUM);
+    }
+
+    private List<String> executed() throws IOException {
+        List<String> ids = new ArrayList<>();
+        LogLines.read(
+                folder.resolve("anna.log"), entry -> ids.add(entry.command().commandId()));
+        return ids;
+    }
+
+    private boolean is(BoatMode mode) {
+        return status.get().link() == LinkState.LINKED && status.get().mode().equals(Optional.of(mode));
+    }
+
+    @Test
+    void signalEndsItInOrder() throws Exception {
+        Boat boat = boat(0);
+        boat.process.destroy();
+
+        assertThat(boat.process.waitFor(20, TimeUnit.SECONDS)).isTrue();
+        assertThat(boat.process.exitValue()).isEqualTo(143); // as the system says it of SIGTERM
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void killedInMidPathItDoesNotMoveByItselfAndTheOperatorIsAsked(boolean withItsState) throws Exception {
+        Boat boat = boat(0, "--log", folder.toString());
+        try (TcpBase base = base(boat.port)) {
+            until("linked", () -> status.get().link() == LinkState.LINKED);
+            tell(base, proxy -> proxy.submit(farAway(50)));
+            until("under way", () -> is(BoatMode.PATH));
+            boat.process.destroyForcibly().waitFor();
+            until("lost", () -> status.get().link() == LinkState.LOST);
+            assertThat(executed()).as("what was answered is in the log").hasSize(2);
+
+            boat(boat.port, "--log", (withItsState ? folder : folder.resolve("new")).toString());
+            until("the operator is asked", () -> restarts.get() == 1);
+            until("it rests", () -> is(BoatMode.STOPPED));
+            holds("it rests", 1.5, () -> is(BoatMode.STOPPED));
+            tell(base, BoatProxy::confirmRestart);
+            until("under way again", () -> is(BoatMode.PATH));
+            assertThat(executed()).doesNotHaveDuplicates();
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0", "3", "10", "30", "80"})
+    void killedInMidUploadItHoldsAWholeListOrNone(long afterMs) throws Exception {
+        Boat boat = boat(0, "--log", folder.toString());
+        try (TcpBase base = base(boat.port)) {
+            until("linked", () -> status.get().link() == LinkState.LINKED);
+            tell(base, proxy -> proxy.submit(farAway(5_000)));
+            LockSupport.parkNanos(afterMs * 1_000_000);
+            boat.process.destroyForcibly().waitFor();
+            List<String> before = executed();
+
+            boat(boat.port, "--log", folder.toString());
+            until("the operator is asked", () -> restarts.get() == 1);
+            until("it rests", () -> is(BoatMode.STOPPED));
+            Optional<String> held = base.query(
+                            proxies -> proxies.find("anna").orElseThrow().heldListId())
+                    .join();
+            assertThat(held).contains(before.isEmpty() ? "" : "m1-a1-anna#base.0.1");
+            tell(base, BoatProxy::confirmRestart);
+            until("under way", () -> is(BoatMode.PATH));
+            assertThat(executed()).doesNotHaveDuplicates();
+        }
+    }
+
+    @Test
+    void saysWhatIsWrongWithItsOptions() {
+        assertThat(Ran.crw("boat", "--port", "0", "--name", "anna", "--at", "91,0")
+                        .err())
+                .contains("LAT,LON");
+        assertThat(Ran.crw("boat", "--port", "70000", "--name", "anna", "--at", "45,10")
+                        .exitCode())
+                .isEqualTo(2);
+        assertThat(Ran.crw("boat", "--port", "0", "--name", "../anna", "--at", "45,10")
+                        .err())
+                .contains("letters");
+        assertThat(Ran.crw("boat", "--name", "anna", "--at", "45,10").err()).contains("--port");
+    }
+
+    @Test
+    void saysThatItsPortIsTaken() throws Exception {
+        Boat boat = boat(0);
+        Ran second = Ran.crw("boat", "--port", "" + boat.port, "--name", "berta", "--at", "45.4,10.9");
+
+        assertThat(second.exitCode()).isEqualTo(4);
+        assertThat(second.err()).containsIgnoringCase("address already in use");
+    }
+
+    private static void until(String what, BooleanSupplier condition) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(30);
+        while (!condition.getAsBoolean()) {
+            if (System.nanoTime() > end) {
+                throw new AssertionError("not within 30 s: " + what);
+            }
+            LockSupport.parkNanos(3_000_000);
+        }
+    }
+
+    private static void holds(String what, double seconds, BooleanSupplier condition) {
+        long end = System.nanoTime() + (long) (seconds * 1e9);
+        while (System.nanoTime() < end) {
+            assertThat(condition.getAsBoolean()).as(what).isTrue();
+            LockSupport.parkNanos(3_000_000);
+        }
+    }
+
+    /** Keeps the latest of what the base is told. */
+    private final class Ear implements BaseListener, BoatListener {
+        @Override
+        public BoatListener found(String boatId) {
+            return this;
+        }
+
+        @Override
+        public void onStatus(BoatStatus news) {
+            status.set(news);
+        }
+
+        @Override
+        public void onLinkChange(BoatStatus news) {
+            status.set(news);
+        }
+
+        @Override
+        public void onRestarted(BoatStatus news) {
+            restarts.incrementAndGet();
+        }
+    }
+}
