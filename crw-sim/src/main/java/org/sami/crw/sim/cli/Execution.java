@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalLong;
 import java.util.function.UnaryOperator;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
@@ -111,7 +112,7 @@ final class Execution {
                     .orThrow();
             Project project =
                     new ProjectReader(vocabulary).read(record.project()).orThrow();
-            RunSettings settings = change.apply(record.settings());
+            RunSettings settings = change.apply(beyondItsLimit(record.settings(), resumed));
             Plan plan = project.plan(settings.plan())
                     .orElseThrow(() -> new IOException("the journal has no plan " + settings.plan()));
             tellDifferences(resumed, record);
@@ -128,6 +129,13 @@ final class Execution {
             }
             return code;
         }
+    }
+
+    /** A run that stopped at its {@code --for} is over with it: whoever takes it up wants more of it. */
+    private RunSettings beyondItsLimit(RunSettings recorded, ResumedJournal resumed) {
+        boolean reached = recorded.limitMillis().isPresent()
+                && resumed.cameToMillis() >= recorded.limitMillis().getAsLong();
+        return reached ? recorded.withLimit(OptionalLong.empty()) : recorded;
     }
 
     private void tellDifferences(ResumedJournal resumed, RunRecord record) {

@@ -46,7 +46,8 @@ final class ResumeCommand implements Callable<Integer> {
             names = "--for",
             paramLabel = "SECONDS",
             converter = SecondsConverter.class,
-            description = "Stop after so much simulated time since the start of the run, instead of the recorded time.")
+            description = "Stop after so much simulated time since the start of the run. Without it the recorded --for "
+                    + "holds, unless the run came to it already: then it goes on to its end.")
     private Long limitMillis;
 
     @Mixin

@@ -72,6 +72,12 @@ public final class ResumedJournal implements RunJournal, AutoCloseable {
         return journal.recovery().damage().orElse("");
     }
 
+    /** The simulated time to which earlier processes came, as far as the journal knows. */
+    public long cameToMillis() {
+        long lastEntry = past.isEmpty() ? 0 : past.get(past.size() - 1).atMillis();
+        return marks.values().stream().mapToLong(MarkText::atMillis).reduce(lastEntry, Math::max);
+    }
+
     /** How many entries the run has added since. */
     public long added() {
         return Math.max(0, index - past.size());
@@ -86,15 +92,23 @@ public final class ResumedJournal implements RunJournal, AutoCloseable {
     public void mark(long atMillis, String fingerprint) throws IOException {
         reachedMillis = atMillis;
         MarkText known = marks.get(index);
-        if (known != null
-                && known.atMillis() == atMillis
-                && !known.fingerprint().equals(fingerprint)) {
+        if (known != null && known.contradicts(atMillis, fingerprint)) {
             throw new JournalMismatchException(
                     index, "the boats are elsewhere " + atMillis / 1000.0 + " s after the start than they were");
         }
-        boolean isNews = index > past.size() || (index == past.size() && atMillis > knownUntilMillis);
-        if (isNews) {
+        if (isNews(atMillis)) {
             journal.mark(new MarkText(atMillis, fingerprint).toString());
+        }
+    }
+
+    private boolean isNews(long atMillis) {
+        return index > past.size() || (index == past.size() && atMillis > knownUntilMillis);
+    }
+
+    @Override
+    public void stopped(long atMillis) throws IOException {
+        if (isNews(atMillis)) {
+            journal.mark(MarkText.stopped(atMillis).toString());
         }
     }
 

@@ -39,6 +39,11 @@ public final class WrittenJournal implements RunJournal, AutoCloseable {
     }
 
     @Override
+    public void stopped(long atMillis) throws IOException {
+        journal.mark(MarkText.stopped(atMillis).toString());
+    }
+
+    @Override
     public boolean isCatchingUp() {
         return false;
     }

@@ -133,16 +133,25 @@ public final class InProcessRun {
                 return over.get();
             }
             if (observer.stop().getAsBoolean()) {
-                return RunOutcome.RUNNING;
+                return stopped();
             }
             long next = clock.nextTimeMs().orElseThrow();
             if (next > settings.stopMillis()) {
                 clock.runUntil(settings.stopMillis());
-                return RunOutcome.RUNNING;
+                return stopped();
             }
             pace(pacer, next);
             clock.runNext();
         }
+    }
+
+    private RunOutcome stopped() {
+        try {
+            journal.stopped(now());
+        } catch (IOException e) {
+            fail(e.getMessage());
+        }
+        return fault.isEmpty() ? RunOutcome.RUNNING : RunOutcome.FAILED;
     }
 
     private void pace(Pacer pacer, long nextMillis) {

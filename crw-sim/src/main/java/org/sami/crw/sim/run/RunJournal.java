@@ -21,6 +21,9 @@ public interface RunJournal {
      */
     void mark(long atMillis, String fingerprint) throws IOException;
 
+    /** The run stops here before its mission is over; whoever takes it up will know how far it came. */
+    void stopped(long atMillis) throws IOException;
+
     /** Whether the run is still where an earlier process has been already. */
     boolean isCatchingUp();
 
@@ -47,6 +50,11 @@ public interface RunJournal {
             @Override
             public void mark(long atMillis, String fingerprint) {
                 // Nobody will compare it.
+            }
+
+            @Override
+            public void stopped(long atMillis) {
+                // Nobody takes it up.
             }
 
             @Override

@@ -220,6 +220,11 @@ class CrashTest {
         }
 
         @Override
+        public void stopped(long atMillis) throws IOException {
+            real.stopped(atMillis);
+        }
+
+        @Override
         public boolean isCatchingUp() {
             return real.isCatchingUp();
         }
