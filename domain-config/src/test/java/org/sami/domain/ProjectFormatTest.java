@@ -193,6 +193,22 @@ class ProjectFormatTest {
                 .contains(Tuple.tuple("E-TWO-STARTS", "/plans/0/places/1"));
     }
 
+    @Test
+    void secondStartIsToldTogetherWithWhatKeepsTheDocumentFromBeingLoaded() throws IOException {
+        JsonNode root = tree();
+        edit(root, "/plans/0/places/1/start", "true");
+        edit(root, "/plans/0/inEdges/0/place", "\"nowhere\"");
+
+        Reading<Project> reading = reader.readAndCheck(root.toString());
+
+        assertThat(reading.result()).isEmpty();
+        assertThat(reading.findings())
+                .extracting(Finding::code, Finding::pointer)
+                .contains(
+                        Tuple.tuple("E-TWO-STARTS", "/plans/0/places/1"),
+                        Tuple.tuple("E-DANGLING", "/plans/0/inEdges/0/place"));
+    }
+
     /** The last column says whether the schema alone, without vocabulary and references, refuses the document too. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """

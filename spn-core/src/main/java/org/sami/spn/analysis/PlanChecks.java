@@ -48,11 +48,26 @@ public final class PlanChecks {
             new InterruptNames(),
             new Autonomy());
 
+    /** Checks whose findings do not follow from other faults of the document. */
+    private static final List<PlanCheck> INDEPENDENT = List.of(new StartPlace());
+
     private PlanChecks() {}
+
+    /**
+     * What can be said of plans whose document has errors, and which are therefore not loaded: only what does not follow
+     * from those errors, so that an author learns of everything at once and of nothing twice.
+     */
+    public static List<Finding> checkUnloaded(Project project, Vocabulary vocabulary) {
+        return check(
+                project,
+                vocabulary,
+                project.plans().stream().filter(p -> !p.places().isEmpty()).toList(),
+                INDEPENDENT);
+    }
 
     /** The findings about all plans of a project, in the order of the document. */
     public static List<Finding> check(Project project, Vocabulary vocabulary) {
-        return check(project, vocabulary, project.plans());
+        return check(project, vocabulary, project.plans(), CHECKS);
     }
 
     /**
@@ -60,14 +75,15 @@ public final class PlanChecks {
      * the project has no such plan.
      */
     public static List<Finding> check(Project project, Vocabulary vocabulary, String planId) {
-        return check(project, vocabulary, withDescendants(project, planId));
+        return check(project, vocabulary, withDescendants(project, planId), CHECKS);
     }
 
-    private static List<Finding> check(Project project, Vocabulary vocabulary, List<Plan> plans) {
+    private static List<Finding> check(
+            Project project, Vocabulary vocabulary, List<Plan> plans, List<PlanCheck> checks) {
         List<Finding> findings = new ArrayList<>();
         for (Plan plan : plans) {
             PlanContext context = new PlanContext(project, vocabulary, plan);
-            CHECKS.forEach(check -> check.check(context, findings::add));
+            checks.forEach(check -> check.check(context, findings::add));
         }
         findings.sort(DocumentOrder.BY_POINTER);
         return List.copyOf(findings);

@@ -76,6 +76,9 @@ public final class ProjectReader {
             return Reading.nothing(problems);
         }
         Project project = readProject(root.get(), beside, problems);
+        if (!problems.none()) {
+            problems.addAll(PlanChecks.checkUnloaded(project, vocabulary), "");
+        }
         return Reading.of(project, problems);
     }
 
