@@ -54,6 +54,8 @@ public final class Crw implements Runnable {
     public static CommandLine commandLine() {
         CommandLine line = new CommandLine(new Crw());
         line.setCaseInsensitiveEnumValuesAllowed(true);
+        line.registerConverter(int.class, WholeNumberConverter.INT);
+        line.registerConverter(long.class, WholeNumberConverter.LONG);
         line.setParameterExceptionHandler(Faults::onWrongUsage);
         line.setExecutionExceptionHandler(Faults::onException);
         return line;

@@ -63,6 +63,7 @@ final class Execution {
             return ExitCode.FINDINGS;
         }
         checkParameters(runPlan, settings);
+        output.prepare();
         if (journal == null) {
             return run(new InProcessRun(runPlan, settings, answers.orThrow(), RunJournal.none()), settings, journal);
         }
@@ -106,6 +107,7 @@ final class Execution {
         if (!Files.isRegularFile(journal)) {
             throw new UsageFault("there is no journal " + journal);
         }
+        output.prepare();
         try (ResumedJournal resumed = ResumedJournal.open(journal)) {
             RunRecord record = resumed.record();
             Vocabulary vocabulary = VocabularyReader.read(new VocabularyFiles(record.vocabulary()))

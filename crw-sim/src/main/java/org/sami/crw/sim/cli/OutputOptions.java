@@ -2,6 +2,7 @@ package org.sami.crw.sim.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.sami.crw.sim.report.ReportFolder;
 import org.sami.crw.sim.report.ReportJson;
@@ -29,6 +30,25 @@ final class OutputOptions {
         OutputOptions options = new OutputOptions();
         options.folder = folder;
         return options;
+    }
+
+    /**
+     * Makes the report's folder now: a run whose report could not be written would be lost.
+     *
+     * @throws UsageFault if it cannot be made or written to
+     */
+    void prepare() {
+        if (folder == null) {
+            return;
+        }
+        try {
+            Files.createDirectories(folder);
+        } catch (IOException e) {
+            throw new UsageFault("--report: " + folder + " is no folder and cannot be made one");
+        }
+        if (!Files.isWritable(folder)) {
+            throw new UsageFault("--report: nothing can be written to " + folder);
+        }
     }
 
     /** Writes the report everywhere it is wanted. */

@@ -23,14 +23,14 @@ class UsageTest {
                 List.of("--fast", "run clv --fast"),
                 List.of("--boats is 1 to 250, not 0", "run clv --boats 0"),
                 List.of("--boats is 1 to 250, not 251", "run clv --boats 251"),
-                List.of("--boats", "run clv --boats many"),
+                List.of("expected is a whole number, not 'many'", "run clv --boats many"),
                 List.of("--locations is 1 to 10000, not 0", "run clv --locations 0"),
                 List.of("--area is 10 to 20000, not 5", "run clv --area 5"),
                 List.of("a speed is 'max' or a number above 0", "run clv --speed fast"),
                 List.of("--speed", "run clv --speed 0"),
                 List.of("--for", "run clv --for soon"),
                 List.of("--answer-after", "run clv --answer-after -1"),
-                List.of("--seed", "run clv --seed x"),
+                List.of("expected is a whole number, not 'x'", "run clv --seed x"),
                 List.of("--set", "run clv --set nonsense"),
                 List.of("no parameter 'depth'; it has", "run clv --set depth=3"),
                 List.of("expected is a number such as 2.5", "run station-keep --set ask-stations.spacing=wide"),
@@ -66,6 +66,18 @@ class UsageTest {
         assertThat(ran.exitCode()).isEqualTo(2);
         assertThat(ran.err()).contains("is there already").contains("crw resume " + journal);
         assertThat(journal).hasContent("precious");
+    }
+
+    @Test
+    void reportThatCouldNotBeWrittenIsRefusedBeforeAnythingRuns() throws Exception {
+        Path file = Files.writeString(folder.resolve("report"), "a file");
+        Path journal = folder.resolve("run.journal");
+
+        Ran ran = Ran.crw("run", "clv", "--report", file.toString(), "--journal", journal.toString());
+
+        assertThat(ran.exitCode()).isEqualTo(2);
+        assertThat(ran.err()).contains("--report: " + file).doesNotContain("running");
+        assertThat(journal).doesNotExist();
     }
 
     @Test
