@@ -18,6 +18,7 @@ import picocli.CommandLine.Spec;
             CheckCommand.class,
             RunCommand.class,
             ResumeCommand.class,
+            JournalCommand.class,
             DemoCommand.class,
             BoatCommand.class,
             CommandLine.HelpCommand.class
@@ -47,7 +48,7 @@ public final class Crw implements Runnable {
     @Override
     public void run() {
         throw new ParameterException(
-                spec.commandLine(), "Which command? One of plans, check, run, resume, demo, boat.");
+                spec.commandLine(), "Which command? One of plans, check, run, resume, journal, demo, boat.");
     }
 
     /** The command line, ready to be executed in any process. */

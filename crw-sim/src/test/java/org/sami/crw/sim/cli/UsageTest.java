@@ -42,6 +42,7 @@ class UsageTest {
                 List.of("FILE|PLAN", "check"),
                 List.of("JOURNAL", "resume"),
                 List.of("there is no journal none.journal", "resume none.journal"),
+                List.of("there is no journal none.journal", "journal none.journal"),
                 List.of("there is no file", "check none.json"));
     }
 
@@ -104,7 +105,7 @@ class UsageTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"plans", "check", "run", "resume", "demo"})
+    @ValueSource(strings = {"plans", "check", "run", "resume", "journal", "demo"})
     void helpOfEveryCommandHasExamples(String command) {
         Ran ran = Ran.crw(command, "--help");
 

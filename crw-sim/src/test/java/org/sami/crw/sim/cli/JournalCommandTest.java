@@ -1,0 +1,75 @@
+package org.sami.crw.sim.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A journal shows what its session knew after any entry. */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class JournalCommandTest {
+    @TempDir
+    Path folder;
+
+    private String journal;
+
+    @BeforeAll
+    void runForAWhile() {
+        journal = folder.resolve("clv.journal").toString();
+        Ran ran = Ran.crw("run", "clv", "--speed", "max", "--for", "60", "--journal", journal);
+        assertThat(ran.exitCode()).isEqualTo(5);
+    }
+
+    @Test
+    void lastStateSaysWhereTheBoatsAreAndWhyNothingFires() {
+        Ran ran = Ran.crw("journal", journal);
+
+        assertThat(ran.exitCode()).isZero();
+        assertThat(ran.out())
+                .contains("robots: boat1, boat2, boat3")
+                .contains("Execute paths: ")
+                .contains("It waits for ProxyPathCompleted")
+                .contains("cannot fire");
+    }
+
+    @Test
+    void earlierStateIsTheOneOfThatEntry() {
+        String first = Ran.crw("journal", journal, "--at", "0").out();
+
+        assertThat(first).contains("entry 0 of").contains("robots: none").contains("no mission runs");
+
+        String asked =
+                Ran.crw("journal", journal, "--at", entryOf("start-mission")).out();
+        assertThat(asked).contains("Select boats: ").contains("decision 1 of mission 1");
+    }
+
+    @Test
+    void entriesAreListedInOrder() {
+        assertThat(Ran.crw("journal", journal, "--entries").out())
+                .contains("1  ")
+                .contains("clv");
+        assertThat(Ran.crw("journal", journal, "--entries", "--at", "2").out().lines())
+                .hasSize(2);
+    }
+
+    @Test
+    void entryThatIsNotThereIsRefused() {
+        Ran ran = Ran.crw("journal", journal, "--at", "9999");
+
+        assertThat(ran.exitCode()).isEqualTo(2);
+        assertThat(ran.err()).contains("--at is 0 to ").contains("not 9999");
+    }
+
+    private String entryOf(String kind) {
+        return Ran.crw("journal", journal, "--entries")
+                .out()
+                .lines()
+                .filter(line -> line.contains(kind))
+                .map(line -> line.substring(0, line.indexOf(' ')))
+                .findFirst()
+                .orElseThrow(() -> new AssertionError("no entry of " + kind));
+    }
+}
