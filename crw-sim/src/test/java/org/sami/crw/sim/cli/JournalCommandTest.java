@@ -5,19 +5,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A journal shows what its session knew after any entry. */
-@TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class JournalCommandTest {
     @TempDir
-    Path folder;
+    static Path folder;
 
-    private String journal;
+    private static String journal;
 
     @BeforeAll
-    void runForAWhile() {
+    static void runForAWhile() {
         journal = folder.resolve("clv.journal").toString();
         Ran ran = Ran.crw("run", "clv", "--speed", "max", "--for", "60", "--journal", journal);
         assertThat(ran.exitCode()).isEqualTo(5);
@@ -63,7 +61,7 @@ class JournalCommandTest {
         assertThat(ran.err()).contains("--at is 0 to ").contains("not 9999");
     }
 
-    private String entryOf(String kind) {
+    private static String entryOf(String kind) {
         return Ran.crw("journal", journal, "--entries")
                 .out()
                 .lines()
