@@ -1,0 +1,272 @@
+package org.sami.spn.reference;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.model.Match;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.model.Transition;
+import org.sami.spn.model.WaitFor;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.vocabulary.EventFlag;
+import org.sami.spn.vocabulary.EventRole;
+
+/** Who receives an occurrence, and what becomes of it while it waits (SEMANTICS, Input events). */
+final class Attention {
+    private final World world;
+    private final Enabling enabling;
+
+    Attention(World world, Enabling enabling) {
+        this.world = world;
+        this.enabling = enabling;
+    }
+
+    /** "Every transition it is for receives it"; what no transition wants is recorded with the reason. */
+    boolean receive(Occurrence occurrence) {
+        boolean wanted = false;
+        boolean askedForNames = false;
+        for (Mission m : List.copyOf(world.missions)) {
+            Optional<Occurrence> here = asSeenBy(m, occurrence);
+            if (!m.reacts() || here.isEmpty()) {
+                continue;
+            }
+            for (Transition t : m.plan.transitions()) {
+                for (InputEventSpec event : t.inputs()) {
+                    Pending pending = new Pending(t, event, here.get());
+                    if (!isFor(m, pending)) {
+                        continue;
+                    }
+                    if (namesNobodyWhereAsked(m, pending)) {
+                        askedForNames = true;
+                    } else {
+                        keep(m, pending);
+                        wanted = true;
+                    }
+                }
+            }
+        }
+        if (!wanted) {
+            noteUnwanted(occurrence, askedForNames);
+        }
+        return wanted;
+    }
+
+    /** "With an activation and no mission it is an answer in the mission that asked and news in all others." */
+    private Optional<Occurrence> asSeenBy(Mission m, Occurrence o) {
+        if (o.mission() != Ids.NONE) {
+            return o.mission() == m.id ? Optional.of(o) : Optional.empty();
+        }
+        Visit asked = world.visitOfActivation.get(o.activation());
+        if (asked != null && asked.mission == m) {
+            return Optional.of(o);
+        }
+        return Optional.of(Occurrence.news(o.type(), o.proxies(), o.values()))
+                .map(n -> new Occurrence(n.type(), Ids.NONE, Ids.NONE, o.proxies(), o.tasks(), o.values()));
+    }
+
+    /** "It is for transition t when ..." */
+    private boolean isFor(Mission m, Pending p) {
+        return typeFits(p) && someInPlaceIsMarked(m, p.transition) && answersHere(m, p) && someRelevantIsHere(m, p);
+    }
+
+    private boolean typeFits(Pending p) {
+        return world.eventType(p.event.type()).equals(world.eventType(p.occurrence.type()))
+                && p.event.fields().entrySet().stream()
+                        .allMatch(f -> f.getValue().equals(p.occurrence.values().get(f.getKey())));
+    }
+
+    private static boolean someInPlaceIsMarked(Mission m, Transition t) {
+        List<Place> places = m.inPlaces(t);
+        return places.isEmpty()
+                || places.stream().anyMatch(place -> !m.tokensIn(place).isEmpty() || m.visitedByNobody(place));
+    }
+
+    private boolean answersHere(Mission m, Pending p) {
+        if (!p.isAnswer()) {
+            return true;
+        }
+        Visit visit = world.visitOfActivation.get(p.occurrence.activation());
+        if (visit == null || visit.mission != m || !m.inPlaces(p.transition).contains(visit.place)) {
+            return false;
+        }
+        for (Token name : p.names()) {
+            if (standsForIt(m, p, visit, name)) {
+                return true;
+            }
+        }
+        // "or, where none is named, any token or nobody": none of those that were asked
+        List<Token> asked = enabling.answered(p).tokens();
+        boolean namesNoneAsked = p.names().stream()
+                .flatMap(name -> enabling.tokensOf(name, p).stream())
+                .noneMatch(asked::contains);
+        return namesNoneAsked && !visit.ended;
+    }
+
+    /** "A named token is still in that visit, or a named token now stands in another in place of t". */
+    private boolean standsForIt(Mission m, Pending p, Visit visit, Token name) {
+        for (Token token : enabling.tokensOf(name, p)) {
+            if (!visit.ended && m.standsInVisit(token, visit)) {
+                return true;
+            }
+            for (Place other : World.others(m.inPlaces(p.transition), visit.place)) {
+                if (m.stands(token, other)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** "Where t speaks of relevant tokens that it must already have, one of them is here." */
+    private boolean someRelevantIsHere(Mission m, Pending p) {
+        boolean mustHave = m.inEdges(p.transition).stream()
+                .flatMap(e -> e.requirements().stream())
+                .anyMatch(Attention::mustHaveRelevant);
+        boolean joinsWithAny = p.names().isEmpty() && p.transition.inputs().size() > 1;
+        return !mustHave
+                || joinsWithAny
+                || enabling.relevant(List.of(p)).stream()
+                        .anyMatch(token ->
+                                m.inPlaces(p.transition).stream().anyMatch(place -> m.stands(token, place)));
+    }
+
+    private static boolean mustHaveRelevant(InRequirement r) {
+        boolean wantsSome = r.match() == Match.ALL
+                || ((r.match() == Match.AT_LEAST || r.match() == Match.EXACTLY) && r.n() >= 1);
+        return r.kind() == TokenKind.RELEVANT && wantsSome;
+    }
+
+    /** "An answer naming nobody where tokens were asked for is reported, and the question stays open." */
+    private boolean namesNobodyWhereAsked(Mission m, Pending p) {
+        boolean speaks = m.inEdges(p.transition).stream()
+                        .flatMap(e -> e.requirements().stream())
+                        .anyMatch(r -> r.kind() == TokenKind.RELEVANT)
+                || m.outEdges(p.transition).stream()
+                        .flatMap(e -> e.requirements().stream())
+                        .anyMatch(r -> r.kind() == TokenKind.RELEVANT);
+        EventRole role = world.eventType(p.event.type()).role();
+        boolean joinsWithAny = p.transition.inputs().size() > 1;
+        return p.isAnswer()
+                && !p.occurrence.namesSomebody()
+                && speaks
+                && !joinsWithAny
+                && !World.overrides(role);
+    }
+
+    /** "Pending." */
+    void keep(Mission m, Pending pending) {
+        if (!pending.isAnswer() && !pending.tellsReturn) {
+            // "News: one pending per input event and named set, the newer replaces the older."
+            m.pending.removeIf(older -> !older.isAnswer()
+                    && !older.tellsReturn
+                    && older.transition.equals(pending.transition)
+                    && older.event.equals(pending.event)
+                    && namedSet(older).equals(namedSet(pending)));
+        }
+        if (pending.isAnswer()) {
+            Visit visit = world.visitOfActivation.get(pending.occurrence.activation());
+            pending.namedSomebodyHere =
+                    pending.names().stream().anyMatch(name -> standsForIt(m, pending, visit, name));
+        }
+        m.pending.add(pending);
+        world.lookAt(m, pending.transition);
+    }
+
+    private static List<Object> namedSet(Pending p) {
+        return List.of(new HashSet<>(p.occurrence.proxies()), new HashSet<>(p.occurrence.tasks()));
+    }
+
+    private void noteUnwanted(Occurrence occurrence, boolean askedForNames) {
+        Visit visit = world.visitOfActivation.get(occurrence.activation());
+        if (askedForNames) {
+            world.note(NoteKind.NAMES_NOBODY, occurrence.mission(), occurrence.type());
+        } else if (world.eventType(occurrence.type()).flags().contains(EventFlag.COALESCE)) {
+            return; // "it is counted"
+        } else if (World.isInterrupt(world.eventType(occurrence.type()).role())) {
+            world.note(NoteKind.INTERRUPT_REFUSED, occurrence.mission(), occurrence.type());
+        } else if (visit != null && visit.ended) {
+            world.note(NoteKind.LATE, occurrence.mission(), occurrence.type());
+        } else {
+            world.note(NoteKind.DISCARDED, occurrence.mission(), occurrence.type());
+        }
+    }
+
+    /** "An interrupt is never kept: if t cannot fire now, it is refused and the operator is told." */
+    void refuseInterrupts(Mission m, Transition t) {
+        for (Pending p : m.pendingOf(t)) {
+            if (World.overrides(world.eventType(p.event.type()).role())) {
+                m.pending.remove(p);
+                world.note(NoteKind.INTERRUPT_REFUSED, m.id, t.id());
+            }
+        }
+    }
+
+    /** "A token that left is struck from a pending answer; an answer that named only such tokens is discarded." */
+    void strike(Mission m, List<Copy> left) {
+        for (Pending p : List.copyOf(m.pending)) {
+            for (Token name : p.names()) {
+                boolean hasLeft = left.stream().anyMatch(copy -> concerns(m, p, copy, name));
+                if (hasLeft && !stillThere(m, p, name)) {
+                    p.struck.add(name);
+                }
+            }
+            if (p.returnOf.isPresent() && p.returnOf.get().ended) {
+                m.pending.remove(p);
+                continue;
+            }
+            boolean allLeft = !p.struck.isEmpty() && p.names().isEmpty();
+            if (allLeft || unheardOf(p)) {
+                m.pending.remove(p);
+                world.note(NoteKind.DISCARDED, m.id, p.occurrence.type());
+            }
+        }
+    }
+
+    private boolean concerns(Mission m, Pending p, Copy copy, Token name) {
+        if (!enabling.tokensOf(name, p).contains(copy.token)) {
+            return false;
+        }
+        if (p.isAnswer()) {
+            Visit visit = world.visitOfActivation.get(p.occurrence.activation());
+            return copy.visit == visit
+                    || World.others(m.inPlaces(p.transition), visit.place).contains(copy.visit.place);
+        }
+        // "A boat that left must report again"
+        return p.transition.waitFor() == WaitFor.ALL
+                && enabling.watched(m, p.transition).contains(copy.visit.place);
+    }
+
+    private boolean stillThere(Mission m, Pending p, Token name) {
+        if (p.isAnswer()) {
+            return standsForIt(m, p, world.visitOfActivation.get(p.occurrence.activation()), name);
+        }
+        return enabling.watched(m, p.transition).stream().anyMatch(place -> m.stands(name, place));
+    }
+
+    /** The visit that it answers is over, and it named nobody who was asked. */
+    private boolean unheardOf(Pending p) {
+        return p.isAnswer()
+                && !p.namedSomebodyHere
+                && world.visitOfActivation.get(p.occurrence.activation()).ended;
+    }
+
+    /** A dropped boat: "nobody waits for it any longer". */
+    void forget(Mission m, Token.Proxy boat) {
+        for (Pending p : new ArrayList<>(m.pending)) {
+            if (p.names().contains(boat)) {
+                p.struck.add(boat);
+                if (p.names().isEmpty()) {
+                    m.pending.remove(p);
+                    world.note(NoteKind.DISCARDED, m.id, p.occurrence.type());
+                }
+            }
+        }
+    }
+}

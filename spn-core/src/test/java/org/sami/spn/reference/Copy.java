@@ -1,0 +1,14 @@
+package org.sami.spn.reference;
+
+import org.sami.spn.protocol.Token;
+
+/** One copy of a token in a place; "a token belongs to the visit it entered by" (SEMANTICS, Visits). Compared by identity. */
+final class Copy {
+    final Token token;
+    final Visit visit;
+
+    Copy(Token token, Visit visit) {
+        this.token = token;
+        this.visit = visit;
+    }
+}

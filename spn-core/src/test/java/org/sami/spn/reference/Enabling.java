@@ -1,0 +1,293 @@
+package org.sami.spn.reference;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.model.Transition;
+import org.sami.spn.model.WaitFor;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.TaskId;
+
+/** Whether a transition can fire, and with which of its pending occurrences. */
+final class Enabling {
+    private final World world;
+
+    Enabling(World world) {
+        this.world = world;
+    }
+
+    // ---- SEMANTICS, Requirements: relevant tokens
+
+    /** The tokens that stand for one named boat or task in one occurrence. */
+    List<Token> tokensOf(Token name, Pending pending) {
+        List<Token> tokens = new ArrayList<>();
+        tokens.add(name);
+        if (name instanceof Token.Proxy boat && pending.isAnswer()) {
+            // "and a task token allocated to a named boat only if it was among the tokens of the answered activation and is
+            // that boat's current task"
+            for (Token token : answered(pending).tokens()) {
+                if (token instanceof Token.Task task
+                        && boat.proxy().equals(world.allocation.get(task.task()))
+                        && !tokens.contains(token)) {
+                    tokens.add(token);
+                }
+            }
+        }
+        return tokens;
+    }
+
+    Activation answered(Pending pending) {
+        long id = pending.occurrence.activation();
+        return world.visitOfActivation.get(id).activations.stream()
+                .filter(a -> a.id() == id)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** "A set, without duplicates." */
+    Set<Token> relevant(List<Pending> used) {
+        Set<Token> relevant = new LinkedHashSet<>();
+        for (Pending pending : used) {
+            pending.names().forEach(name -> relevant.addAll(tokensOf(name, pending)));
+        }
+        return relevant;
+    }
+
+    boolean isOfKind(TokenKind kind, String task, Token token, Set<Token> relevant) {
+        return switch (kind) {
+            case GENERIC -> token instanceof Token.Generic;
+            case ANY_PROXY -> token instanceof Token.Proxy;
+            case ANY_TASK -> token instanceof Token.Task;
+            case ANY_TOKEN -> true;
+            case TASK -> token instanceof Token.Task t && isTask(t.task(), task);
+            case RELEVANT -> relevant.contains(token);
+            case SUB_MISSION_TOKENS, UNCONDITIONAL -> false;
+        };
+    }
+
+    /** "One named task or task class". */
+    private boolean isTask(TaskId id, String nameOrClass) {
+        return id.name().equals(nameOrClass)
+                || world.task(id).map(t -> t.taskClass().equals(nameOrClass)).orElse(false);
+    }
+
+    // ---- SEMANTICS, Requirements: the pool
+
+    /** "All in places of the transition, in in-edge order, then in order of entry". */
+    List<Copy> pool(Mission m, Transition t) {
+        List<Copy> pool = new ArrayList<>();
+        m.inPlaces(t).forEach(place -> pool.addAll(poolIn(m, t, place)));
+        return pool;
+    }
+
+    /** What of a place is in the pool of a transition. */
+    List<Copy> poolIn(Mission m, Transition t, Place place) {
+        if (world.overrides(t)) {
+            return List.copyOf(m.tokensIn(place));
+        }
+        // "While an instance runs, its starting tokens are outside every pool"
+        List<Copy> pool = new ArrayList<>(m.tokensIn(place).stream()
+                .filter(copy -> isOver(copy.visit, t))
+                .toList());
+        for (Instance shared : livingStatics(m, place)) {
+            pool = equalTo(shared.returns.isEmpty() ? List.of() : shared.returns.get(0), pool);
+        }
+        return pool;
+    }
+
+    private boolean isOver(Visit visit, Transition t) {
+        return visit.complete() || (visit.aborted() && world.awaitsAborted(t));
+    }
+
+    private static List<Instance> livingStatics(Mission m, Place place) {
+        return m.statics.stream()
+                .filter(i -> i.place.equals(place) && i.state == Instance.State.RUNNING)
+                .toList();
+    }
+
+    /** Of the parent's tokens those equal to the ones that returned, one for one. */
+    private static List<Copy> equalTo(List<Token> returned, List<Copy> copies) {
+        List<Token> left = new ArrayList<>(returned);
+        return copies.stream().filter(copy -> left.remove(copy.token)).toList();
+    }
+
+    /** "Out-transitions wait for it (Algorithm 1, per visit)"; "out-transitions need one unused return each". */
+    private boolean waitsForSubMission(Mission m, Transition t, Place place) {
+        if (world.overrides(t)) {
+            return false;
+        }
+        List<Visit> visits =
+                m.visits.stream().filter(v -> v.place.equals(place)).toList();
+        boolean allRun = !visits.isEmpty() && visits.stream().noneMatch(v -> isOver(v, t));
+        boolean noReturn = livingStatics(m, place).stream().anyMatch(i -> i.returns.isEmpty());
+        return allRun || noReturn;
+    }
+
+    /**
+     * A transition that moves sub-mission tokens fires for a completion, once: a boat that did not come back does not make
+     * it fire again.
+     */
+    private boolean someCompletionIsNew(Mission m, Transition t) {
+        boolean movesThem = m.outEdges(t).stream()
+                .flatMap(e -> e.requirements().stream())
+                .anyMatch(r -> r.kind() == TokenKind.SUB_MISSION_TOKENS);
+        List<Place> dynamic = m.inPlaces(t).stream()
+                .filter(p -> p.subMissions().stream().anyMatch(s -> !s.shared()))
+                .toList();
+        return !movesThem
+                || dynamic.isEmpty()
+                || m.visits.stream()
+                        .filter(v -> dynamic.contains(v.place) && isOver(v, t))
+                        .anyMatch(v -> !v.used || v.instances.stream().anyMatch(i -> !i.back.isEmpty()));
+    }
+
+    // ---- SEMANTICS, Requirements: in edges
+
+    boolean requirementsHold(Mission m, Transition t, List<Pending> used) {
+        if (!someCompletionIsNew(m, t)) {
+            return false;
+        }
+        for (InEdge edge : m.inEdges(t)) {
+            Place place = m.place(edge.place());
+            if (waitsForSubMission(m, t, place)) {
+                return false;
+            }
+            for (InRequirement requirement : edge.requirements()) {
+                if (!holds(requirement, m, t, place, used)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    private boolean holds(InRequirement requirement, Mission m, Transition t, Place place, List<Pending> used) {
+        if (requirement.kind() == TokenKind.UNCONDITIONAL) {
+            return true;
+        }
+        Set<Token> relevant = relevant(used);
+        long inPool = poolIn(m, t, place).stream()
+                .filter(c -> isOfKind(requirement.kind(), requirement.task(), c.token, relevant))
+                .count();
+        long standing = m.tokensIn(place).stream()
+                .filter(c -> isOfKind(requirement.kind(), requirement.task(), c.token, relevant))
+                .count();
+        return switch (requirement.match()) {
+            case ZERO -> standing == 0;
+            case LESS_THAN -> standing < requirement.n();
+            case EXACTLY -> standing == requirement.n();
+            case AT_LEAST -> inPool >= requirement.n();
+            case ALL -> used.stream().allMatch(p -> allNamedAreHere(m, t, place, p));
+        };
+    }
+
+    /** "Every named token is here". */
+    private boolean allNamedAreHere(Mission m, Transition t, Place place, Pending pending) {
+        List<Token> here =
+                poolIn(m, t, place).stream().map(copy -> copy.token).toList();
+        return pending.names().stream()
+                .allMatch(name -> tokensOf(name, pending).stream().anyMatch(here::contains));
+    }
+
+    // ---- SEMANTICS, Input events: pending
+
+    /** "t fires with the earliest combination that enables it"; empty where it cannot fire. */
+    Optional<List<Pending>> enabledWith(Mission m, Transition t) {
+        if (!m.reacts()) {
+            return Optional.empty();
+        }
+        if (t.inputs().isEmpty()) {
+            return requirementsHold(m, t, List.of()) ? Optional.of(List.of()) : Optional.empty();
+        }
+        if (t.waitFor() == WaitFor.ALL) {
+            return allReported(m, t).filter(used -> requirementsHold(m, t, used));
+        }
+        for (List<Pending> combination : combinations(m, t, 0)) {
+            if (nameTheSame(combination) && requirementsHold(m, t, combination)) {
+                return Optional.of(combination);
+            }
+        }
+        return Optional.empty();
+    }
+
+    private List<List<Pending>> combinations(Mission m, Transition t, int from) {
+        if (from == t.inputs().size()) {
+            return List.of(List.of());
+        }
+        List<List<Pending>> all = new ArrayList<>();
+        for (Pending first : pendingOf(m, t, t.inputs().get(from))) {
+            for (List<Pending> rest : combinations(m, t, from + 1)) {
+                List<Pending> combination = new ArrayList<>();
+                combination.add(first);
+                combination.addAll(rest);
+                all.add(combination);
+            }
+        }
+        return all;
+    }
+
+    private static List<Pending> pendingOf(Mission m, Transition t, InputEventSpec event) {
+        return m.pendingOf(t).stream().filter(p -> p.event.equals(event)).toList();
+    }
+
+    /** "The occurrences that name tokens must name the same ones; those that name none join with any." */
+    private static boolean nameTheSame(List<Pending> combination) {
+        return combination.stream()
+                        .map(p -> new HashSet<>(p.names()))
+                        .filter(names -> !names.isEmpty())
+                        .distinct()
+                        .count()
+                <= 1;
+    }
+
+    /** The places that a wait-for-all transition watches. */
+    List<Place> watched(Mission m, Transition t) {
+        List<Place> speaking = m.inEdges(t).stream()
+                .filter(e -> e.requirements().stream().anyMatch(r -> r.kind() == TokenKind.RELEVANT))
+                .map(e -> m.place(e.place()))
+                .distinct()
+                .toList();
+        return speaking.isEmpty() ? m.inPlaces(t) : speaking;
+    }
+
+    /** "Waits until every boat (or task) standing in the watched places has reported, then fires once with all". */
+    private Optional<List<Pending>> allReported(Mission m, Transition t) {
+        Set<Token> standing = new LinkedHashSet<>();
+        for (Place place : watched(m, t)) {
+            m.tokensIn(place).stream()
+                    .map(copy -> copy.token)
+                    .filter(token -> !(token instanceof Token.Generic))
+                    .forEach(standing::add);
+        }
+        if (standing.isEmpty()) {
+            return Optional.empty(); // "never fires for nobody"
+        }
+        List<Pending> used = new ArrayList<>();
+        for (InputEventSpec event : t.inputs()) {
+            List<Pending> reports = pendingOf(m, t, event).stream()
+                    .filter(p -> relevant(List.of(p)).stream().anyMatch(standing::contains))
+                    .toList();
+            List<Pending> anonymous = pendingOf(m, t, event);
+            boolean namesNobody = t.inputs().size() > 1
+                    && !anonymous.isEmpty()
+                    && anonymous.stream().allMatch(p -> p.names().isEmpty());
+            if (namesNobody) {
+                used.addAll(anonymous);
+            } else if (relevant(reports).containsAll(standing)) {
+                used.addAll(reports);
+            } else {
+                return Optional.empty();
+            }
+        }
+        return Optional.of(used);
+    }
+}

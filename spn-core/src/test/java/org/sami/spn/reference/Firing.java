@@ -1,0 +1,312 @@
+package org.sami.spn.reference;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.sami.spn.model.Action;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.Match;
+import org.sami.spn.model.OutEdge;
+import org.sami.spn.model.OutRequirement;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.model.Transition;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.Value;
+
+/** "Select by all out requirements on the marking before; remove; add; write variables; ..." (SEMANTICS, Firing). */
+final class Firing {
+    /** A token selected for an out edge: a copy of the pool, a token of an instance's end places, both, or a new one. */
+    private record Selected(Token token, Optional<Copy> copy, Optional<Instance> instance) {}
+
+    /** What one firing does. */
+    private static final class Moves {
+        final Set<Copy> removed = new LinkedHashSet<>();
+        final Map<Instance, List<Token>> usedBack = new LinkedHashMap<>();
+        final Set<Copy> removedAsReturned = new LinkedHashSet<>();
+        final Map<OutEdge, List<Selected>> added = new LinkedHashMap<>();
+    }
+
+    private final World world;
+    private final Enabling enabling;
+    private final Attention attention;
+    private final Places places;
+
+    Firing(World world, Enabling enabling, Attention attention, Places places) {
+        this.world = world;
+        this.enabling = enabling;
+        this.attention = attention;
+        this.places = places;
+    }
+
+    void fire(Mission m, Transition t, List<Pending> used) {
+        Moves moves = select(m, t, used);
+        boolean countedWasRemoved = removesWhatItCounts(m, t, used, moves.removed);
+        m.pending.removeAll(used);
+        markCompletionsUsed(m, t);
+
+        List<Visit> nobodys = nobodysVisitsThatEnd(m, t, used);
+        List<Copy> left = new ArrayList<>(moves.removed);
+        leaveCompletions(moves);
+        places.remove(m, left, world.overrides(t));
+        nobodys.forEach(places::end);
+        List<Visit> entered = new ArrayList<>();
+        for (OutEdge edge : m.outEdges(t)) {
+            List<Token> tokens =
+                    moves.added.get(edge).stream().map(Selected::token).toList();
+            if (isEntered(m, edge, tokens)) {
+                entered.add(places.add(m, m.place(edge.place()), tokens));
+            }
+        }
+        attention.strike(m, left);
+
+        world.firings++;
+        List<Occurrence> occurrences = used.stream().map(p -> p.occurrence).toList();
+        world.effects.add(new Effect.Fired(world.firings, m.id, t.id(), occurrences, List.of()));
+        writeVariables(m, used);
+        entered.forEach(places::activate);
+        entered.forEach(places::startSubMissions);
+        places.endOrReturn(m, entered);
+
+        // "Entered places first, in out-edge order, then left places in in-edge order"
+        entered.forEach(visit -> places.lookAfterEntry(m, visit.place));
+        for (Place place : m.inPlaces(t)) {
+            if (left.stream().anyMatch(copy -> copy.visit.place.equals(place))) {
+                places.lookAfterLeaving(m, place);
+            }
+        }
+        places.lookAtWithdrawn();
+        // (d) "after its own firing, if that removed a token which one of its own at least or exactly requirements counts"
+        if (t.inputs().isEmpty() && countedWasRemoved) {
+            world.lookAt(m, t);
+        }
+        if (!m.pendingOf(t).isEmpty()) {
+            world.lookAt(m, t); // "fires per occurrence"
+        }
+    }
+
+    // ---- Selecting
+
+    private Moves select(Mission m, Transition t, List<Pending> used) {
+        Moves moves = new Moves();
+        for (OutEdge edge : m.outEdges(t)) {
+            List<Selected> onEdge = new ArrayList<>();
+            for (OutRequirement requirement : edge.requirements()) {
+                if (requirement.kind() == TokenKind.UNCONDITIONAL) {
+                    continue;
+                }
+                List<Selected> selected = selected(m, t, used, requirement);
+                if (!requirement.takesAll()
+                        && requirement.kind() != TokenKind.RELEVANT
+                        && selected.size() < requirement.n()) {
+                    world.note(NoteKind.SHORT_OF_TOKENS, m.id, t.id());
+                }
+                if (requirement.action() != Action.ADD) {
+                    for (Selected s : selected) {
+                        s.copy().ifPresent(moves.removed::add);
+                        if (s.instance().isPresent()) {
+                            s.copy().ifPresent(moves.removedAsReturned::add);
+                        }
+                        s.instance()
+                                .ifPresent(i -> moves.usedBack
+                                        .computeIfAbsent(i, key -> new ArrayList<>())
+                                        .add(s.token()));
+                    }
+                }
+                if (requirement.action() != Action.CONSUME) {
+                    selected.stream().filter(s -> !isOn(onEdge, s)).forEach(onEdge::add);
+                }
+            }
+            moves.added.put(edge, onEdge);
+        }
+        useUpSubMissionTokens(m, t, moves);
+        return moves;
+    }
+
+    /** "One edge adds a token once." */
+    private static boolean isOn(List<Selected> onEdge, Selected s) {
+        if (s.copy().isPresent()) {
+            return onEdge.stream()
+                    .anyMatch(o -> o.copy().equals(s.copy())
+                            || (o.copy().isEmpty()
+                                    && o.instance().isEmpty()
+                                    && !(o.token() instanceof Token.Generic)
+                                    && o.token().equals(s.token())));
+        }
+        boolean generic = s.token() instanceof Token.Generic;
+        return !generic && onEdge.stream().anyMatch(o -> o.token().equals(s.token()));
+    }
+
+    /** "Each out requirement selects on its own from the same pool in the same order". */
+    private List<Selected> selected(Mission m, Transition t, List<Pending> used, OutRequirement r) {
+        if (r.kind() == TokenKind.SUB_MISSION_TOKENS) {
+            List<Selected> all = subMissionTokens(m, t);
+            return r.takesAll() ? all : all.subList(0, Math.min(r.n(), all.size()));
+        }
+        if (r.action() == Action.ADD && r.kind() == TokenKind.RELEVANT) {
+            // "makes one token per name, wherever that token stands"
+            return used.stream()
+                    .flatMap(p -> p.names().stream())
+                    .distinct()
+                    .map(name -> new Selected(name, Optional.empty(), Optional.empty()))
+                    .toList();
+        }
+        if (r.action() == Action.ADD && r.kind() == TokenKind.GENERIC && !r.takesAll()) {
+            // "makes n new generic tokens and needs none in the pool"
+            List<Selected> made = new ArrayList<>();
+            for (int i = 0; i < r.n(); i++) {
+                made.add(new Selected(Token.GENERIC, Optional.empty(), Optional.empty()));
+            }
+            return made;
+        }
+        Set<Token> relevant = enabling.relevant(used);
+        List<Selected> all = enabling.pool(m, t).stream()
+                .filter(copy -> enabling.isOfKind(r.kind(), r.task(), copy.token, relevant))
+                .map(copy -> new Selected(copy.token, Optional.of(copy), Optional.empty()))
+                .toList();
+        // "All and relevant take every copy"; "n takes the oldest"
+        boolean every = r.takesAll() || r.kind() == TokenKind.RELEVANT;
+        return every ? all : all.subList(0, Math.min(r.n(), all.size()));
+    }
+
+    // ---- SEMANTICS, Sub-missions: their tokens
+
+    /** "The tokens in the instance's end places", each with the parent's copy that came back, if there is one. */
+    private List<Selected> subMissionTokens(Mission m, Transition t) {
+        List<Selected> tokens = new ArrayList<>();
+        for (Place place : m.inPlaces(t)) {
+            List<Copy> free = new ArrayList<>(enabling.poolIn(m, t, place));
+            for (Instance instance : m.instancesOn(place)) {
+                for (Token token : available(instance)) {
+                    Optional<Copy> came = free.stream()
+                            .filter(c -> c.token.equals(token)
+                                    && instance.visit.map(v -> v == c.visit).orElse(true))
+                            .findFirst();
+                    came.ifPresent(free::remove);
+                    tokens.add(new Selected(token, came, Optional.of(instance)));
+                }
+            }
+        }
+        return tokens;
+    }
+
+    private static List<Token> available(Instance instance) {
+        if (instance.spec.shared()) {
+            return instance.returns.isEmpty() ? List.of() : instance.returns.get(0);
+        }
+        boolean visitIsOver = instance.visit.map(Visit::complete).orElse(false);
+        return visitIsOver ? instance.back : List.of();
+    }
+
+    private void useUpSubMissionTokens(Mission m, Transition t, Moves moves) {
+        moves.usedBack.forEach((instance, tokens) -> {
+            if (!instance.spec.shared()) {
+                tokens.forEach(instance.back::remove);
+                reportWhoDidNotComeBack(instance, moves.removed);
+            }
+        });
+        if (world.overrides(t)) {
+            return;
+        }
+        // "Out-transitions need one unused return each": this firing uses it
+        for (Place place : m.inPlaces(t)) {
+            m.statics.stream()
+                    .filter(i -> i.place.equals(place) && !i.returns.isEmpty())
+                    .forEach(i -> i.returns.remove(0));
+        }
+    }
+
+    /** A token that leaves the parent's place otherwise leaves the end places of the completed instance as well. */
+    private static void leaveCompletions(Moves moves) {
+        for (Copy copy : moves.removed) {
+            if (!moves.removedAsReturned.contains(copy)) {
+                copy.visit.instances.stream()
+                        .filter(i -> i.state == Instance.State.COMPLETE)
+                        .forEach(i -> i.back.remove(copy.token));
+            }
+        }
+    }
+
+    /** "A starting token that did not come back stays and is reported." */
+    private void reportWhoDidNotComeBack(Instance instance, Set<Copy> removed) {
+        Visit visit = instance.visit.orElseThrow();
+        boolean someStay = visit.mission.tokensIn(visit.place).stream()
+                .anyMatch(c -> c.visit == visit && !removed.contains(c) && !instance.back.contains(c.token));
+        if (someStay) {
+            world.note(NoteKind.NOT_RETURNED, visit.mission.id, visit.place.id());
+        }
+    }
+
+    private void markCompletionsUsed(Mission m, Transition t) {
+        boolean movesThem = m.outEdges(t).stream()
+                .flatMap(e -> e.requirements().stream())
+                .anyMatch(r -> r.kind() == TokenKind.SUB_MISSION_TOKENS);
+        if (movesThem) {
+            List<Place> in = m.inPlaces(t);
+            m.visits.stream()
+                    .filter(v -> in.contains(v.place) && !v.instances.isEmpty() && v.complete())
+                    .forEach(v -> v.used = true);
+        }
+    }
+
+    // ---- Removing and adding
+
+    /** "A visit by nobody ends when a transition out of the place fires with an answer to it, or ..." */
+    private List<Visit> nobodysVisitsThatEnd(Mission m, Transition t, List<Pending> used) {
+        boolean movesEverything = m.outEdges(t).stream()
+                .flatMap(e -> e.requirements().stream())
+                .anyMatch(r -> r.kind() == TokenKind.ANY_TOKEN && r.takesAll() && r.action() != Action.ADD);
+        List<Place> in = m.inPlaces(t);
+        return m.visits.stream()
+                .filter(v -> v.byNobody && in.contains(v.place))
+                .filter(v -> v.complete() || v.aborted() || world.overrides(t))
+                .filter(v -> t.inputs().isEmpty()
+                        || movesEverything
+                        || used.stream()
+                                .anyMatch(p -> world.visitOfActivation.get(p.occurrence.activation()) == v
+                                        || p.returnOf.equals(Optional.of(v))))
+                .toList();
+    }
+
+    /** "A place is entered when at least one token is added to it, when its edge is unconditional, or when it is an end". */
+    private static boolean isEntered(Mission m, OutEdge edge, List<Token> tokens) {
+        return !tokens.isEmpty()
+                || edge.requirements().stream().anyMatch(r -> r.kind() == TokenKind.UNCONDITIONAL)
+                || m.place(edge.place()).end();
+    }
+
+    private boolean removesWhatItCounts(Mission m, Transition t, List<Pending> used, Set<Copy> removed) {
+        Set<Token> relevant = enabling.relevant(used);
+        for (InEdge edge : m.inEdges(t)) {
+            for (InRequirement r : edge.requirements()) {
+                boolean counts = r.match() == Match.AT_LEAST || r.match() == Match.EXACTLY;
+                if (counts
+                        && removed.stream()
+                                .anyMatch(c -> c.visit.place.id().equals(edge.place())
+                                        && enabling.isOfKind(r.kind(), r.task(), c.token, relevant))) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private void writeVariables(Mission m, List<Pending> used) {
+        for (Pending p : used) {
+            p.event.writes().forEach((field, variable) -> {
+                Value value = p.occurrence.values().get(field);
+                if (value != null) {
+                    places.variables().write(m, variable, value);
+                }
+            });
+        }
+    }
+}

@@ -1,0 +1,356 @@
+package org.sami.spn.reference;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import org.sami.spn.model.FieldSource;
+import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.model.OutputEventSpec;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.SubMissionSpec;
+import org.sami.spn.model.Transition;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Outcome;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.protocol.Question;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.FieldType;
+
+/** How missions and instances begin and end. */
+final class Missions {
+    private final World world;
+    private final Places places;
+    private final Attention attention;
+    private final Variables variables;
+
+    Missions(World world, Places places, Attention attention, Variables variables) {
+        this.world = world;
+        this.places = places;
+        this.attention = attention;
+        this.variables = variables;
+    }
+
+    // ---- Beginning
+
+    Mission startRoot(Plan plan, String name, Map<String, Value> parameters) {
+        Mission m = make(plan, name, Optional.empty());
+        m.startsWithTokens = true;
+        begin(m, parameters);
+        return m;
+    }
+
+    private Mission make(Plan plan, String name, Optional<Instance> asChild) {
+        Mission m = new Mission(world.nextMission++, plan, name, asChild);
+        world.missions.add(m);
+        plan.tasks().forEach(task -> m.tasks.put(task.name(), task));
+        world.effects.add(new Effect.MissionStarted(
+                m.id, m.parent().map(p -> p.id).orElse(Ids.NONE), plan.id(), name));
+        return m;
+    }
+
+    /** "Fields to be asked at the start are asked when the mission or instance is made, and the start marking waits." */
+    private void begin(Mission m, Map<String, Value> parameters) {
+        m.plan.variables().forEach(v -> v.initial().ifPresent(value -> m.variables.put(v.name(), value)));
+        parameters.forEach((key, value) -> {
+            if (key.startsWith("@")) {
+                variables.write(m, key, value);
+            }
+        });
+        List<Question.Item> items = new ArrayList<>();
+        for (Place place : m.plan.places()) {
+            for (OutputEventSpec spec : place.outputs()) {
+                for (FieldType field : world.eventType(spec.type()).fields()) {
+                    if (spec.fields().get(field.name()) instanceof FieldSource.Asked asked) {
+                        String key = spec.id() + "." + field.name();
+                        if (parameters.containsKey(key)) {
+                            m.asked.put(key, parameters.get(key));
+                        } else {
+                            items.add(new Question.Item(
+                                    key, field.type(), field.unit(), asked.defaultValue(), asked.editable(), ""));
+                        }
+                    }
+                }
+            }
+        }
+        if (items.isEmpty()) {
+            mark(m);
+        } else {
+            Decision decision = new Decision(
+                    world.nextDecision++,
+                    m.id,
+                    Ids.NONE,
+                    "",
+                    "",
+                    new Question.FillIn(items),
+                    Optional.empty(),
+                    OptionalLong.empty(),
+                    Priority.MEDIUM,
+                    List.of());
+            world.questions.add(new World.Question(decision, Optional.empty()));
+            world.effects.add(new Effect.DecisionOpened(decision));
+        }
+    }
+
+    /** The start marking (SEMANTICS, Tokens; Firing: "constants are written before the start marking"). */
+    void mark(Mission m) {
+        m.status = Mission.Status.RUNNING;
+        for (Place place : m.plan.places()) {
+            for (OutputEventSpec spec : place.outputs()) {
+                spec.writes().forEach((field, variable) -> {
+                    if (spec.fields().get(field) instanceof FieldSource.Fixed fixed) {
+                        variables.write(m, variable, fixed.value());
+                    } else if (spec.fields().get(field) instanceof FieldSource.Asked) {
+                        variables.write(m, variable, m.asked.get(spec.id() + "." + field));
+                    }
+                });
+            }
+        }
+        makeSharedInstances(m);
+        if (m.asChild.map(i -> i.spec.shared()).orElse(false)) {
+            return; // it starts empty: what enters the parent's place joins its start place
+        }
+        List<Token> tokens = new ArrayList<>(m.starting);
+        if (m.startsWithTokens) {
+            tokens.add(Token.GENERIC);
+            world.proxies.forEach(proxy -> tokens.add(new Token.Proxy(proxy)));
+        }
+        m.plan.tasks().forEach(task -> tokens.add(new Token.Task(new TaskId(m.id, task.name()))));
+        places.enter(m, m.plan.startPlace().orElseThrow(), tokens);
+    }
+
+    /** "Static: one instance per parent mission". */
+    private void makeSharedInstances(Mission m) {
+        for (Place place : m.plan.places()) {
+            for (SubMissionSpec spec : place.subMissions()) {
+                if (spec.shared()) {
+                    Instance instance = new Instance(spec, m, place, Optional.empty());
+                    m.statics.add(instance);
+                    instance.child = makeChild(instance);
+                    begin(instance.child, Map.of());
+                }
+            }
+        }
+    }
+
+    private Mission makeChild(Instance instance) {
+        Plan plan = world.project.plan(instance.spec.plan()).orElseThrow();
+        return make(plan, plan.name(), Optional.of(instance));
+    }
+
+    void startSubMissions(Visit visit, List<Token> tokens) {
+        for (SubMissionSpec spec : visit.place.subMissions()) {
+            if (spec.shared()) {
+                // "Entering tokens join its start place"
+                visit.mission.statics.stream()
+                        .filter(i -> i.spec.equals(spec) && i.child.reacts())
+                        .forEach(i -> places.enter(
+                                i.child, i.child.plan.startPlace().orElseThrow(), tokens));
+            } else {
+                // "Dynamic: one instance per visit, with the entering tokens"
+                Instance instance = new Instance(spec, visit.mission, visit.place, Optional.of(visit));
+                visit.instances.add(instance);
+                instance.child = makeChild(instance);
+                instance.child.starting.addAll(tokens);
+                begin(instance.child, Map.of());
+            }
+        }
+    }
+
+    // ---- Ending
+
+    /** A mission is over: with it timers, pending occurrences, decisions and sub-missions. */
+    void end(Mission m, Outcome outcome) {
+        if (m.status == Mission.Status.ENDED) {
+            return;
+        }
+        m.status = Mission.Status.ENDED;
+        // "All descendants end the same way"
+        for (Visit visit : m.visits) {
+            visit.instances.forEach(i -> endChild(i, outcome));
+        }
+        m.statics.forEach(i -> endChild(i, outcome));
+        List<Token> inEndPlaces = tokensInEndPlaces(m);
+        List.copyOf(m.visits).forEach(places::end);
+        m.pending.clear();
+        world.questions.removeIf(q -> {
+            boolean own = q.decision().mission() == m.id;
+            if (own) {
+                world.effects.add(new Effect.DecisionClosed(q.decision().id(), Optional.empty(), Optional.empty()));
+            }
+            return own;
+        });
+        world.effects.add(new Effect.MissionEnded(m.id, outcome));
+        m.asChild.ifPresent(instance -> tellParent(instance, outcome, inEndPlaces));
+    }
+
+    private void endChild(Instance instance, Outcome outcome) {
+        if (instance.state == Instance.State.RUNNING) {
+            end(instance.child, outcome);
+        }
+    }
+
+    private static List<Token> tokensInEndPlaces(Mission m) {
+        return m.plan.places().stream()
+                .filter(Place::end)
+                .flatMap(place -> m.tokensIn(place).stream())
+                .map(copy -> copy.token)
+                .filter(token -> !isOwnTask(m, token))
+                .toList();
+    }
+
+    /** "A child's own task tokens never return". */
+    private static boolean isOwnTask(Mission m, Token token) {
+        return token instanceof Token.Task task && task.task().mission() == m.id;
+    }
+
+    private void tellParent(Instance instance, Outcome outcome, List<Token> inEndPlaces) {
+        instance.state = outcome == Outcome.ABORTED ? Instance.State.ABORTED : Instance.State.COMPLETE;
+        boolean visitIsOver = instance.visit.map(v -> v.ended).orElse(false);
+        if (instance.parent.status == Mission.Status.ENDED || visitIsOver) {
+            return;
+        }
+        if (outcome == Outcome.ABORTED) {
+            world.internal.add(() -> postAborted(instance));
+            return;
+        }
+        if (!instance.spec.shared()) {
+            instance.back.addAll(inEndPlaces);
+        }
+        if (instance.visit.map(Visit::complete).orElse(true)) {
+            completed(instance);
+        }
+    }
+
+    /** (c) "when a sub-mission on an in place completes or a static one returns". */
+    private void completed(Instance instance) {
+        places.lookAfterEntry(instance.parent, instance.place);
+        instance.child.returnValue.ifPresent(value -> world.internal.add(() -> postReturnValue(instance, value)));
+    }
+
+    /** "Any other end place returns: its tokens leave the child as one completion". */
+    void returnFrom(Visit visit) {
+        Mission child = visit.mission;
+        Instance instance = child.asChild.orElseThrow();
+        List<Copy> copies = child.tokensIn(visit.place).stream()
+                .filter(c -> c.visit == visit)
+                .toList();
+        places.remove(child, copies, false);
+        places.end(visit);
+        instance.returns.add(new ArrayList<>(copies.stream()
+                .map(c -> c.token)
+                .filter(token -> !isOwnTask(child, token))
+                .toList()));
+        completed(instance);
+    }
+
+    private void postReturnValue(Instance instance, Value value) {
+        Mission m = instance.parent;
+        if (!m.reacts() || instance.visit.map(v -> v.ended).orElse(false)) {
+            return;
+        }
+        for (Transition t : m.outTransitions(instance.place)) {
+            for (InputEventSpec event : t.inputs()) {
+                boolean asks = world.eventType(event.type()).role() == EventRole.CHECK_RETURN
+                        && value.equals(event.fields().get("value"));
+                if (asks) {
+                    Occurrence o =
+                            new Occurrence(event.type(), m.id, Ids.NONE, List.of(), List.of(), Map.of("value", value));
+                    Pending pending = new Pending(t, event, o);
+                    pending.tellsReturn = true;
+                    pending.returnOf = instance.visit;
+                    attention.keep(m, pending);
+                }
+            }
+        }
+    }
+
+    /** "It posts Sub-mission Aborted, naming its starting tokens, to the place's out-transitions". */
+    private void postAborted(Instance instance) {
+        Mission m = instance.parent;
+        if (!m.reacts() || instance.visit.map(v -> v.ended).orElse(false)) {
+            return;
+        }
+        List<Token> starting = startingTokens(instance);
+        List<String> proxies = new ArrayList<>();
+        List<TaskId> tasks = new ArrayList<>();
+        for (Token token : starting) {
+            if (token instanceof Token.Proxy boat && !proxies.contains(boat.proxy())) {
+                proxies.add(boat.proxy());
+            } else if (token instanceof Token.Task task && !tasks.contains(task.task())) {
+                tasks.add(task.task());
+            }
+        }
+        boolean wanted = false;
+        for (Transition t : m.outTransitions(instance.place)) {
+            for (InputEventSpec event : t.inputs()) {
+                if (world.eventType(event.type()).role() == EventRole.SUB_MISSION_ABORTED) {
+                    Occurrence o = new Occurrence(event.type(), m.id, Ids.NONE, proxies, tasks, Map.of());
+                    attention.keep(m, new Pending(t, event, o));
+                    wanted = true;
+                }
+            }
+        }
+        if (!wanted) {
+            askAboutAborted(instance);
+        }
+    }
+
+    static List<Token> startingTokens(Instance instance) {
+        return instance.parent.tokensIn(instance.place).stream()
+                .filter(c -> instance.visit.map(v -> v == c.visit).orElse(true))
+                .map(c -> c.token)
+                .toList();
+    }
+
+    /** "If none waits for it, a decision asks the operator to return or to keep those boats (autonomy: return)." */
+    private void askAboutAborted(Instance instance) {
+        Decision decision = new Decision(
+                world.nextDecision++,
+                instance.parent.id,
+                Ids.NONE,
+                "",
+                "",
+                new Question.Approve(),
+                Optional.of(new org.sami.spn.protocol.Answer.YesNo(true)),
+                OptionalLong.empty(),
+                Priority.MEDIUM,
+                List.of());
+        world.questions.add(new World.Question(decision, instance.visit));
+        abortedOf.put(decision.id(), instance);
+        world.effects.add(new Effect.DecisionOpened(decision));
+    }
+
+    private final Map<Long, Instance> abortedOf = new LinkedHashMap<>();
+
+    /** The operator's word about an aborted child: to return its boats is as if they had come back. */
+    void decideAboutAborted(long decision, boolean bringBack) {
+        Instance instance = abortedOf.remove(decision);
+        if (bringBack) {
+            instance.state = Instance.State.COMPLETE;
+            instance.back.addAll(startingTokens(instance));
+            if (instance.visit.map(Visit::complete).orElse(true)) {
+                completed(instance);
+            }
+        }
+    }
+
+    boolean isAboutAborted(long decision) {
+        return abortedOf.containsKey(decision);
+    }
+
+    /** Not possible: what an input asked for makes no sense here. */
+    void reject(String message) {
+        world.note(NoteKind.REJECTED_INPUT, Ids.NONE, message);
+    }
+}

@@ -1,0 +1,42 @@
+package org.sami.spn.reference;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.model.Transition;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Token;
+
+/** An occurrence that a transition received and has not used (SEMANTICS, Input events, Pending). */
+final class Pending {
+    final Transition transition;
+    final InputEventSpec event;
+    final Occurrence occurrence;
+    /** Boats and tasks that it named and that left since. */
+    final List<Token> struck = new ArrayList<>();
+    /** Whether somebody that it names was there when it arrived. */
+    boolean namedSomebodyHere;
+    /** The completed visit whose return value it tells; empty for all other occurrences. */
+    Optional<Visit> returnOf = Optional.empty();
+    /** Whether it tells a return value: kept in order, never replaced. */
+    boolean tellsReturn;
+
+    Pending(Transition transition, InputEventSpec event, Occurrence occurrence) {
+        this.transition = transition;
+        this.event = event;
+        this.occurrence = occurrence;
+    }
+
+    boolean isAnswer() {
+        return occurrence.activation() != Ids.NONE;
+    }
+
+    /** Whom it names and who was not struck. */
+    List<Token> names() {
+        List<Token> names = new ArrayList<>(Names.of(occurrence));
+        names.removeAll(struck);
+        return names;
+    }
+}

@@ -1,0 +1,300 @@
+package org.sami.spn.reference;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.sami.spn.model.FieldSource;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.Match;
+import org.sami.spn.model.OutputEventSpec;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Transition;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.FieldType;
+
+/** What happens when tokens enter and leave places: visits, activations, and who is looked at then. */
+final class Places {
+    private record Withdrawn(Mission mission, Place place) {}
+
+    private final World world;
+    private final Attention attention;
+    private final Variables variables;
+    private final List<Withdrawn> withdrawn = new ArrayList<>();
+    private Roles roles;
+    private Missions missions;
+
+    Places(World world, Attention attention, Variables variables) {
+        this.world = world;
+        this.attention = attention;
+        this.variables = variables;
+    }
+
+    void connect(Roles engineRoles, Missions lifeOfMissions) {
+        this.roles = engineRoles;
+        this.missions = lifeOfMissions;
+    }
+
+    Variables variables() {
+        return variables;
+    }
+
+    // ---- Entering
+
+    /** Everything that an entry outside a firing means: the start marking, and what joins a static child. */
+    void enter(Mission m, Place place, List<Token> tokens) {
+        Visit visit = add(m, place, tokens);
+        activate(visit);
+        startSubMissions(visit);
+        lookAfterEntry(m, place);
+    }
+
+    /** "A visit is one entry of tokens, or of nobody, into a place." */
+    Visit add(Mission m, Place place, List<Token> tokens) {
+        Visit visit = new Visit(world.nextVisit++, m, place, tokens.isEmpty());
+        m.visits.add(visit);
+        tokens.forEach(token -> m.tokensIn(place).add(new Copy(token, visit)));
+        return visit;
+    }
+
+    /** "Activate the output events of entered places, each with exactly the tokens that entered". */
+    void activate(Visit visit) {
+        List<Token> tokens = visit.mission.tokensIn(visit.place).stream()
+                .filter(c -> c.visit == visit)
+                .map(c -> c.token)
+                .toList();
+        for (OutputEventSpec spec : visit.place.outputs()) {
+            Activation activation = resolve(visit, spec, tokens);
+            visit.activations.add(activation);
+            world.visitOfActivation.put(activation.id(), visit);
+            world.effects.add(new Effect.Activated(activation));
+            writeFields(visit.mission, spec, activation);
+            roles.activated(visit, activation);
+        }
+    }
+
+    /** "An activation is immutable: its field values are resolved at entry". */
+    private Activation resolve(Visit visit, OutputEventSpec spec, List<Token> tokens) {
+        Mission m = visit.mission;
+        EventType type = world.eventType(spec.type());
+        Map<String, Value> values = new LinkedHashMap<>();
+        Map<TaskId, Map<String, Value>> taskValues = new LinkedHashMap<>();
+        Map<TaskId, String> allocation = new LinkedHashMap<>();
+        for (FieldType field : type.fields()) {
+            FieldSource source = spec.fields().get(field.name());
+            if (source instanceof FieldSource.FromTask) {
+                readFromTasks(field.name(), tokens, taskValues);
+            } else {
+                valueOf(m, spec, field, source).ifPresent(value -> values.put(field.name(), value));
+            }
+        }
+        for (Token token : tokens) {
+            if (token instanceof Token.Task task && world.allocation.containsKey(task.task())) {
+                allocation.put(task.task(), world.allocation.get(task.task()));
+            }
+        }
+        return new Activation(
+                world.nextActivation++,
+                m.id,
+                m.root().id,
+                visit.id,
+                m.plan.id(),
+                visit.place.id(),
+                spec.id(),
+                spec.type(),
+                values,
+                taskValues,
+                tokens,
+                allocation,
+                spec.markups(),
+                Priority.MEDIUM);
+    }
+
+    private Optional<Value> valueOf(Mission m, OutputEventSpec spec, FieldType field, FieldSource source) {
+        Optional<Value> value = Optional.empty();
+        if (source instanceof FieldSource.Fixed fixed) {
+            value = Optional.of(fixed.value());
+        } else if (source instanceof FieldSource.Asked) {
+            value = Optional.ofNullable(m.asked.get(spec.id() + "." + field.name()));
+        } else if (source instanceof FieldSource.FromVariable variable) {
+            value = variables.read(m, variable.variable());
+        }
+        return value.or(field::defaultValue);
+    }
+
+    private void readFromTasks(String field, List<Token> tokens, Map<TaskId, Map<String, Value>> taskValues) {
+        for (Token token : tokens) {
+            if (token instanceof Token.Task task) {
+                Value value = world.task(task.task())
+                        .map(spec -> spec.fields().get(field))
+                        .orElse(null);
+                if (value != null) {
+                    taskValues
+                            .computeIfAbsent(task.task(), key -> new LinkedHashMap<>())
+                            .put(field, value);
+                }
+            }
+        }
+    }
+
+    /** "A field of an output event may also write a variable; constants are written before the start marking." */
+    private void writeFields(Mission m, OutputEventSpec spec, Activation activation) {
+        spec.writes().forEach((field, variable) -> {
+            if (spec.fields().get(field) instanceof FieldSource.FromVariable) {
+                activation.value(field).ifPresent(value -> variables.write(m, variable, value));
+            }
+        });
+    }
+
+    void startSubMissions(Visit visit) {
+        List<Token> tokens = visit.mission.tokensIn(visit.place).stream()
+                .filter(c -> c.visit == visit)
+                .map(c -> c.token)
+                .toList();
+        missions.startSubMissions(visit, tokens);
+    }
+
+    /** Enters end places: the mission ends after the firing is complete, or a shared instance returns. */
+    void endOrReturn(Mission m, List<Visit> entered) {
+        boolean over = false;
+        for (Visit visit : entered) {
+            if (visit.place.end()) {
+                boolean returns =
+                        m.asChild.map(i -> i.spec.shared()).orElse(false) && !visit.place.endsSharedInstance();
+                if (returns) {
+                    missions.returnFrom(visit);
+                } else {
+                    over = true;
+                }
+            }
+        }
+        if (over) {
+            missions.end(m, org.sami.spn.protocol.Outcome.ENDED);
+        }
+    }
+
+    // ---- Leaving
+
+    /**
+     * Takes copies out of their places. Visits end with their last token; what a running sub-mission was given is withdrawn
+     * from it.
+     */
+    void remove(Mission m, List<Copy> copies, boolean alsoFromShared) {
+        Set<Visit> visits = new LinkedHashSet<>();
+        for (Copy copy : copies) {
+            m.tokensIn(copy.visit.place).remove(copy);
+            visits.add(copy.visit);
+        }
+        for (Visit visit : visits) {
+            boolean empty = m.tokensIn(visit.place).stream().noneMatch(c -> c.visit == visit);
+            if (empty) {
+                end(visit);
+            } else {
+                stopTimersOfThoseWhoLeft(visit);
+            }
+        }
+        for (Copy copy : copies) {
+            withdraw(m, copy, alsoFromShared);
+        }
+    }
+
+    /** "An interrupt that takes one boat withdraws it from the running instance and its descendants". */
+    private void withdraw(Mission m, Copy copy, boolean alsoFromShared) {
+        if (copy.token instanceof Token.Generic) {
+            return;
+        }
+        if (!m.standsInVisit(copy.token, copy.visit)) {
+            copy.visit.instances.stream()
+                    .filter(i -> i.state == Instance.State.RUNNING)
+                    .forEach(i -> removeEverywhere(i.child, copy.token));
+        }
+        if (alsoFromShared && !m.stands(copy.token, copy.visit.place)) {
+            m.statics.stream()
+                    .filter(i -> i.place.equals(copy.visit.place) && i.state == Instance.State.RUNNING)
+                    .forEach(i -> removeEverywhere(i.child, copy.token));
+        }
+    }
+
+    void removeEverywhere(Mission m, Token token) {
+        m.starting.remove(token);
+        List<Copy> copies = new ArrayList<>();
+        for (Place place : m.plan.places()) {
+            m.tokensIn(place).stream().filter(c -> c.token.equals(token)).forEach(copies::add);
+        }
+        remove(m, copies, true);
+        attention.strike(m, copies);
+        copies.stream()
+                .map(c -> new Withdrawn(m, c.visit.place))
+                .distinct()
+                .forEach(withdrawn::add);
+    }
+
+    /** Those who lost tokens in instances are looked at after the firing's own places. */
+    void lookAtWithdrawn() {
+        List<Withdrawn> places = new ArrayList<>(withdrawn);
+        withdrawn.clear();
+        places.forEach(w -> lookAfterLeaving(w.mission(), w.place()));
+    }
+
+    private void stopTimersOfThoseWhoLeft(Visit visit) {
+        world.clocks.removeIf(clock -> clock.timer().isPresent()
+                && visit.activations.contains(clock.timer().get())
+                && clock.token().isPresent()
+                && !visit.mission.standsInVisit(clock.token().get(), visit));
+    }
+
+    /** "Ending a visit cancels its timers"; its questions are no longer open and its instances end with it. */
+    void end(Visit visit) {
+        if (visit.ended) {
+            return;
+        }
+        visit.ended = true;
+        visit.mission.visits.remove(visit);
+        world.clocks.removeIf(clock ->
+                clock.timer().isPresent() && visit.activations.contains(clock.timer().get()));
+        roles.closeQuestions(visit);
+        visit.activations.forEach(a -> world.effects.add(new Effect.ActivationEnded(a.id())));
+        for (Instance instance : visit.instances) {
+            if (instance.state == Instance.State.RUNNING) {
+                missions.end(instance.child, org.sami.spn.protocol.Outcome.ABORTED);
+            }
+        }
+    }
+
+    // ---- SEMANTICS, When a transition is looked at
+
+    /** (a) tokens, or nobody, enter; (c) a sub-mission completes or returns; pending ones whenever the place changes. */
+    void lookAfterEntry(Mission m, Place place) {
+        for (Transition t : m.outTransitions(place)) {
+            if (t.inputs().isEmpty() || !m.pendingOf(t).isEmpty()) {
+                world.lookAt(m, t);
+            }
+        }
+    }
+
+    /** (b) tokens leave an in place on whose edge it has a requirement that fewer tokens can satisfy. */
+    void lookAfterLeaving(Mission m, Place place) {
+        for (Transition t : m.outTransitions(place)) {
+            boolean fewerCanSatisfy = m.inEdges(t).stream()
+                    .filter(e -> e.place().equals(place.id()))
+                    .flatMap(e -> e.requirements().stream())
+                    .anyMatch(Places::fewerCanSatisfy);
+            if (t.inputs().isEmpty() ? fewerCanSatisfy : !m.pendingOf(t).isEmpty()) {
+                world.lookAt(m, t);
+            }
+        }
+    }
+
+    private static boolean fewerCanSatisfy(InRequirement r) {
+        return r.match() == Match.ZERO || r.match() == Match.LESS_THAN || r.match() == Match.EXACTLY;
+    }
+}

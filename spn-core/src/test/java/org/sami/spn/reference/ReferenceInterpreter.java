@@ -1,0 +1,442 @@
+package org.sami.spn.reference;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.model.TaskSpec;
+import org.sami.spn.model.Transition;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Outcome;
+import org.sami.spn.protocol.Question;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * The language's rules as the text states them (SEMANTICS), sentence by sentence, with plain lists and linear searches.
+ * Slow on purpose; the engine is held against it. Not for use outside tests.
+ */
+final class ReferenceInterpreter implements Roles.Operations {
+    private final World world;
+    private final Enabling enabling;
+    private final Attention attention;
+    private final Variables variables;
+    private final Places places;
+    private final Roles roles;
+    private final Missions missions;
+    private final Firing firing;
+
+    ReferenceInterpreter(Vocabulary vocabulary, Project project, int livelockLimit) {
+        world = new World(vocabulary, project, livelockLimit);
+        enabling = new Enabling(world);
+        attention = new Attention(world, enabling);
+        variables = new Variables(world);
+        places = new Places(world, attention, variables);
+        roles = new Roles(world, attention, this);
+        missions = new Missions(world, places, attention, variables);
+        places.connect(roles, missions);
+        firing = new Firing(world, enabling, attention, places);
+    }
+
+    // ---- What can be asked from outside
+
+    /** Markings of all missions that have not ended, by mission and place; places without tokens are left out. */
+    Map<Long, Map<String, List<Token>>> markings() {
+        Map<Long, Map<String, List<Token>>> all = new LinkedHashMap<>();
+        for (Mission m : world.missions) {
+            if (m.status != Mission.Status.ENDED) {
+                Map<String, List<Token>> marking = new LinkedHashMap<>();
+                m.marking.forEach((place, copies) -> {
+                    if (!copies.isEmpty()) {
+                        marking.put(place, copies.stream().map(c -> c.token).toList());
+                    }
+                });
+                all.put(m.id, marking);
+            }
+        }
+        return all;
+    }
+
+    Map<Long, String> statuses() {
+        Map<Long, String> all = new LinkedHashMap<>();
+        world.missions.stream()
+                .filter(m -> m.status != Mission.Status.ENDED)
+                .forEach(m -> all.put(m.id, m.status.name()));
+        return all;
+    }
+
+    Set<Long> openActivations() {
+        Set<Long> open = new LinkedHashSet<>();
+        world.visitOfActivation.forEach((id, visit) -> {
+            if (!visit.ended) {
+                open.add(id);
+            }
+        });
+        return open;
+    }
+
+    Set<Long> openDecisions() {
+        Set<Long> open = new LinkedHashSet<>();
+        world.questions.forEach(q -> open.add(q.decision().id()));
+        return open;
+    }
+
+    Optional<Long> nextDueMillis() {
+        return world.clocks.stream().map(World.Clock::dueMillis).min(Long::compare);
+    }
+
+    Optional<Value> variable(long mission, String name) {
+        return world.mission(mission)
+                .map(m -> variables.read(m, name))
+                .orElseGet(() -> Optional.ofNullable(world.globals.get(name)));
+    }
+
+    // ---- One step
+
+    /** Timers that are due first, each as an input of its own; then the input. */
+    List<Effect> step(long nowMillis, Input input) {
+        world.effects.clear();
+        world.missions.forEach(m -> m.chain = 0);
+        while (earliestDue(nowMillis).isPresent()) {
+            World.Clock clock = earliestDue(nowMillis).orElseThrow();
+            if (clock.dueMillis() > world.now) {
+                world.now = clock.dueMillis();
+                world.missions.forEach(m -> m.chain = 0);
+            }
+            roles.ring(clock);
+            emptyWorkList();
+        }
+        world.now = nowMillis;
+        world.missions.forEach(m -> m.chain = 0);
+        handle(input);
+        emptyWorkList();
+        return List.copyOf(world.effects);
+    }
+
+    private Optional<World.Clock> earliestDue(long nowMillis) {
+        World.Clock earliest = null;
+        for (World.Clock clock : world.clocks) {
+            boolean earlier = earliest == null
+                    || clock.dueMillis() < earliest.dueMillis()
+                    || (clock.dueMillis() == earliest.dueMillis() && clock.order() < earliest.order());
+            if (clock.dueMillis() <= nowMillis && earlier) {
+                earliest = clock;
+            }
+        }
+        return Optional.ofNullable(earliest);
+    }
+
+    /** "One first-in-first-out work list for the engine, without duplicates, emptied before the next input". */
+    private void emptyWorkList() {
+        while (!world.work.isEmpty() || !world.internal.isEmpty()) {
+            if (world.work.isEmpty()) {
+                world.internal.remove().run();
+                places.lookAtWithdrawn();
+            } else {
+                look(world.work.remove());
+            }
+        }
+    }
+
+    /** "Enabling is tested again just before each firing, so the loser of a conflict does not fire." */
+    private void look(World.Look look) {
+        Mission m = look.mission();
+        Optional<List<Pending>> used = enabling.enabledWith(m, look.transition());
+        if (used.isEmpty()) {
+            attention.refuseInterrupts(m, look.transition());
+        } else if (m.chain >= world.livelockLimit) {
+            // "stopped and named as a livelock; the mission is halted with its marking intact"
+            m.status = Mission.Status.HALTED;
+            world.note(NoteKind.LIVELOCK, m.id, look.transition().id());
+            world.effects.add(new Effect.MissionEnded(m.id, Outcome.HALTED));
+        } else {
+            m.chain++;
+            firing.fire(m, look.transition(), used.get());
+        }
+    }
+
+    // ---- Inputs
+
+    private void handle(Input input) {
+        if (input instanceof Input.StartMission start) {
+            Optional<Plan> plan = world.project.plan(start.plan());
+            if (plan.isPresent()) {
+                missions.startRoot(plan.get(), start.name(), start.parameters());
+            } else {
+                missions.reject("No such plan: " + start.plan());
+            }
+        } else if (input instanceof Input.Received received) {
+            receive(received.occurrence());
+        } else if (input instanceof Input.ProxyJoined joined) {
+            if (!world.proxies.contains(joined.proxy())) {
+                world.proxies.add(joined.proxy());
+            }
+        } else if (input instanceof Input.ProxyDropped dropped) {
+            drop(dropped.proxy(), dropped.mission());
+        } else if (input instanceof Input.Interrupt interrupt) {
+            press(interrupt);
+        } else if (input instanceof Input.AbortMission abort) {
+            concerned(abort.mission()).forEach(this::abort);
+        } else if (input instanceof Input.CompleteMission complete) {
+            concerned(complete.mission()).forEach(this::complete);
+        } else if (input instanceof Input.AnswerDecision answer) {
+            answer(answer);
+        } else {
+            handleData(input);
+        }
+    }
+
+    private void handleData(Input input) {
+        if (input instanceof Input.SetVariable set) {
+            setVariable(set);
+        } else if (input instanceof Input.AllocateTasks allocate) {
+            allocate.allocation().forEach(this::allocate);
+        } else if (input instanceof Input.AddTasks add) {
+            addTasks(add);
+        } else if (input instanceof Input.HandlerFailed failed) {
+            world.note(NoteKind.HANDLER_FAILED, Ids.NONE, failed.reason());
+        } else if (input instanceof Input.Remember remember) {
+            world.mission(remember.mission())
+                    .ifPresentOrElse(
+                            m -> m.memory.put(remember.key(), remember.value()),
+                            () -> missions.reject("No such mission"));
+        }
+        // TimeReached: nothing but what every step does first
+    }
+
+    private void receive(Occurrence occurrence) {
+        if (world.vocabulary.event(occurrence.type()).isEmpty()) {
+            missions.reject("No such event: " + occurrence.type());
+        } else {
+            attention.receive(occurrence);
+        }
+    }
+
+    private List<Mission> concerned(long mission) {
+        if (mission == Ids.NONE) {
+            return world.missions.stream()
+                    .filter(m -> m.parent().isEmpty() && m.status != Mission.Status.ENDED)
+                    .toList();
+        }
+        if (world.mission(mission).isEmpty()) {
+            missions.reject("No such mission: " + mission);
+        }
+        return world.mission(mission).stream().toList();
+    }
+
+    // ---- SEMANTICS, Interrupts and aborts
+
+    @Override
+    public void abort(Mission m) {
+        if (!intercepted(m, EventRole.ABORT_RECEIVED)) {
+            missions.end(m, Outcome.ABORTED);
+        }
+    }
+
+    @Override
+    public void complete(Mission m) {
+        if (!intercepted(m, EventRole.COMPLETE_RECEIVED)) {
+            missions.end(m, Outcome.COMPLETED);
+        }
+    }
+
+    /** "A transition may intercept them; if none does, the mission ends". */
+    private boolean intercepted(Mission m, EventRole role) {
+        List<Pending> posted = new ArrayList<>();
+        if (m.reacts()) {
+            for (Transition t : m.plan.transitions()) {
+                for (InputEventSpec event : t.inputs()) {
+                    if (world.eventType(event.type()).role() == role) {
+                        Occurrence o =
+                                new Occurrence(event.type(), m.id, Ids.NONE, List.of(), List.of(), Map.of());
+                        posted.add(new Pending(t, event, o));
+                    }
+                }
+            }
+        }
+        posted.forEach(p -> attention.keep(m, p));
+        long firingsBefore = world.effects.size();
+        while (!world.work.isEmpty()) {
+            look(world.work.remove());
+        }
+        return world.effects.stream()
+                .skip(firingsBefore)
+                .anyMatch(e -> e instanceof Effect.Fired f
+                        && f.mission() == m.id
+                        && f.used().stream()
+                                .anyMatch(o -> world.eventType(o.type()).role() == role));
+    }
+
+    private void press(Input.Interrupt press) {
+        List<Mission> offering = press.mission() == Ids.NONE
+                ? List.copyOf(world.missions)
+                : world.mission(press.mission()).stream().toList();
+        boolean offered = false;
+        for (Mission m : offering) {
+            for (Occurrence o : pressed(m, press)) {
+                offered = true;
+                attention.receive(o);
+            }
+        }
+        if (!offered) {
+            world.note(NoteKind.INTERRUPT_REFUSED, press.mission(), press.name());
+        }
+    }
+
+    /** The occurrences that a press makes in one mission: of named events, and answers of interrupt places. */
+    private List<Occurrence> pressed(Mission m, Input.Interrupt press) {
+        Value name = new TextValue(press.name());
+        Map<String, Value> values = Map.of("interruptName", name);
+        Set<Occurrence> made = new LinkedHashSet<>();
+        if (!m.reacts()) {
+            return List.of();
+        }
+        for (Transition t : m.plan.transitions()) {
+            for (InputEventSpec event : t.inputs()) {
+                if (world.eventType(event.type()).role() == EventRole.INTERRUPT
+                        && name.equals(event.fields().get("interruptName"))) {
+                    made.add(new Occurrence(event.type(), m.id, Ids.NONE, press.proxies(), List.of(), values));
+                }
+            }
+        }
+        for (Visit visit : m.visits) {
+            for (Activation a : visit.activations) {
+                EventRole role = world.eventType(a.type()).role();
+                boolean thisButton = a.value("interruptName").equals(Optional.of(name));
+                if (thisButton && role == EventRole.GENERAL_INTERRUPT) {
+                    made.add(Occurrence.answer(
+                            typeOf(EventRole.GENERAL_INTERRUPT_RECEIVED), a, press.proxies(), List.of(), values));
+                } else if (thisButton && role == EventRole.PROXY_INTERRUPT) {
+                    made.add(Occurrence.answer(
+                            typeOf(EventRole.PROXY_INTERRUPT_RECEIVED), a, press.proxies(), List.of(), values));
+                }
+            }
+        }
+        return new ArrayList<>(made);
+    }
+
+    private String typeOf(EventRole role) {
+        return world.vocabulary.eventWithRole(role).orElseThrow().name();
+    }
+
+    // ---- SEMANTICS, Tokens: "the operator may drop a boat from a mission or from all"
+
+    private void drop(String proxy, long root) {
+        if (root == Ids.NONE) {
+            world.proxies.remove(proxy);
+        }
+        Token.Proxy boat = new Token.Proxy(proxy);
+        List<Mission> concerned = world.missions.stream()
+                .filter(m -> m.status != Mission.Status.ENDED)
+                .filter(m -> root == Ids.NONE || m.root().id == root)
+                .toList();
+        Map<Mission, List<Place>> left = new LinkedHashMap<>();
+        for (Mission m : concerned) {
+            left.put(
+                    m,
+                    m.plan.places().stream()
+                            .filter(place -> m.stands(boat, place))
+                            .toList());
+            world.allocation.entrySet().removeIf(e -> e.getKey().mission() == m.id && e.getValue().equals(proxy));
+        }
+        for (Mission m : concerned) {
+            places.removeEverywhere(m, boat);
+            attention.forget(m, boat);
+            for (Visit visit : m.visits) {
+                visit.instances.forEach(i -> i.back.removeIf(boat::equals));
+            }
+            m.statics.forEach(i -> i.returns.forEach(r -> r.removeIf(boat::equals)));
+        }
+        left.forEach((m, lost) -> lost.forEach(place -> places.lookAfterLeaving(m, place)));
+        places.lookAtWithdrawn();
+    }
+
+    // ---- Decisions
+
+    private void answer(Input.AnswerDecision input) {
+        Optional<World.Question> question = roles.find(input.decision());
+        if (question.isEmpty() || !Roles.fits(question.get().decision().question(), input.answer())) {
+            missions.reject("Not a decision that this answers: " + input.decision());
+            return;
+        }
+        World.Question q = question.get();
+        if (missions.isAboutAborted(input.decision())) {
+            roles.close(q, Optional.of(input.answer()), Optional.of(input.by()));
+            missions.decideAboutAborted(input.decision(), ((Answer.YesNo) input.answer()).yes());
+        } else if (q.decision().activation() == Ids.NONE) {
+            roles.close(q, Optional.of(input.answer()), Optional.of(input.by()));
+            Mission m = world.mission(q.decision().mission()).orElseThrow();
+            m.asked.putAll(Roles.withDefaults(
+                    (Question.FillIn) q.decision().question(), (Answer.Fields) input.answer()));
+            missions.mark(m);
+        } else {
+            roles.accept(q, input.answer(), input.by());
+        }
+    }
+
+    // ---- Variables and tasks
+
+    private void setVariable(Input.SetVariable set) {
+        boolean written = false;
+        if (set.mission() == Ids.NONE) {
+            written = world.project.globals().stream()
+                            .anyMatch(v -> v.name().equals(set.variable())
+                                    && v.type().accepts(set.value(), world.vocabulary.types()))
+                    && variables.writeGlobal(set.variable(), set.value());
+        } else {
+            Optional<Mission> m = world.mission(set.mission());
+            // "Redefining checks the type."
+            written = m.isPresent()
+                    && variables
+                            .declaration(m.get(), set.variable())
+                            .map(v -> v.type().accepts(set.value(), world.vocabulary.types()))
+                            .orElse(true);
+            if (written) {
+                variables.write(m.get(), set.variable(), set.value());
+            }
+        }
+        if (!written) {
+            missions.reject("Cannot write " + set.variable());
+        }
+    }
+
+    private void allocate(TaskId task, Optional<String> proxy) {
+        if (world.mission(task.mission()).isEmpty() || world.task(task).isEmpty()) {
+            missions.reject("No such task");
+        } else if (proxy.isPresent()) {
+            world.allocation.put(task, proxy.get());
+        } else {
+            world.allocation.remove(task); // "On release it loses its boat and stays where it is."
+        }
+    }
+
+    private void addTasks(Input.AddTasks add) {
+        Optional<Mission> m = world.mission(add.mission());
+        if (m.isEmpty()) {
+            missions.reject("No such mission");
+            return;
+        }
+        for (TaskSpec task : add.tasks()) {
+            if (m.get().tasks.putIfAbsent(task.name(), task) != null) {
+                missions.reject("A second task of that name");
+            }
+        }
+    }
+}

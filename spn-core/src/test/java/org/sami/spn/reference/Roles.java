@@ -1,0 +1,303 @@
+package org.sami.spn.reference;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import org.sami.spn.model.MarkupSpec;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Answerer;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.protocol.Question;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.DurationValue;
+import org.sami.spn.value.EnumValue;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.MapValue;
+import org.sami.spn.value.ProxyValue;
+import org.sami.spn.value.RecordValue;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.AnswerNames;
+import org.sami.spn.vocabulary.DecisionForm;
+import org.sami.spn.vocabulary.DecisionType;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.FieldType;
+
+/** What the engine itself does with activations: timers, decisions, and the other roles of the vocabulary. */
+final class Roles {
+    /** What the interpreter's inputs do, for the roles that ask for the same. */
+    interface Operations {
+        void abort(Mission m);
+
+        void complete(Mission m);
+    }
+
+    private final World world;
+    private final Attention attention;
+    private final Operations operations;
+
+    Roles(World world, Attention attention, Operations operations) {
+        this.world = world;
+        this.attention = attention;
+        this.operations = operations;
+    }
+
+    void activated(Visit visit, Activation activation) {
+        EventType type = world.eventType(activation.type());
+        Mission m = visit.mission;
+        switch (type.role()) {
+            case TIMER -> startTimer(activation, Optional.empty());
+            case PROXY_TIMER -> new LinkedHashSet<>(activation.tokens())
+                    .forEach(token -> {
+                        if (token instanceof Token.Proxy
+                                || (token instanceof Token.Task t
+                                        && activation.allocation().containsKey(t.task()))) {
+                            startTimer(activation, Optional.of(token));
+                        }
+                    });
+            case GET_ALL_TOKENS -> world.internal.add(() -> answer(
+                    activation, typeOf(EventRole.TOKENS_RETURNED), world.proxies, List.of(), Map.of()));
+            case ABORT_MISSION -> world.internal.add(() -> operations.abort(m));
+            case COMPLETE_MISSION -> world.internal.add(() -> operations.complete(m));
+            case RETURN_VALUE -> m.returnValue = activation.value("value");
+            case APPLY_ALLOCATION -> activation.value("tasks").ifPresent(this::apply);
+            default -> {}
+        }
+        type.decision().ifPresent(decision -> open(visit, activation, decision));
+    }
+
+    private String typeOf(EventRole role) {
+        return world.vocabulary.eventWithRole(role).orElseThrow().name();
+    }
+
+    private void answer(
+            Activation activation, String type, List<String> proxies, List<TaskId> tasks, Map<String, Value> values) {
+        attention.receive(Occurrence.answer(type, activation, proxies, tasks, values));
+    }
+
+    private void apply(Value allocation) {
+        ((MapValue) allocation).entries().forEach((task, proxy) -> {
+            if (world.task((TaskId) task).isPresent()) {
+                world.allocation.put((TaskId) task, ((ProxyValue) proxy).proxy());
+            }
+        });
+    }
+
+    // ---- Timers: "each timer activation is its own timer; a per-boat timer ends when that boat leaves"
+
+    private void startTimer(Activation activation, Optional<Token> token) {
+        Value duration = activation.value("duration").orElse(new DurationValue(0));
+        long due = world.now + ((DurationValue) duration).millis();
+        world.clocks.add(new World.Clock(due, world.nextClock++, Optional.of(activation), token, 0));
+    }
+
+    void ring(World.Clock clock) {
+        world.clocks.remove(clock);
+        if (clock.timer().isEmpty()) {
+            answerByAutonomy(clock.decision());
+            return;
+        }
+        Activation activation = clock.timer().get();
+        if (clock.token().isEmpty()) {
+            answer(activation, typeOf(EventRole.TIMER_EXPIRED), List.of(), List.of(), Map.of());
+            return;
+        }
+        List<String> proxies = new ArrayList<>();
+        List<TaskId> tasks = new ArrayList<>();
+        Token token = clock.token().get();
+        if (token instanceof Token.Proxy boat) {
+            proxies.add(boat.proxy());
+        } else if (token instanceof Token.Task task) {
+            proxies.add(activation.allocation().get(task.task()));
+            tasks.add(task.task());
+        }
+        answer(activation, typeOf(EventRole.PROXY_TIMER_EXPIRED), proxies, tasks, Map.of());
+    }
+
+    // ---- Decisions
+
+    private void open(Visit visit, Activation activation, DecisionType type) {
+        Question question = question(activation, type);
+        Optional<Answer> automatic = automatic(type, question);
+        Optional<MarkupSpec> trigger = activation.markups().stream()
+                .filter(markup -> markup.type().equals("MixedInitiativeTrigger"))
+                .findFirst();
+        String when = trigger.flatMap(t -> t.option("trigger"))
+                .map(v -> ((EnumValue) v).constant())
+                .orElse("NEVER");
+        OptionalLong deadline = OptionalLong.empty();
+        if (when.equals("TIMER")) {
+            long timeout = trigger.flatMap(t -> t.option("timeout"))
+                    .map(v -> ((DurationValue) v).millis())
+                    .orElse(0L);
+            deadline = OptionalLong.of(world.now + timeout);
+        }
+        Decision decision = new Decision(
+                world.nextDecision++,
+                activation.mission(),
+                activation.id(),
+                activation.type(),
+                "",
+                question,
+                automatic,
+                deadline,
+                Priority.MEDIUM,
+                activation.markups());
+        world.questions.add(new World.Question(decision, Optional.of(visit)));
+        world.effects.add(new Effect.DecisionOpened(decision));
+        if (deadline.isPresent()) {
+            world.clocks.add(new World.Clock(
+                    deadline.getAsLong(), world.nextClock++, Optional.empty(), Optional.empty(), decision.id()));
+        }
+        if (when.equals("IMMEDIATELY")) {
+            world.internal.add(() -> answerByAutonomy(decision.id()));
+        }
+    }
+
+    private Question question(Activation activation, DecisionType type) {
+        return switch (type.form()) {
+            case APPROVE -> new Question.Approve();
+            case CHOOSE_PROXIES -> new Question.ChooseProxies(activation.proxies(), type.min(), type.max());
+            case CHOOSE_OPTION -> new Question.ChooseOption(activation
+                    .value(type.optionsField())
+                    .map(v -> ((ListValue) v).items())
+                    .orElse(List.of()));
+            case PROVIDE -> new Question.FillIn(world.eventType(type.accepted()).fields().stream()
+                    .map(Roles::item)
+                    .toList());
+            case REDEFINE_VARIABLE -> throw new IllegalStateException("Not in the random plans");
+        };
+    }
+
+    private static Question.Item item(FieldType f) {
+        return new Question.Item(f.name(), f.type(), f.unit(), f.defaultValue(), true, f.help());
+    }
+
+    private static Optional<Answer> automatic(DecisionType type, Question question) {
+        return switch (type.autonomy()) {
+            case NONE, DEFAULTS -> Optional.empty();
+            case YES -> Optional.of(new Answer.YesNo(true));
+            case NO -> Optional.of(new Answer.YesNo(false));
+            case ALL -> Optional.of(new Answer.Proxies(((Question.ChooseProxies) question).proxies()));
+            case FIRST -> ((Question.ChooseOption) question).options().isEmpty()
+                    ? Optional.empty()
+                    : Optional.of(new Answer.Option(0));
+        };
+    }
+
+    private void answerByAutonomy(long decision) {
+        find(decision).ifPresent(q -> {
+            Optional<Answer> automatic = q.decision().automatic();
+            if (automatic.isPresent() && fits(q.decision().question(), automatic.get())) {
+                accept(q, automatic.get(), Answerer.AUTONOMY);
+            } else {
+                world.note(NoteKind.NO_AUTOMATIC_ANSWER, q.decision().mission(), q.decision().type());
+            }
+        });
+    }
+
+    Optional<World.Question> find(long decision) {
+        return world.questions.stream()
+                .filter(q -> q.decision().id() == decision)
+                .findFirst();
+    }
+
+    static boolean fits(Question question, Answer answer) {
+        if (question instanceof Question.Approve) {
+            return answer instanceof Answer.YesNo;
+        }
+        if (question instanceof Question.ChooseProxies choose) {
+            return answer instanceof Answer.Proxies chosen
+                    && chosen.proxies().size() >= choose.min()
+                    && chosen.proxies().size() <= choose.max()
+                    && choose.proxies().containsAll(chosen.proxies())
+                    && new LinkedHashSet<>(chosen.proxies()).size()
+                            == chosen.proxies().size();
+        }
+        if (question instanceof Question.ChooseOption options) {
+            return answer instanceof Answer.Rejected
+                    || (answer instanceof Answer.Option option
+                            && option.index() >= 0
+                            && option.index() < options.options().size());
+        }
+        return answer instanceof Answer.Fields fields
+                && ((Question.FillIn) question)
+                        .items().stream()
+                                .allMatch(item -> fields.values().containsKey(item.key())
+                                        ? item.type().accepts(fields.values().get(item.key()), Map.of())
+                                        : item.defaultValue().isPresent());
+    }
+
+    /** "Answered once": closes the question and answers its activation. */
+    void accept(World.Question q, Answer answer, Answerer by) {
+        close(q, Optional.of(answer), Optional.of(by));
+        Activation activation = q.visit().orElseThrow().activations.stream()
+                .filter(a -> a.id() == q.decision().activation())
+                .findFirst()
+                .orElseThrow();
+        DecisionType type = world.eventType(activation.type()).decision().orElseThrow();
+        boolean rejected = answer instanceof Answer.Rejected || (answer instanceof Answer.YesNo yesNo && !yesNo.yes());
+        Map<String, Value> values = new LinkedHashMap<>();
+        if (answer instanceof Answer.Option option) {
+            Value chosen = ((Question.ChooseOption) q.decision().question())
+                    .options()
+                    .get(option.index());
+            type.answerFields().forEach((field, from) -> {
+                if (from.equals(".")) {
+                    values.put(field, chosen);
+                } else {
+                    ((RecordValue) chosen).field(from).ifPresent(v -> values.put(field, v));
+                }
+            });
+        } else if (answer instanceof Answer.Fields && type.form() == DecisionForm.PROVIDE) {
+            values.putAll(withDefaults((Question.FillIn) q.decision().question(), (Answer.Fields) answer));
+        }
+        List<String> proxies = List.of();
+        List<TaskId> tasks = List.of();
+        if (type.names() == AnswerNames.CHOSEN && answer instanceof Answer.Proxies chosen) {
+            proxies = chosen.proxies();
+        } else if (type.names() == AnswerNames.ENTERING) {
+            proxies = activation.proxies();
+            tasks = activation.tasks();
+        }
+        answer(activation, rejected ? type.rejected() : type.accepted(), proxies, tasks, values);
+    }
+
+    static Map<String, Value> withDefaults(Question.FillIn question, Answer.Fields answer) {
+        Map<String, Value> values = new LinkedHashMap<>();
+        for (Question.Item item : question.items()) {
+            Value given = item.editable() ? answer.values().get(item.key()) : null;
+            if (given != null) {
+                values.put(item.key(), given);
+            } else {
+                item.defaultValue().ifPresent(v -> values.put(item.key(), v));
+            }
+        }
+        return values;
+    }
+
+    void close(World.Question q, Optional<Answer> answer, Optional<Answerer> by) {
+        world.questions.remove(q);
+        world.clocks.removeIf(c ->
+                c.timer().isEmpty() && c.decision() == q.decision().id());
+        world.effects.add(new Effect.DecisionClosed(q.decision().id(), answer, by));
+    }
+
+    void closeQuestions(Visit visit) {
+        for (World.Question q : List.copyOf(world.questions)) {
+            if (q.visit().equals(Optional.of(visit))) {
+                close(q, Optional.empty(), Optional.empty());
+            }
+        }
+    }
+}

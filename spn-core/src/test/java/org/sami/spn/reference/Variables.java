@@ -1,0 +1,87 @@
+package org.sami.spn.reference;
+
+import java.util.Optional;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.value.Value;
+
+/** Reading and writing variables (SEMANTICS, Variables). */
+final class Variables {
+    private final World world;
+
+    Variables(World world) {
+        this.world = world;
+    }
+
+    /** "A sub-mission sees its parents' variables." */
+    Optional<Value> read(Mission m, String variable) {
+        String mapped = m.asChild.map(i -> i.spec.variables().get(variable)).orElse(null);
+        if (mapped != null) {
+            return read(m.parent().orElseThrow(), mapped);
+        }
+        if (declares(m, variable) || m.variables.containsKey(variable)) {
+            return Optional.ofNullable(m.variables.get(variable));
+        }
+        return m.parent()
+                .map(parent -> read(parent, variable))
+                .orElseGet(() -> Optional.ofNullable(world.globals.get(variable)));
+    }
+
+    /** "A write goes to the nearest enclosing plan that declares it, else to the own plan." */
+    void write(Mission m, String variable, Value value) {
+        if (!writeWhereDeclared(m, variable, value)) {
+            m.variables.put(variable, value);
+            world.effects.add(new Effect.VariableWritten(m.id, variable, value));
+        }
+    }
+
+    private boolean writeWhereDeclared(Mission m, String variable, Value value) {
+        String mapped = m.asChild.map(i -> i.spec.variables().get(variable)).orElse(null);
+        if (mapped != null) {
+            write(m.parent().orElseThrow(), mapped, value);
+            return true;
+        }
+        if (declares(m, variable)) {
+            m.variables.put(variable, value);
+            world.effects.add(new Effect.VariableWritten(m.id, variable, value));
+            return true;
+        }
+        if (m.parent().isPresent()) {
+            return writeWhereDeclared(m.parent().get(), variable, value);
+        }
+        return writeGlobal(variable, value);
+    }
+
+    boolean writeGlobal(String variable, Value value) {
+        boolean declared = world.project.globals().stream().anyMatch(v -> v.name().equals(variable));
+        if (declared) {
+            world.globals.put(variable, value);
+            world.effects.add(new Effect.VariableWritten(Ids.NONE, variable, value));
+        }
+        return declared;
+    }
+
+    private static boolean declares(Mission m, String variable) {
+        return m.plan.variables().stream().anyMatch(v -> v.name().equals(variable));
+    }
+
+    /** The declaration that a read or write of this mission means. */
+    Optional<VariableSpec> declaration(Mission m, String variable) {
+        String mapped = m.asChild.map(i -> i.spec.variables().get(variable)).orElse(null);
+        if (mapped != null) {
+            return declaration(m.parent().orElseThrow(), mapped);
+        }
+        Optional<VariableSpec> own = m.plan.variables().stream()
+                .filter(v -> v.name().equals(variable))
+                .findFirst();
+        if (own.isPresent()) {
+            return own;
+        }
+        return m.parent()
+                .map(parent -> declaration(parent, variable))
+                .orElseGet(() -> world.project.globals().stream()
+                        .filter(v -> v.name().equals(variable))
+                        .findFirst());
+    }
+}
