@@ -72,7 +72,7 @@ final class Attention {
     }
 
     /** "It is for transition t when ..." */
-    private boolean isFor(Mission m, Pending p) {
+    boolean isFor(Mission m, Pending p) {
         return typeFits(p) && someInPlaceIsMarked(m, p.transition) && answersHere(m, p) && someRelevantIsHere(m, p);
     }
 
@@ -130,8 +130,11 @@ final class Attention {
                 .flatMap(e -> e.requirements().stream())
                 .anyMatch(Attention::mustHaveRelevant);
         boolean joinsWithAny = p.names().isEmpty() && p.transition.inputs().size() > 1;
+        EventRole role = world.eventType(p.event.type()).role();
+        boolean ofTheMission = World.overrides(role) && !World.isInterrupt(role);
         return !mustHave
                 || joinsWithAny
+                || ofTheMission
                 || enabling.relevant(List.of(p)).stream()
                         .anyMatch(token ->
                                 m.inPlaces(p.transition).stream().anyMatch(place -> m.stands(token, place)));

@@ -98,7 +98,7 @@ final class Enabling {
         List<Copy> pool = new ArrayList<>(m.tokensIn(place).stream()
                 .filter(copy -> isOver(copy.visit, t))
                 .toList());
-        for (Instance shared : livingStatics(m, place)) {
+        for (Instance shared : statics(m, place, t)) {
             pool = equalTo(shared.returns.isEmpty() ? List.of() : shared.returns.get(0), pool);
         }
         return pool;
@@ -108,9 +108,11 @@ final class Enabling {
         return visit.complete() || (visit.aborted() && world.awaitsAborted(t));
     }
 
-    private static List<Instance> livingStatics(Mission m, Place place) {
+    /** The shared instances of a place that a transition waits for: all, but for an aborted one where it asks for that. */
+    private List<Instance> statics(Mission m, Place place, Transition t) {
         return m.statics.stream()
-                .filter(i -> i.place.equals(place) && i.state == Instance.State.RUNNING)
+                .filter(i -> i.place.equals(place))
+                .filter(i -> i.state != Instance.State.ABORTED || !world.awaitsAborted(t))
                 .toList();
     }
 
@@ -128,7 +130,7 @@ final class Enabling {
         List<Visit> visits =
                 m.visits.stream().filter(v -> v.place.equals(place)).toList();
         boolean allRun = !visits.isEmpty() && visits.stream().noneMatch(v -> isOver(v, t));
-        boolean noReturn = livingStatics(m, place).stream().anyMatch(i -> i.returns.isEmpty());
+        boolean noReturn = statics(m, place, t).stream().anyMatch(i -> i.returns.isEmpty());
         return allRun || noReturn;
     }
 
@@ -144,6 +146,7 @@ final class Enabling {
                 .filter(p -> p.subMissions().stream().anyMatch(s -> !s.shared()))
                 .toList();
         return !movesThem
+                || world.overrides(t)
                 || dynamic.isEmpty()
                 || m.visits.stream()
                         .filter(v -> dynamic.contains(v.place) && isOver(v, t))
@@ -271,23 +274,26 @@ final class Enabling {
         if (standing.isEmpty()) {
             return Optional.empty(); // "never fires for nobody"
         }
+        boolean several = t.inputs().size() > 1;
+        boolean somebodyReported = false;
         List<Pending> used = new ArrayList<>();
         for (InputEventSpec event : t.inputs()) {
-            List<Pending> reports = pendingOf(m, t, event).stream()
+            List<Pending> all = pendingOf(m, t, event);
+            List<Pending> reports = all.stream()
                     .filter(p -> relevant(List.of(p)).stream().anyMatch(standing::contains))
                     .toList();
-            List<Pending> anonymous = pendingOf(m, t, event);
-            boolean namesNobody = t.inputs().size() > 1
-                    && !anonymous.isEmpty()
-                    && anonymous.stream().allMatch(p -> p.names().isEmpty());
-            if (namesNobody) {
-                used.addAll(anonymous);
-            } else if (relevant(reports).containsAll(standing)) {
-                used.addAll(reports);
-            } else {
+            boolean namesNobody = several
+                    && !all.isEmpty()
+                    && all.stream().allMatch(p -> p.names().isEmpty());
+            if (!namesNobody && !relevant(reports).containsAll(standing)) {
                 return Optional.empty();
             }
+            somebodyReported = somebodyReported || !namesNobody;
+            // "Those that name none join with any"
+            all.stream()
+                    .filter(p -> reports.contains(p) || p.names().isEmpty())
+                    .forEach(used::add);
         }
-        return Optional.of(used);
+        return somebodyReported ? Optional.of(used) : Optional.empty();
     }
 }

@@ -31,7 +31,7 @@ final class Firing {
     private static final class Moves {
         final Set<Copy> removed = new LinkedHashSet<>();
         final Map<Instance, List<Token>> usedBack = new LinkedHashMap<>();
-        final Set<Copy> removedAsReturned = new LinkedHashSet<>();
+        final Map<Copy, Set<Instance>> removedAsReturned = new LinkedHashMap<>();
         final Map<OutEdge, List<Selected>> added = new LinkedHashMap<>();
     }
 
@@ -72,8 +72,12 @@ final class Firing {
         List<Occurrence> occurrences = used.stream().map(p -> p.occurrence).toList();
         world.effects.add(new Effect.Fired(world.firings, m.id, t.id(), occurrences, List.of()));
         writeVariables(m, used);
-        entered.forEach(places::activate);
-        entered.forEach(places::startSubMissions);
+        // "What its output events ask of boats is still sent, nobody waits for answers"
+        boolean ends = places.endsWith(m, entered);
+        entered.forEach(visit -> places.activate(visit, ends));
+        if (!ends) {
+            entered.forEach(places::startSubMissions);
+        }
         places.endOrReturn(m, entered);
 
         // "Entered places first, in out-edge order, then left places in in-edge order"
@@ -112,8 +116,10 @@ final class Firing {
                 if (requirement.action() != Action.ADD) {
                     for (Selected s : selected) {
                         s.copy().ifPresent(moves.removed::add);
-                        if (s.instance().isPresent()) {
-                            s.copy().ifPresent(moves.removedAsReturned::add);
+                        if (s.instance().isPresent() && s.copy().isPresent()) {
+                            moves.removedAsReturned
+                                    .computeIfAbsent(s.copy().get(), key -> new LinkedHashSet<>())
+                                    .add(s.instance().get());
                         }
                         s.instance()
                                 .ifPresent(i -> moves.usedBack
@@ -185,7 +191,7 @@ final class Firing {
         for (Place place : m.inPlaces(t)) {
             List<Copy> free = new ArrayList<>(enabling.poolIn(m, t, place));
             for (Instance instance : m.instancesOn(place)) {
-                for (Token token : available(instance)) {
+                for (Token token : available(instance, world.overrides(t))) {
                     Optional<Copy> came = free.stream()
                             .filter(c -> c.token.equals(token)
                                     && instance.visit.map(v -> v == c.visit).orElse(true))
@@ -198,9 +204,9 @@ final class Firing {
         return tokens;
     }
 
-    private static List<Token> available(Instance instance) {
+    private static List<Token> available(Instance instance, boolean overrides) {
         if (instance.spec.shared()) {
-            return instance.returns.isEmpty() ? List.of() : instance.returns.get(0);
+            return overrides || instance.returns.isEmpty() ? List.of() : instance.returns.get(0);
         }
         boolean visitIsOver = instance.visit.map(Visit::complete).orElse(false);
         return visitIsOver ? instance.back : List.of();
@@ -227,11 +233,10 @@ final class Firing {
     /** A token that leaves the parent's place otherwise leaves the end places of the completed instance as well. */
     private static void leaveCompletions(Moves moves) {
         for (Copy copy : moves.removed) {
-            if (!moves.removedAsReturned.contains(copy)) {
-                copy.visit.instances.stream()
-                        .filter(i -> i.state == Instance.State.COMPLETE)
-                        .forEach(i -> i.back.remove(copy.token));
-            }
+            Set<Instance> returnedBy = moves.removedAsReturned.getOrDefault(copy, Set.of());
+            copy.visit.instances.stream()
+                    .filter(i -> i.state == Instance.State.COMPLETE && !returnedBy.contains(i))
+                    .forEach(i -> i.back.remove(copy.token));
         }
     }
 

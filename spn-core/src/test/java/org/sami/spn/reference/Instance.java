@@ -25,6 +25,8 @@ final class Instance {
     State state = State.RUNNING;
     /** Dynamic: the tokens of the end places that can still be taken. */
     final List<Token> back = new ArrayList<>();
+    /** Static: what joined it and has not returned. */
+    final List<Token> joined = new ArrayList<>();
     /** Static: completions not yet used by an out-transition, oldest first. */
     final List<List<Token>> returns = new ArrayList<>();
 

@@ -73,6 +73,7 @@ final class Missions {
                 for (FieldType field : world.eventType(spec.type()).fields()) {
                     if (spec.fields().get(field.name()) instanceof FieldSource.Asked asked) {
                         String key = spec.id() + "." + field.name();
+                        asked.defaultValue().ifPresent(value -> m.asked.put(key, value));
                         if (parameters.containsKey(key)) {
                             m.asked.put(key, parameters.get(key));
                         } else {
@@ -83,8 +84,8 @@ final class Missions {
                 }
             }
         }
-        if (items.isEmpty()) {
-            mark(m);
+        if (items.stream().noneMatch(Question.Item::editable)) {
+            mark(m); // a locked field shows its default, there is nothing to ask
         } else {
             Decision decision = new Decision(
                     world.nextDecision++,
@@ -154,8 +155,10 @@ final class Missions {
                 // "Entering tokens join its start place"
                 visit.mission.statics.stream()
                         .filter(i -> i.spec.equals(spec) && i.child.reacts())
-                        .forEach(i -> places.enter(
-                                i.child, i.child.plan.startPlace().orElseThrow(), tokens));
+                        .forEach(i -> {
+                            i.joined.addAll(tokens);
+                            places.enter(i.child, i.child.plan.startPlace().orElseThrow(), tokens);
+                        });
             } else {
                 // "Dynamic: one instance per visit, with the entering tokens"
                 Instance instance = new Instance(spec, visit.mission, visit.place, Optional.of(visit));
@@ -224,7 +227,9 @@ final class Missions {
             world.internal.add(() -> postAborted(instance));
             return;
         }
-        if (!instance.spec.shared()) {
+        if (instance.spec.shared()) {
+            instance.returns.add(new ArrayList<>(inEndPlaces)); // what stands in its end places returns
+        } else {
             instance.back.addAll(inEndPlaces);
         }
         if (instance.visit.map(Visit::complete).orElse(true)) {
@@ -247,10 +252,12 @@ final class Missions {
                 .toList();
         places.remove(child, copies, false);
         places.end(visit);
-        instance.returns.add(new ArrayList<>(copies.stream()
+        List<Token> returned = copies.stream()
                 .map(c -> c.token)
                 .filter(token -> !isOwnTask(child, token))
-                .toList()));
+                .toList();
+        instance.returns.add(new ArrayList<>(returned));
+        returned.forEach(instance.joined::remove);
         completed(instance);
     }
 
@@ -307,6 +314,9 @@ final class Missions {
     }
 
     static List<Token> startingTokens(Instance instance) {
+        if (instance.spec.shared()) {
+            return instance.joined;
+        }
         return instance.parent.tokensIn(instance.place).stream()
                 .filter(c -> instance.visit.map(v -> v == c.visit).orElse(true))
                 .map(c -> c.token)
@@ -338,7 +348,11 @@ final class Missions {
         Instance instance = abortedOf.remove(decision);
         if (bringBack) {
             instance.state = Instance.State.COMPLETE;
-            instance.back.addAll(startingTokens(instance));
+            if (instance.spec.shared()) {
+                instance.returns.add(new ArrayList<>(instance.joined));
+            } else {
+                instance.back.addAll(startingTokens(instance));
+            }
             if (instance.visit.map(Visit::complete).orElse(true)) {
                 completed(instance);
             }

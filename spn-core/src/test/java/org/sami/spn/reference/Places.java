@@ -15,6 +15,7 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Transition;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
@@ -53,7 +54,7 @@ final class Places {
     /** Everything that an entry outside a firing means: the start marking, and what joins a static child. */
     void enter(Mission m, Place place, List<Token> tokens) {
         Visit visit = add(m, place, tokens);
-        activate(visit);
+        activate(visit, false);
         startSubMissions(visit);
         lookAfterEntry(m, place);
     }
@@ -63,11 +64,14 @@ final class Places {
         Visit visit = new Visit(world.nextVisit++, m, place, tokens.isEmpty());
         m.visits.add(visit);
         tokens.forEach(token -> m.tokensIn(place).add(new Copy(token, visit)));
+        if (m.tokensIn(place).size() > World.MOST_TOKENS) {
+            throw new World.TooManyTokens();
+        }
         return visit;
     }
 
     /** "Activate the output events of entered places, each with exactly the tokens that entered". */
-    void activate(Visit visit) {
+    void activate(Visit visit, boolean ends) {
         List<Token> tokens = visit.mission.tokensIn(visit.place).stream()
                 .filter(c -> c.visit == visit)
                 .map(c -> c.token)
@@ -78,7 +82,7 @@ final class Places {
             world.visitOfActivation.put(activation.id(), visit);
             world.effects.add(new Effect.Activated(activation));
             writeFields(visit.mission, spec, activation);
-            roles.activated(visit, activation);
+            roles.activated(visit, activation, ends);
         }
     }
 
@@ -163,22 +167,21 @@ final class Places {
         missions.startSubMissions(visit, tokens);
     }
 
-    /** Enters end places: the mission ends after the firing is complete, or a shared instance returns. */
+    /** Whether entering these places ends the mission. */
+    boolean endsWith(Mission m, List<Visit> entered) {
+        return entered.stream().anyMatch(v -> v.place.end() && !returns(m, v.place));
+    }
+
+    /** "Any other end place returns". */
+    private static boolean returns(Mission m, Place place) {
+        return m.asChild.map(i -> i.spec.shared()).orElse(false) && !place.endsSharedInstance();
+    }
+
+    /** End places were entered: the mission ends after the firing is complete, or a shared instance returns. */
     void endOrReturn(Mission m, List<Visit> entered) {
-        boolean over = false;
-        for (Visit visit : entered) {
-            if (visit.place.end()) {
-                boolean returns =
-                        m.asChild.map(i -> i.spec.shared()).orElse(false) && !visit.place.endsSharedInstance();
-                if (returns) {
-                    missions.returnFrom(visit);
-                } else {
-                    over = true;
-                }
-            }
-        }
-        if (over) {
-            missions.end(m, org.sami.spn.protocol.Outcome.ENDED);
+        entered.stream().filter(v -> v.place.end() && returns(m, v.place)).forEach(missions::returnFrom);
+        if (endsWith(m, entered)) {
+            missions.end(m, Outcome.ENDED);
         }
     }
 
@@ -265,7 +268,7 @@ final class Places {
         visit.activations.forEach(a -> world.effects.add(new Effect.ActivationEnded(a.id())));
         for (Instance instance : visit.instances) {
             if (instance.state == Instance.State.RUNNING) {
-                missions.end(instance.child, org.sami.spn.protocol.Outcome.ABORTED);
+                missions.end(instance.child, Outcome.ABORTED);
             }
         }
     }

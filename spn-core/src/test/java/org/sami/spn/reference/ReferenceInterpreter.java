@@ -1,11 +1,13 @@
 package org.sami.spn.reference;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.Place;
@@ -33,7 +35,7 @@ import org.sami.spn.vocabulary.Vocabulary;
  * The language's rules as the text states them (SEMANTICS), sentence by sentence, with plain lists and linear searches.
  * Slow on purpose; the engine is held against it. Not for use outside tests.
  */
-final class ReferenceInterpreter implements Roles.Operations {
+final class ReferenceInterpreter implements Subject, Roles.Operations {
     private final World world;
     private final Enabling enabling;
     private final Attention attention;
@@ -57,8 +59,8 @@ final class ReferenceInterpreter implements Roles.Operations {
 
     // ---- What can be asked from outside
 
-    /** Markings of all missions that have not ended, by mission and place; places without tokens are left out. */
-    Map<Long, Map<String, List<Token>>> markings() {
+    @Override
+    public Map<Long, Map<String, List<Token>>> markings() {
         Map<Long, Map<String, List<Token>>> all = new LinkedHashMap<>();
         for (Mission m : world.missions) {
             if (m.status != Mission.Status.ENDED) {
@@ -74,7 +76,8 @@ final class ReferenceInterpreter implements Roles.Operations {
         return all;
     }
 
-    Map<Long, String> statuses() {
+    @Override
+    public Map<Long, String> statuses() {
         Map<Long, String> all = new LinkedHashMap<>();
         world.missions.stream()
                 .filter(m -> m.status != Mission.Status.ENDED)
@@ -82,7 +85,8 @@ final class ReferenceInterpreter implements Roles.Operations {
         return all;
     }
 
-    Set<Long> openActivations() {
+    @Override
+    public Set<Long> openActivations() {
         Set<Long> open = new LinkedHashSet<>();
         world.visitOfActivation.forEach((id, visit) -> {
             if (!visit.ended) {
@@ -92,14 +96,16 @@ final class ReferenceInterpreter implements Roles.Operations {
         return open;
     }
 
-    Set<Long> openDecisions() {
+    @Override
+    public Set<Long> openDecisions() {
         Set<Long> open = new LinkedHashSet<>();
         world.questions.forEach(q -> open.add(q.decision().id()));
         return open;
     }
 
-    Optional<Long> nextDueMillis() {
-        return world.clocks.stream().map(World.Clock::dueMillis).min(Long::compare);
+    @Override
+    public OptionalLong nextDueMillis() {
+        return world.clocks.stream().mapToLong(World.Clock::dueMillis).min();
     }
 
     Optional<Value> variable(long mission, String name) {
@@ -111,7 +117,8 @@ final class ReferenceInterpreter implements Roles.Operations {
     // ---- One step
 
     /** Timers that are due first, each as an input of its own; then the input. */
-    List<Effect> step(long nowMillis, Input input) {
+    @Override
+    public List<Effect> step(long nowMillis, Input input) {
         world.effects.clear();
         world.missions.forEach(m -> m.chain = 0);
         while (earliestDue(nowMillis).isPresent()) {
@@ -271,7 +278,7 @@ final class ReferenceInterpreter implements Roles.Operations {
                 }
             }
         }
-        posted.forEach(p -> attention.keep(m, p));
+        posted.stream().filter(p -> attention.isFor(m, p)).forEach(p -> attention.keep(m, p));
         long firingsBefore = world.effects.size();
         while (!world.work.isEmpty()) {
             look(world.work.remove());
@@ -290,9 +297,10 @@ final class ReferenceInterpreter implements Roles.Operations {
                 : world.mission(press.mission()).stream().toList();
         boolean offered = false;
         for (Mission m : offering) {
-            for (Occurrence o : pressed(m, press)) {
-                offered = true;
-                attention.receive(o);
+            if (m.reacts()) {
+                boolean named = pressNamed(m, press);
+                boolean places = pressPlaces(m, press);
+                offered = offered || named || places;
             }
         }
         if (!offered) {
@@ -300,36 +308,86 @@ final class ReferenceInterpreter implements Roles.Operations {
         }
     }
 
-    /** The occurrences that a press makes in one mission: of named events, and answers of interrupt places. */
-    private List<Occurrence> pressed(Mission m, Input.Interrupt press) {
+    /** "A named interrupt event on a transition is a button while its mission runs." */
+    private boolean pressNamed(Mission m, Input.Interrupt press) {
         Value name = new TextValue(press.name());
-        Map<String, Value> values = Map.of("interruptName", name);
-        Set<Occurrence> made = new LinkedHashSet<>();
-        if (!m.reacts()) {
-            return List.of();
-        }
+        Set<String> types = new LinkedHashSet<>();
         for (Transition t : m.plan.transitions()) {
             for (InputEventSpec event : t.inputs()) {
                 if (world.eventType(event.type()).role() == EventRole.INTERRUPT
                         && name.equals(event.fields().get("interruptName"))) {
-                    made.add(new Occurrence(event.type(), m.id, Ids.NONE, press.proxies(), List.of(), values));
+                    types.add(event.type());
                 }
             }
         }
+        types.forEach(type -> attention.receive(new Occurrence(
+                type, m.id, Ids.NONE, press.proxies(), List.of(), Map.of("interruptName", name))));
+        return !types.isEmpty();
+    }
+
+    /** "An output event General Interrupt or Proxy Interrupt on a place makes the button; pressing it answers ..." */
+    private boolean pressPlaces(Mission m, Input.Interrupt press) {
+        boolean asked = false;
+        boolean offered = false;
+        for (Activation a : buttons(m, press.name())) {
+            boolean forBoats = world.eventType(a.type()).role() == EventRole.PROXY_INTERRUPT;
+            offered = true;
+            if (!forBoats) {
+                pressed(a, List.of());
+            } else if (!press.proxies().isEmpty()) {
+                pressed(a, press.proxies());
+            } else if (!asked) {
+                roles.askWhom(m, press.name(), candidates(m, a));
+                asked = true;
+            }
+        }
+        return offered;
+    }
+
+    private List<Activation> buttons(Mission m, String name) {
+        List<Activation> buttons = new ArrayList<>();
         for (Visit visit : m.visits) {
             for (Activation a : visit.activations) {
                 EventRole role = world.eventType(a.type()).role();
-                boolean thisButton = a.value("interruptName").equals(Optional.of(name));
-                if (thisButton && role == EventRole.GENERAL_INTERRUPT) {
-                    made.add(Occurrence.answer(
-                            typeOf(EventRole.GENERAL_INTERRUPT_RECEIVED), a, press.proxies(), List.of(), values));
-                } else if (thisButton && role == EventRole.PROXY_INTERRUPT) {
-                    made.add(Occurrence.answer(
-                            typeOf(EventRole.PROXY_INTERRUPT_RECEIVED), a, press.proxies(), List.of(), values));
+                boolean isButton = role == EventRole.GENERAL_INTERRUPT || role == EventRole.PROXY_INTERRUPT;
+                if (isButton && a.value("interruptName").equals(Optional.of(new TextValue(name)))) {
+                    buttons.add(a);
                 }
             }
         }
-        return new ArrayList<>(made);
+        buttons.sort(Comparator.comparingLong(Activation::id));
+        return buttons;
+    }
+
+    private void pressed(Activation a, List<String> proxies) {
+        boolean forBoats = world.eventType(a.type()).role() == EventRole.PROXY_INTERRUPT;
+        String type = typeOf(forBoats ? EventRole.PROXY_INTERRUPT_RECEIVED : EventRole.GENERAL_INTERRUPT_RECEIVED);
+        Map<String, Value> values = Map.of("interruptName", a.value("interruptName").orElseThrow());
+        attention.receive(Occurrence.answer(type, a, proxies, List.of(), values));
+    }
+
+    /** The boats in the other in places of the transitions that the press can fire. */
+    private List<String> candidates(Mission m, Activation a) {
+        Place button = world.visitOfActivation.get(a.id()).place;
+        Set<String> boats = new LinkedHashSet<>();
+        for (Transition t : m.outTransitions(button)) {
+            boolean takesThem = t.inputs().stream()
+                    .anyMatch(i -> world.eventType(i.type()).role() == EventRole.PROXY_INTERRUPT_RECEIVED);
+            if (takesThem) {
+                for (Place place : World.others(m.inPlaces(t), button)) {
+                    m.tokensIn(place).stream()
+                            .filter(c -> c.token instanceof Token.Proxy)
+                            .forEach(c -> boats.add(((Token.Proxy) c.token).proxy()));
+                }
+            }
+        }
+        return List.copyOf(boats);
+    }
+
+    private void chosen(Mission m, String name, List<String> proxies) {
+        buttons(m, name).stream()
+                .filter(a -> world.eventType(a.type()).role() == EventRole.PROXY_INTERRUPT)
+                .forEach(a -> pressed(a, proxies));
     }
 
     private String typeOf(EventRole role) {
@@ -380,6 +438,9 @@ final class ReferenceInterpreter implements Roles.Operations {
         if (missions.isAboutAborted(input.decision())) {
             roles.close(q, Optional.of(input.answer()), Optional.of(input.by()));
             missions.decideAboutAborted(input.decision(), ((Answer.YesNo) input.answer()).yes());
+        } else if (input.answer() instanceof Answer.Proxies boats && q.decision().activation() == Ids.NONE) {
+            roles.close(q, Optional.of(input.answer()), Optional.of(input.by()));
+            chosen(world.mission(q.decision().mission()).orElseThrow(), q.decision().prompt(), boats.proxies());
         } else if (q.decision().activation() == Ids.NONE) {
             roles.close(q, Optional.of(input.answer()), Optional.of(input.by()));
             Mission m = world.mission(q.decision().mission()).orElseThrow();

@@ -13,6 +13,7 @@ import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
@@ -52,9 +53,17 @@ final class Roles {
         this.operations = operations;
     }
 
-    void activated(Visit visit, Activation activation) {
+    void activated(Visit visit, Activation activation, boolean missionEnds) {
         EventType type = world.eventType(activation.type());
         Mission m = visit.mission;
+        if (type.role() == EventRole.RETURN_VALUE) {
+            m.returnValue = activation.value("value");
+        } else if (type.role() == EventRole.APPLY_ALLOCATION) {
+            activation.value("tasks").ifPresent(this::apply);
+        }
+        if (missionEnds) {
+            return;
+        }
         switch (type.role()) {
             case TIMER -> startTimer(activation, Optional.empty());
             case PROXY_TIMER -> new LinkedHashSet<>(activation.tokens())
@@ -69,8 +78,6 @@ final class Roles {
                     activation, typeOf(EventRole.TOKENS_RETURNED), world.proxies, List.of(), Map.of()));
             case ABORT_MISSION -> world.internal.add(() -> operations.abort(m));
             case COMPLETE_MISSION -> world.internal.add(() -> operations.complete(m));
-            case RETURN_VALUE -> m.returnValue = activation.value("value");
-            case APPLY_ALLOCATION -> activation.value("tasks").ifPresent(this::apply);
             default -> {}
         }
         type.decision().ifPresent(decision -> open(visit, activation, decision));
@@ -125,6 +132,23 @@ final class Roles {
     }
 
     // ---- Decisions
+
+    /** "After boats were chosen": asks whom a pressed interrupt is for. */
+    void askWhom(Mission m, String interrupt, List<String> boats) {
+        Decision decision = new Decision(
+                world.nextDecision++,
+                m.id,
+                Ids.NONE,
+                "",
+                interrupt,
+                new Question.ChooseProxies(boats, 1, Integer.MAX_VALUE),
+                Optional.empty(),
+                OptionalLong.empty(),
+                Priority.MEDIUM,
+                List.of());
+        world.questions.add(new World.Question(decision, Optional.empty()));
+        world.effects.add(new Effect.DecisionOpened(decision));
+    }
 
     private void open(Visit visit, Activation activation, DecisionType type) {
         Question question = question(activation, type);
@@ -230,12 +254,22 @@ final class Roles {
                             && option.index() >= 0
                             && option.index() < options.options().size());
         }
-        return answer instanceof Answer.Fields fields
-                && ((Question.FillIn) question)
-                        .items().stream()
-                                .allMatch(item -> fields.values().containsKey(item.key())
-                                        ? item.type().accepts(fields.values().get(item.key()), Map.of())
-                                        : item.defaultValue().isPresent());
+        return answer instanceof Answer.Fields fields && fits(((Question.FillIn) question).items(), fields.values());
+    }
+
+    private static boolean fits(List<Question.Item> items, Map<String, Value> values) {
+        List<String> asked = items.stream().map(Question.Item::key).toList();
+        for (Question.Item item : items) {
+            Optional<Value> given = Optional.ofNullable(values.get(item.key()));
+            boolean right = given.isEmpty()
+                    ? item.defaultValue().isPresent()
+                    : item.type().accepts(given.get(), Map.of())
+                            && (item.editable() || given.equals(item.defaultValue()));
+            if (!right) {
+                return false;
+            }
+        }
+        return asked.containsAll(values.keySet());
     }
 
     /** "Answered once": closes the question and answers its activation. */

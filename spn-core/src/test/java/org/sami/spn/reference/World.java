@@ -37,6 +37,12 @@ final class World {
      */
     record Clock(long dueMillis, long order, Optional<Activation> timer, Optional<Token> token, long decision) {}
 
+    /** Random plans that double their tokens in a ring are of no interest beyond this many in a place. */
+    static final int MOST_TOKENS = 60;
+
+    /** A random plan that breeds tokens. */
+    static final class TooManyTokens extends RuntimeException {}
+
     final Vocabulary vocabulary;
     final Project project;
     final int livelockLimit;
