@@ -32,7 +32,7 @@ final class Attention {
     boolean receive(Occurrence occurrence) {
         boolean wanted = false;
         boolean askedForNames = false;
-        for (Mission m : List.copyOf(world.missions)) {
+        for (Mission m : inOrder(occurrence)) {
             Optional<Occurrence> here = asSeenBy(m, occurrence);
             if (!m.reacts() || here.isEmpty()) {
                 continue;
@@ -56,6 +56,17 @@ final class Attention {
             noteUnwanted(occurrence, askedForNames);
         }
         return wanted;
+    }
+
+    /** The mission that asked comes first, the others in order of creation. */
+    private List<Mission> inOrder(Occurrence occurrence) {
+        List<Mission> missions = new ArrayList<>(world.missions);
+        Visit asked = world.visitOfActivation.get(occurrence.activation());
+        if (asked != null) {
+            missions.remove(asked.mission);
+            missions.add(0, asked.mission);
+        }
+        return missions;
     }
 
     /** "With an activation and no mission it is an answer in the mission that asked and news in all others." */

@@ -33,24 +33,47 @@ final class Differential {
         return new ReferenceInterpreter(TestVocabulary.TEST, project, Scenario.LIVELOCK_LIMIT);
     }
 
+    /** A random session of so many inputs on both at once. */
+    static Optional<Disagreement> explore(long seed, int length, Maker maker) {
+        Project project = RandomPlans.project(seed);
+        Subject interpreter = interpreter(project);
+        Subject other = maker.make(project);
+        RandomInputs world = new RandomInputs(seed);
+        List<Scenario.Timed> inputs = new ArrayList<>();
+        for (int i = 0; i < length; i++) {
+            Scenario.Timed timed = new Scenario.Timed(world.nextTime(interpreter), world.next(interpreter));
+            inputs.add(timed);
+            try {
+                List<Effect> expected = interpreter.step(timed.nowMillis(), timed.input());
+                Optional<String> difference = step(interpreter, expected, other, timed);
+                if (difference.isPresent()) {
+                    return Optional.of(new Disagreement(new Scenario(seed, project, inputs), i, difference.get()));
+                }
+                world.saw(expected);
+            } catch (World.TooManyTokens e) {
+                return Optional.empty();
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static Optional<String> step(
+            Subject interpreter, List<Effect> expected, Subject other, Scenario.Timed timed) {
+        try {
+            List<Effect> actual = other.step(timed.nowMillis(), timed.input());
+            return difference(interpreter, expected, other, actual);
+        } catch (RuntimeException | StackOverflowError e) {
+            return Optional.of("The other throws " + stack(e));
+        }
+    }
+
     static Optional<Disagreement> run(Scenario scenario, Maker maker) {
         Subject interpreter = interpreter(scenario.project());
-        Subject other;
-        try {
-            other = maker.make(scenario.project());
-        } catch (RuntimeException e) {
-            return Optional.of(new Disagreement(scenario, 0, "The other throws " + stack(e)));
-        }
+        Subject other = maker.make(scenario.project());
         for (int i = 0; i < scenario.inputs().size(); i++) {
             Scenario.Timed timed = scenario.inputs().get(i);
             List<Effect> expected = interpreter.step(timed.nowMillis(), timed.input());
-            Optional<String> difference;
-            try {
-                List<Effect> actual = other.step(timed.nowMillis(), timed.input());
-                difference = difference(interpreter, expected, other, actual);
-            } catch (RuntimeException | StackOverflowError e) {
-                difference = Optional.of("The other throws " + stack(e));
-            }
+            Optional<String> difference = step(interpreter, expected, other, timed);
             if (difference.isPresent()) {
                 return Optional.of(new Disagreement(scenario, i, difference.get()));
             }

@@ -148,6 +148,7 @@ final class Enabling {
         return !movesThem
                 || world.overrides(t)
                 || dynamic.isEmpty()
+                || m.inPlaces(t).stream().anyMatch(p -> !statics(m, p, t).isEmpty()) // its return is the completion
                 || m.visits.stream()
                         .filter(v -> dynamic.contains(v.place) && isOver(v, t))
                         .anyMatch(v -> !v.used || v.instances.stream().anyMatch(i -> !i.back.isEmpty()));

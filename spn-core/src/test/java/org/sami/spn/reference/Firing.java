@@ -86,6 +86,10 @@ final class Firing {
             if (left.stream().anyMatch(copy -> copy.visit.place.equals(place))) {
                 places.lookAfterLeaving(m, place);
             }
+            // another return that waits is an occasion as it was when it came (c)
+            if (m.statics.stream().anyMatch(i -> i.place.equals(place) && !i.returns.isEmpty())) {
+                places.lookAfterEntry(m, place);
+            }
         }
         places.lookAtWithdrawn();
         // (d) "after its own firing, if that removed a token which one of its own at least or exactly requirements counts"
@@ -254,7 +258,7 @@ final class Firing {
         boolean movesThem = m.outEdges(t).stream()
                 .flatMap(e -> e.requirements().stream())
                 .anyMatch(r -> r.kind() == TokenKind.SUB_MISSION_TOKENS);
-        if (movesThem) {
+        if (movesThem && !world.overrides(t)) {
             List<Place> in = m.inPlaces(t);
             m.visits.stream()
                     .filter(v -> in.contains(v.place) && !v.instances.isEmpty() && v.complete())

@@ -303,7 +303,9 @@ final class Missions {
             for (InputEventSpec event : t.inputs()) {
                 if (world.eventType(event.type()).role() == EventRole.SUB_MISSION_ABORTED) {
                     Occurrence o = new Occurrence(event.type(), m.id, Ids.NONE, proxies, tasks, Map.of());
-                    attention.keep(m, new Pending(t, event, o));
+                    Pending pending = new Pending(t, event, o);
+                    pending.ofAborted = true;
+                    attention.keep(m, pending);
                     wanted = true;
                 }
             }

@@ -11,6 +11,13 @@ import org.sami.spn.protocol.Token;
 final class Names {
     private Names() {}
 
+    /** An aborted child's starting tokens are all named, its boats beside its tasks. */
+    static List<Token> ofAborted(Occurrence occurrence) {
+        Set<Token> names = new LinkedHashSet<>(of(occurrence));
+        occurrence.proxies().forEach(proxy -> names.add(new Token.Proxy(proxy)));
+        return new ArrayList<>(names);
+    }
+
     static List<Token> of(Occurrence occurrence) {
         Set<Token> names = new LinkedHashSet<>();
         occurrence.tasks().forEach(task -> names.add(new Token.Task(task)));

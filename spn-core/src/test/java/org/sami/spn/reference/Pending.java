@@ -20,6 +20,8 @@ final class Pending {
     boolean namedSomebodyHere;
     /** The completed visit whose return value it tells; empty for all other occurrences. */
     Optional<Visit> returnOf = Optional.empty();
+    /** Whether it tells of an aborted child. */
+    boolean ofAborted;
     /** Whether it tells a return value: kept in order, never replaced. */
     boolean tellsReturn;
 
@@ -35,7 +37,7 @@ final class Pending {
 
     /** Whom it names and who was not struck. */
     List<Token> names() {
-        List<Token> names = new ArrayList<>(Names.of(occurrence));
+        List<Token> names = new ArrayList<>(ofAborted ? Names.ofAborted(occurrence) : Names.of(occurrence));
         names.removeAll(struck);
         return names;
     }

@@ -229,6 +229,7 @@ final class Places {
 
     void removeEverywhere(Mission m, Token token) {
         m.starting.remove(token);
+        m.asChild.ifPresent(instance -> instance.joined.removeIf(token::equals));
         List<Copy> copies = new ArrayList<>();
         for (Place place : m.plan.places()) {
             m.tokensIn(place).stream().filter(c -> c.token.equals(token)).forEach(copies::add);

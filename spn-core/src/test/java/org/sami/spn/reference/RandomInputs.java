@@ -121,9 +121,14 @@ final class RandomInputs {
             proxies = List.of();
             named = List.of();
         }
-        boolean everybody = chance(4) && open.contains(activation);
+        boolean everybody = chance(4) && open.contains(activation) && noClockRuns(subject);
         long mission = everybody ? Ids.NONE : activation.mission();
         return new Occurrence(type, mission, activation.id(), proxies, named, values(type));
+    }
+
+    /** Then what is open now is open when the input is taken. */
+    private static boolean noClockRuns(Subject subject) {
+        return subject.nextDueMillis().isEmpty();
     }
 
     private List<String> some(List<String> all) {
