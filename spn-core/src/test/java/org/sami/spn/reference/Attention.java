@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.Match;
@@ -32,7 +33,7 @@ final class Attention {
     boolean receive(Occurrence occurrence) {
         boolean wanted = false;
         boolean askedForNames = false;
-        for (Mission m : inOrder(occurrence)) {
+        for (Mission m : List.copyOf(world.missions)) {
             Optional<Occurrence> here = asSeenBy(m, occurrence);
             if (!m.reacts() || here.isEmpty()) {
                 continue;
@@ -56,17 +57,6 @@ final class Attention {
             noteUnwanted(occurrence, askedForNames);
         }
         return wanted;
-    }
-
-    /** The mission that asked comes first, the others in order of creation. */
-    private List<Mission> inOrder(Occurrence occurrence) {
-        List<Mission> missions = new ArrayList<>(world.missions);
-        Visit asked = world.visitOfActivation.get(occurrence.activation());
-        if (asked != null) {
-            missions.remove(asked.mission);
-            missions.add(0, asked.mission);
-        }
-        return missions;
     }
 
     /** "With an activation and no mission it is an answer in the mission that asked and news in all others." */
@@ -104,7 +94,10 @@ final class Attention {
             return true;
         }
         Visit visit = world.visitOfActivation.get(p.occurrence.activation());
-        if (visit == null || visit.mission != m || !m.inPlaces(p.transition).contains(visit.place)) {
+        if (visit == null
+                || visit.mission != m
+                || !m.inPlaces(p.transition).contains(visit.place)
+                || isSuperseded(visit)) {
             return false;
         }
         for (Token name : p.names()) {
@@ -118,6 +111,18 @@ final class Attention {
                 .flatMap(name -> enabling.tokensOf(name, p).stream())
                 .noneMatch(asked::contains);
         return namesNoneAsked && !visit.ended;
+    }
+
+    /** Whoever entered it has since ended a later visit to the same place: what was asked first is over for good. */
+    private boolean isSuperseded(Visit visit) {
+        return visit.ended
+                && visit.entered.stream()
+                        .filter(token -> !(token instanceof Token.Generic))
+                        .allMatch(token -> world.visitOfActivation.values().stream()
+                                .anyMatch(later -> later.mission == visit.mission
+                                        && later.place.equals(visit.place)
+                                        && later.endedAs > visit.endedAs
+                                        && later.entered.contains(token)));
     }
 
     /** "A named token is still in that visit, or a named token now stands in another in place of t". */
@@ -147,13 +152,12 @@ final class Attention {
                 || joinsWithAny
                 || ofTheMission
                 || enabling.relevant(List.of(p)).stream()
-                        .anyMatch(token ->
-                                m.inPlaces(p.transition).stream().anyMatch(place -> m.stands(token, place)));
+                        .anyMatch(token -> m.inPlaces(p.transition).stream().anyMatch(place -> m.stands(token, place)));
     }
 
     private static boolean mustHaveRelevant(InRequirement r) {
-        boolean wantsSome = r.match() == Match.ALL
-                || ((r.match() == Match.AT_LEAST || r.match() == Match.EXACTLY) && r.n() >= 1);
+        boolean wantsSome =
+                r.match() == Match.ALL || ((r.match() == Match.AT_LEAST || r.match() == Match.EXACTLY) && r.n() >= 1);
         return r.kind() == TokenKind.RELEVANT && wantsSome;
     }
 
@@ -167,11 +171,7 @@ final class Attention {
                         .anyMatch(r -> r.kind() == TokenKind.RELEVANT);
         EventRole role = world.eventType(p.event.type()).role();
         boolean joinsWithAny = p.transition.inputs().size() > 1;
-        return p.isAnswer()
-                && !p.occurrence.namesSomebody()
-                && speaks
-                && !joinsWithAny
-                && !World.overrides(role);
+        return p.isAnswer() && !p.occurrence.namesSomebody() && speaks && !joinsWithAny && !World.overrides(role);
     }
 
     /** "Pending." */
@@ -186,15 +186,16 @@ final class Attention {
         }
         if (pending.isAnswer()) {
             Visit visit = world.visitOfActivation.get(pending.occurrence.activation());
-            pending.namedSomebodyHere =
-                    pending.names().stream().anyMatch(name -> standsForIt(m, pending, visit, name));
+            pending.names().stream()
+                    .filter(name -> standsForIt(m, pending, visit, name))
+                    .forEach(pending.stood::add);
         }
         m.pending.add(pending);
         world.lookAt(m, pending.transition);
     }
 
-    private static List<Object> namedSet(Pending p) {
-        return List.of(new HashSet<>(p.occurrence.proxies()), new HashSet<>(p.occurrence.tasks()));
+    private static Set<Token> namedSet(Pending p) {
+        return new HashSet<>(p.names());
     }
 
     private void noteUnwanted(Occurrence occurrence, boolean askedForNames) {
@@ -249,8 +250,10 @@ final class Attention {
         }
         if (p.isAnswer()) {
             Visit visit = world.visitOfActivation.get(p.occurrence.activation());
-            return copy.visit == visit
-                    || World.others(m.inPlaces(p.transition), visit.place).contains(copy.visit.place);
+            return p.stood.contains(name)
+                    && (copy.visit == visit
+                            || World.others(m.inPlaces(p.transition), visit.place)
+                                    .contains(copy.visit.place));
         }
         // "A boat that left must report again"
         return p.transition.waitFor() == WaitFor.ALL
@@ -264,10 +267,10 @@ final class Attention {
         return enabling.watched(m, p.transition).stream().anyMatch(place -> m.stands(name, place));
     }
 
-    /** The visit that it answers is over, and it named nobody who was asked. */
+    /** The visit that it answers is over, and it names nobody. */
     private boolean unheardOf(Pending p) {
         return p.isAnswer()
-                && !p.namedSomebodyHere
+                && !p.occurrence.namesSomebody()
                 && world.visitOfActivation.get(p.occurrence.activation()).ended;
     }
 
@@ -279,6 +282,8 @@ final class Attention {
                 if (p.names().isEmpty()) {
                     m.pending.remove(p);
                     world.note(NoteKind.DISCARDED, m.id, p.occurrence.type());
+                } else {
+                    world.lookAt(m, p.transition);
                 }
             }
         }

@@ -32,7 +32,8 @@ final class Enabling {
         List<Token> tokens = new ArrayList<>();
         tokens.add(name);
         if (name instanceof Token.Proxy boat && pending.isAnswer()) {
-            // "and a task token allocated to a named boat only if it was among the tokens of the answered activation and is
+            // "and a task token allocated to a named boat only if it was among the tokens of the answered activation
+            // and is
             // that boat's current task"
             for (Token token : answered(pending).tokens()) {
                 if (token instanceof Token.Task task
@@ -95,9 +96,8 @@ final class Enabling {
             return List.copyOf(m.tokensIn(place));
         }
         // "While an instance runs, its starting tokens are outside every pool"
-        List<Copy> pool = new ArrayList<>(m.tokensIn(place).stream()
-                .filter(copy -> isOver(copy.visit, t))
-                .toList());
+        List<Copy> pool = new ArrayList<>(
+                m.tokensIn(place).stream().filter(copy -> isOver(copy.visit, t)).toList());
         for (Instance shared : statics(m, place, t)) {
             pool = equalTo(shared.returns.isEmpty() ? List.of() : shared.returns.get(0), pool);
         }
@@ -147,6 +147,7 @@ final class Enabling {
                 .toList();
         return !movesThem
                 || world.overrides(t)
+                || world.awaitsAborted(t)
                 || dynamic.isEmpty()
                 || m.inPlaces(t).stream().anyMatch(p -> !statics(m, p, t).isEmpty()) // its return is the completion
                 || m.visits.stream()
@@ -196,8 +197,7 @@ final class Enabling {
 
     /** "Every named token is here". */
     private boolean allNamedAreHere(Mission m, Transition t, Place place, Pending pending) {
-        List<Token> here =
-                poolIn(m, t, place).stream().map(copy -> copy.token).toList();
+        List<Token> here = poolIn(m, t, place).stream().map(copy -> copy.token).toList();
         return pending.names().stream()
                 .allMatch(name -> tokensOf(name, pending).stream().anyMatch(here::contains));
     }
@@ -291,9 +291,7 @@ final class Enabling {
             }
             somebodyReported = somebodyReported || !namesNobody;
             // "Those that name none join with any"
-            all.stream()
-                    .filter(p -> reports.contains(p) || p.names().isEmpty())
-                    .forEach(used::add);
+            all.stream().filter(p -> reports.contains(p) || p.names().isEmpty()).forEach(used::add);
         }
         return somebodyReported ? Optional.of(used) : Optional.empty();
     }

@@ -92,7 +92,8 @@ final class Firing {
             }
         }
         places.lookAtWithdrawn();
-        // (d) "after its own firing, if that removed a token which one of its own at least or exactly requirements counts"
+        // (d) "after its own firing, if that removed a token which one of its own at least or exactly requirements
+        // counts"
         if (t.inputs().isEmpty() && countedWasRemoved) {
             world.lookAt(m, t);
         }

@@ -76,7 +76,11 @@ final class Mission {
 
     /** In places of a transition, each once, in in-edge order. */
     List<Place> inPlaces(Transition t) {
-        return plan.inEdgesOf(t.id()).stream().map(InEdge::place).distinct().map(this::place).toList();
+        return plan.inEdgesOf(t.id()).stream()
+                .map(InEdge::place)
+                .distinct()
+                .map(this::place)
+                .toList();
     }
 
     List<InEdge> inEdges(Transition t) {

@@ -54,8 +54,8 @@ final class Missions {
         Mission m = new Mission(world.nextMission++, plan, name, asChild);
         world.missions.add(m);
         plan.tasks().forEach(task -> m.tasks.put(task.name(), task));
-        world.effects.add(new Effect.MissionStarted(
-                m.id, m.parent().map(p -> p.id).orElse(Ids.NONE), plan.id(), name));
+        world.effects.add(
+                new Effect.MissionStarted(m.id, m.parent().map(p -> p.id).orElse(Ids.NONE), plan.id(), name));
         return m;
     }
 
@@ -240,7 +240,10 @@ final class Missions {
     /** (c) "when a sub-mission on an in place completes or a static one returns". */
     private void completed(Instance instance) {
         places.lookAfterEntry(instance.parent, instance.place);
-        instance.child.returnValue.ifPresent(value -> world.internal.add(() -> postReturnValue(instance, value)));
+        List<Instance> all = instance.visit.map(v -> v.instances).orElse(List.of(instance));
+        for (Instance one : all) {
+            one.child.returnValue.ifPresent(value -> world.internal.add(() -> postReturnValue(one, value)));
+        }
     }
 
     /** "Any other end place returns: its tokens leave the child as one completion". */

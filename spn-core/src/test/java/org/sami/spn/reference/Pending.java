@@ -16,8 +16,9 @@ final class Pending {
     final Occurrence occurrence;
     /** Boats and tasks that it named and that left since. */
     final List<Token> struck = new ArrayList<>();
-    /** Whether somebody that it names was there when it arrived. */
-    boolean namedSomebodyHere;
+    /** Of an answer: whom it names and who was there when it arrived. */
+    final List<Token> stood = new ArrayList<>();
+
     /** The completed visit whose return value it tells; empty for all other occurrences. */
     Optional<Visit> returnOf = Optional.empty();
     /** Whether it tells of an aborted child. */

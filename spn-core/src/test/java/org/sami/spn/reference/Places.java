@@ -63,6 +63,7 @@ final class Places {
     Visit add(Mission m, Place place, List<Token> tokens) {
         Visit visit = new Visit(world.nextVisit++, m, place, tokens.isEmpty());
         m.visits.add(visit);
+        visit.entered.addAll(tokens);
         tokens.forEach(token -> m.tokensIn(place).add(new Copy(token, visit)));
         if (m.tokensIn(place).size() > World.MOST_TOKENS) {
             throw new World.TooManyTokens();
@@ -179,9 +180,10 @@ final class Places {
 
     /** End places were entered: the mission ends after the firing is complete, or a shared instance returns. */
     void endOrReturn(Mission m, List<Visit> entered) {
-        entered.stream().filter(v -> v.place.end() && returns(m, v.place)).forEach(missions::returnFrom);
         if (endsWith(m, entered)) {
             missions.end(m, Outcome.ENDED);
+        } else {
+            entered.stream().filter(v -> v.place.end()).forEach(missions::returnFrom);
         }
     }
 
@@ -236,10 +238,7 @@ final class Places {
         }
         remove(m, copies, true);
         attention.strike(m, copies);
-        copies.stream()
-                .map(c -> new Withdrawn(m, c.visit.place))
-                .distinct()
-                .forEach(withdrawn::add);
+        copies.stream().map(c -> new Withdrawn(m, c.visit.place)).distinct().forEach(withdrawn::add);
     }
 
     /** Those who lost tokens in instances are looked at after the firing's own places. */
@@ -262,9 +261,10 @@ final class Places {
             return;
         }
         visit.ended = true;
+        visit.endedAs = ++world.visitsEnded;
         visit.mission.visits.remove(visit);
-        world.clocks.removeIf(clock ->
-                clock.timer().isPresent() && visit.activations.contains(clock.timer().get()));
+        world.clocks.removeIf(clock -> clock.timer().isPresent()
+                && visit.activations.contains(clock.timer().get()));
         roles.closeQuestions(visit);
         visit.activations.forEach(a -> world.effects.add(new Effect.ActivationEnded(a.id())));
         for (Instance instance : visit.instances) {

@@ -71,7 +71,7 @@ final class RandomInputs {
         if (sent <= boats) {
             return join();
         }
-        if (missions.isEmpty()) {
+        if (missions.isEmpty() || (subject.statuses().isEmpty() && chance(90))) {
             return new Input.StartMission("main", "m", Map.of());
         }
         int die = random.nextInt(100);
@@ -149,9 +149,8 @@ final class RandomInputs {
     private Map<String, Value> values(String type) {
         return switch (type) {
             case "Provided" -> Map.of("number", new IntegerValue(random.nextInt(50)));
-            case "Done", "Done2", "News", "Other" -> chance(80)
-                    ? Map.of("value", new IntegerValue(random.nextInt(50)))
-                    : Map.of();
+            case "Done", "Done2", "News", "Other" ->
+                chance(80) ? Map.of("value", new IntegerValue(random.nextInt(50))) : Map.of();
             default -> Map.of();
         };
     }
@@ -189,34 +188,39 @@ final class RandomInputs {
     // ---- Everything else
 
     private Input other() {
-        switch (random.nextInt(16)) {
-            case 0, 1, 2, 3:
-                List<String> proxies = chance(60) && !joined.isEmpty() ? some(joined) : List.of();
-                return new Input.Interrupt(chance(50) ? Ids.NONE : anyMission(), pick("stop", "hold"), proxies);
-            case 4, 5:
-                return join();
-            case 6:
-                return new Input.ProxyDropped(
-                        BOATS.get(random.nextInt(BOATS.size())), chance(50) ? Ids.NONE : missions.get(0));
-            case 7:
-                return new Input.AbortMission(chance(10) ? Ids.NONE : anyMission());
-            case 8:
-                return new Input.CompleteMission(anyMission());
-            case 9, 10, 11:
-                return allocate();
-            case 12:
-                return new Input.SetVariable(
+        return switch (random.nextInt(16)) {
+            case 0, 1, 2, 3 ->
+                new Input.Interrupt(
+                        chance(50) ? Ids.NONE : anyMission(),
+                        pick("stop", "hold"),
+                        chance(60) && !joined.isEmpty() ? some(joined) : List.of());
+            case 4, 5 -> join();
+            case 6 -> drop();
+            case 7 -> new Input.AbortMission(chance(10) ? Ids.NONE : anyMission());
+            case 8 -> new Input.CompleteMission(anyMission());
+            case 9, 10, 11 -> allocate();
+            case 12 ->
+                new Input.SetVariable(
                         chance(50) ? Ids.NONE : anyMission(),
                         pick("@own", "@empty", "@global"),
                         new IntegerValue(random.nextInt(50)));
-            case 13:
-                TaskSpec task = new TaskSpec(pick("T1", "X1", "X2"), "Measure", Map.of());
-                return new Input.AddTasks(anyMission(), List.of(task));
-            case 14:
-                return chance(40) ? new Input.StartMission("main", "n", Map.of()) : new Input.TimeReached();
-            default:
-                return new Input.TimeReached();
+            case 13 ->
+                new Input.AddTasks(anyMission(), List.of(new TaskSpec(pick("T1", "X1", "X2"), "Measure", Map.of())));
+            case 14 -> chance(40) ? new Input.StartMission("main", "n", Map.of()) : new Input.TimeReached();
+            default -> new Input.TimeReached();
+        };
+    }
+
+    private Input drop() {
+        if (joined.isEmpty()) {
+            return new Input.TimeReached();
         }
+        String boat = joined.get(random.nextInt(joined.size()));
+        boolean fromAll = chance(50);
+        if (fromAll) {
+            joined.remove(boat);
+        }
+        return new Input.ProxyDropped(boat, fromAll ? Ids.NONE : missions.get(0));
     }
 
     private Input allocate() {
@@ -225,7 +229,9 @@ final class RandomInputs {
         }
         Map<TaskId, Optional<String>> allocation = new LinkedHashMap<>();
         for (TaskId task : someTasks(tasks)) {
-            allocation.put(task, chance(80) && !joined.isEmpty() ? Optional.of(some(joined).get(0)) : Optional.empty());
+            allocation.put(
+                    task,
+                    chance(80) && !joined.isEmpty() ? Optional.of(some(joined).get(0)) : Optional.empty());
         }
         return new Input.AllocateTasks(allocation);
     }
@@ -248,6 +254,8 @@ final class RandomInputs {
         if (token instanceof Token.Proxy boat) {
             return boat.proxy();
         }
-        return token instanceof Token.Task task ? task.task().mission() + "/" + task.task().name() : "*";
+        return token instanceof Token.Task task
+                ? task.task().mission() + "/" + task.task().name()
+                : "*";
     }
 }

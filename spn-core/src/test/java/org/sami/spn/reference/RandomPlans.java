@@ -24,33 +24,81 @@ import org.sami.spn.value.ValueType;
 /** Small random projects: a plan {@code main} and plans that it may run as sub-missions. A function of the seed. */
 final class RandomPlans {
     private static final String[] OUTPUTS = {
-        "Do", "Do", "Do", "Do", "Approve", "ApproveThem", "Choose", "Pick", "Provide", "StartTimer", "StartProxyTimer",
-        "GetAll", "GeneralInterrupt", "ProxyInterrupt", "ReturnValue"
+        "Do",
+        "Do",
+        "Do",
+        "Do",
+        "Approve",
+        "ApproveThem",
+        "Choose",
+        "Pick",
+        "Provide",
+        "StartTimer",
+        "StartProxyTimer",
+        "GetAll",
+        "GeneralInterrupt",
+        "ProxyInterrupt",
+        "ReturnValue"
     };
     private static final String[] IN = {
-        "always", "always", "generic >= 1", "generic >= 1", "generic >= 2", "generic == 1", "generic = 0", "generic < 2",
+        "always", "always", "generic >= 1", "generic >= 1", "generic >= 2", "generic == 1", "generic = 0",
+                "generic < 2",
         "proxy >= 1", "proxy >= 1", "proxy >= 2", "proxy = 0", "proxy < 2", "proxy == 1", "any >= 1", "any = 0",
         "any == 2", "any < 3", "task >= 1", "task = 0", "task == 1", "task:T1 >= 1", "task:Measure >= 1", "task:T1 = 0"
     };
     private static final String[] IN_RELEVANT = {
-        "relevant all", "relevant all", "relevant >= 1", "relevant >= 1", "relevant >= 2", "relevant = 0",
-        "relevant < 2", "relevant == 1"
+        "relevant all",
+        "relevant all",
+        "relevant >= 1",
+        "relevant >= 1",
+        "relevant >= 2",
+        "relevant = 0",
+        "relevant < 2",
+        "relevant == 1"
     };
     private static final String[] OUT = {
-        "take 1 generic", "take 1 generic", "take all generic", "take all proxy", "take 1 proxy", "take 2 proxy",
-        "take all any", "take 1 any", "take all task", "take 1 task", "take 1 task:T1", "take all task:Measure",
-        "consume 1 generic", "consume all generic", "consume 1 proxy", "consume all any", "consume 1 task",
-        "add 1 generic", "add 2 generic", "add all generic", "add 1 proxy", "add all proxy", "add all any",
-        "add 1 any", "add all task", "always"
+        "take 1 generic",
+        "take 1 generic",
+        "take all generic",
+        "take all proxy",
+        "take 1 proxy",
+        "take 2 proxy",
+        "take all any",
+        "take 1 any",
+        "take all task",
+        "take 1 task",
+        "take 1 task:T1",
+        "take all task:Measure",
+        "consume 1 generic",
+        "consume all generic",
+        "consume 1 proxy",
+        "consume all any",
+        "consume 1 task",
+        "add 1 generic",
+        "add 2 generic",
+        "add all generic",
+        "add 1 proxy",
+        "add all proxy",
+        "add all any",
+        "add 1 any",
+        "add all task",
+        "always"
     };
     private static final String[] OUT_RELEVANT = {
-        "take all relevant", "take all relevant", "take all relevant", "take 1 relevant", "consume all relevant",
+        "take all relevant",
+        "take all relevant",
+        "take all relevant",
+        "take 1 relevant",
+        "consume all relevant",
         "add all relevant"
     };
-    private static final String[] OUT_SUB = {"take all sub", "take all sub", "take 1 sub", "add all sub", "consume all sub"};
+    private static final String[] OUT_SUB = {
+        "take all sub", "take all sub", "take 1 sub", "add all sub", "consume all sub"
+    };
 
     private final Random random;
     private final List<String> subMissionPlaces = new ArrayList<>();
+    private final List<String> twoAtOnce = new ArrayList<>();
     private final Map<String, List<String>> outputsOf = new LinkedHashMap<>();
 
     private RandomPlans(Random random) {
@@ -71,8 +119,7 @@ final class RandomPlans {
             }
         }
         plans.add(new RandomPlans(random).plan("main", children, false));
-        VariableSpec global =
-                new VariableSpec("@global", ValueType.Simple.INTEGER, Optional.of(new IntegerValue(100)));
+        VariableSpec global = new VariableSpec("@global", ValueType.Simple.INTEGER, Optional.of(new IntegerValue(100)));
         return NetBuilder.project(List.of(global), plans.toArray(Plan[]::new));
     }
 
@@ -138,6 +185,7 @@ final class RandomPlans {
                 net.sub(place, child, false, Map.of(), variables);
                 if (chance(10)) {
                     net.sub(place, children.get(0), false, Map.of(), Map.of());
+                    twoAtOnce.add(place);
                 }
             }
             subMissionPlaces.add(place);
@@ -160,8 +208,8 @@ final class RandomPlans {
                     default -> {}
                 }
             }
-            case "StartTimer", "StartProxyTimer" -> fields.put(
-                    "duration", fixed(new DurationValue(1000L * (1 + random.nextInt(12)))));
+            case "StartTimer", "StartProxyTimer" ->
+                fields.put("duration", fixed(new DurationValue(1000L * (1 + random.nextInt(12)))));
             case "GeneralInterrupt", "ProxyInterrupt" -> fields.put("interruptName", fixed(new TextValue("stop")));
             case "ReturnValue" -> fields.put("value", fixed(new TextValue(chance(50) ? "good" : "bad")));
             case "Pick" -> fields.put("options", fixed(options()));
@@ -206,7 +254,8 @@ final class RandomPlans {
             in.add("p" + from);
             if (chance(35)) {
                 String second = "p" + random.nextInt(places - ends);
-                if (!in.contains(second)) {
+                boolean bothRun = subMissionPlaces.contains(second) && subMissionPlaces.contains(in.get(0));
+                if (!in.contains(second) && !bothRun) {
                     in.add(second);
                 }
             }
@@ -215,11 +264,12 @@ final class RandomPlans {
         net.transition(t);
         events.forEach(event -> net.input(t, event, fixedFields(event), inputWrites(event)));
         boolean named = !events.isEmpty();
-        if (named && chance(18)) {
+        if (named && chance(15)) {
             net.waitForAll(t);
         }
         for (String place : in) {
-            net.in(place, t, inRequirements(named, subMissionPlaces.contains(place)));
+            boolean free = in.size() > 1 && chance(35);
+            net.in(place, t, free ? new String[] {"always"} : inRequirements(named, subMissionPlaces.contains(place)));
         }
         outEdges(net, t, from, places, in, named, events.isEmpty());
     }
@@ -245,7 +295,10 @@ final class RandomPlans {
         for (String place : in) {
             outputsOf.get(place).forEach(type -> answers.addAll(answersTo(type)));
             if (subMissionPlaces.contains(place)) {
-                answers.addAll(List.of("CheckReturn", "SubMissionAborted"));
+                answers.add("CheckReturn");
+                if (!twoAtOnce.contains(place)) {
+                    answers.add("SubMissionAborted");
+                }
             }
         }
         if (chance(30)) {
@@ -303,9 +356,9 @@ final class RandomPlans {
 
     private String[] inRequirements(boolean named, boolean sub) {
         List<String> requirements = new ArrayList<>();
-        int count = chance(85) ? 1 : 2;
+        int count = chance(90) ? 1 : 2;
         for (int i = 0; i < count; i++) {
-            if (named && chance(50)) {
+            if (named && chance(40)) {
                 requirements.add(pick(IN_RELEVANT));
             } else {
                 requirements.add(sub && chance(50) ? "always" : pick(IN));

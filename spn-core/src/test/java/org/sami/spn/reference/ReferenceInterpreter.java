@@ -176,6 +176,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         } else {
             m.chain++;
             firing.fire(m, look.transition(), used.get());
+            attention.refuseInterrupts(m, look.transition()); // one press, one firing
         }
     }
 
@@ -271,8 +272,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
             for (Transition t : m.plan.transitions()) {
                 for (InputEventSpec event : t.inputs()) {
                     if (world.eventType(event.type()).role() == role) {
-                        Occurrence o =
-                                new Occurrence(event.type(), m.id, Ids.NONE, List.of(), List.of(), Map.of());
+                        Occurrence o = new Occurrence(event.type(), m.id, Ids.NONE, List.of(), List.of(), Map.of());
                         posted.add(new Pending(t, event, o));
                     }
                 }
@@ -320,8 +320,8 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
                 }
             }
         }
-        types.forEach(type -> attention.receive(new Occurrence(
-                type, m.id, Ids.NONE, press.proxies(), List.of(), Map.of("interruptName", name))));
+        types.forEach(type -> attention.receive(
+                new Occurrence(type, m.id, Ids.NONE, press.proxies(), List.of(), Map.of("interruptName", name))));
         return !types.isEmpty();
     }
 
@@ -362,7 +362,8 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
     private void pressed(Activation a, List<String> proxies) {
         boolean forBoats = world.eventType(a.type()).role() == EventRole.PROXY_INTERRUPT;
         String type = typeOf(forBoats ? EventRole.PROXY_INTERRUPT_RECEIVED : EventRole.GENERAL_INTERRUPT_RECEIVED);
-        Map<String, Value> values = Map.of("interruptName", a.value("interruptName").orElseThrow());
+        Map<String, Value> values =
+                Map.of("interruptName", a.value("interruptName").orElseThrow());
         attention.receive(Occurrence.answer(type, a, proxies, List.of(), values));
     }
 
@@ -412,7 +413,9 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
                     m.plan.places().stream()
                             .filter(place -> m.stands(boat, place))
                             .toList());
-            world.allocation.entrySet().removeIf(e -> e.getKey().mission() == m.id && e.getValue().equals(proxy));
+            world.allocation
+                    .entrySet()
+                    .removeIf(e -> e.getKey().mission() == m.id && e.getValue().equals(proxy));
         }
         for (Mission m : concerned) {
             places.removeEverywhere(m, boat);
@@ -438,14 +441,18 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         if (missions.isAboutAborted(input.decision())) {
             roles.close(q, Optional.of(input.answer()), Optional.of(input.by()));
             missions.decideAboutAborted(input.decision(), ((Answer.YesNo) input.answer()).yes());
-        } else if (input.answer() instanceof Answer.Proxies boats && q.decision().activation() == Ids.NONE) {
+        } else if (input.answer() instanceof Answer.Proxies boats
+                && q.decision().activation() == Ids.NONE) {
             roles.close(q, Optional.of(input.answer()), Optional.of(input.by()));
-            chosen(world.mission(q.decision().mission()).orElseThrow(), q.decision().prompt(), boats.proxies());
+            chosen(
+                    world.mission(q.decision().mission()).orElseThrow(),
+                    q.decision().prompt(),
+                    boats.proxies());
         } else if (q.decision().activation() == Ids.NONE) {
             roles.close(q, Optional.of(input.answer()), Optional.of(input.by()));
             Mission m = world.mission(q.decision().mission()).orElseThrow();
-            m.asked.putAll(Roles.withDefaults(
-                    (Question.FillIn) q.decision().question(), (Answer.Fields) input.answer()));
+            m.asked.putAll(
+                    Roles.withDefaults((Question.FillIn) q.decision().question(), (Answer.Fields) input.answer()));
             missions.mark(m);
         } else {
             roles.accept(q, input.answer(), input.by());
@@ -481,6 +488,8 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
     private void allocate(TaskId task, Optional<String> proxy) {
         if (world.mission(task.mission()).isEmpty() || world.task(task).isEmpty()) {
             missions.reject("No such task");
+        } else if (proxy.isPresent() && !world.proxies.contains(proxy.get())) {
+            missions.reject("No such boat");
         } else if (proxy.isPresent()) {
             world.allocation.put(task, proxy.get());
         } else {

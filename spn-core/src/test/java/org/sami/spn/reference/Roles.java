@@ -66,16 +66,17 @@ final class Roles {
         }
         switch (type.role()) {
             case TIMER -> startTimer(activation, Optional.empty());
-            case PROXY_TIMER -> new LinkedHashSet<>(activation.tokens())
-                    .forEach(token -> {
-                        if (token instanceof Token.Proxy
-                                || (token instanceof Token.Task t
-                                        && activation.allocation().containsKey(t.task()))) {
-                            startTimer(activation, Optional.of(token));
-                        }
-                    });
-            case GET_ALL_TOKENS -> world.internal.add(() -> answer(
-                    activation, typeOf(EventRole.TOKENS_RETURNED), world.proxies, List.of(), Map.of()));
+            case PROXY_TIMER ->
+                new LinkedHashSet<>(activation.tokens()).forEach(token -> {
+                    if (token instanceof Token.Proxy
+                            || (token instanceof Token.Task t
+                                    && activation.allocation().containsKey(t.task()))) {
+                        startTimer(activation, Optional.of(token));
+                    }
+                });
+            case GET_ALL_TOKENS ->
+                world.internal.add(() ->
+                        answer(activation, typeOf(EventRole.TOKENS_RETURNED), world.proxies, List.of(), Map.of()));
             case ABORT_MISSION -> world.internal.add(() -> operations.abort(m));
             case COMPLETE_MISSION -> world.internal.add(() -> operations.complete(m));
             default -> {}
@@ -151,7 +152,7 @@ final class Roles {
     }
 
     private void open(Visit visit, Activation activation, DecisionType type) {
-        Question question = question(activation, type);
+        Question question = question(visit, activation, type);
         Optional<Answer> automatic = automatic(type, question);
         Optional<MarkupSpec> trigger = activation.markups().stream()
                 .filter(markup -> markup.type().equals("MixedInitiativeTrigger"))
@@ -188,19 +189,34 @@ final class Roles {
         }
     }
 
-    private Question question(Activation activation, DecisionType type) {
+    private Question question(Visit visit, Activation activation, DecisionType type) {
         return switch (type.form()) {
             case APPROVE -> new Question.Approve();
-            case CHOOSE_PROXIES -> new Question.ChooseProxies(activation.proxies(), type.min(), type.max());
-            case CHOOSE_OPTION -> new Question.ChooseOption(activation
-                    .value(type.optionsField())
-                    .map(v -> ((ListValue) v).items())
-                    .orElse(List.of()));
-            case PROVIDE -> new Question.FillIn(world.eventType(type.accepted()).fields().stream()
-                    .map(Roles::item)
-                    .toList());
+            case CHOOSE_PROXIES -> new Question.ChooseProxies(candidates(visit, activation), type.min(), type.max());
+            case CHOOSE_OPTION ->
+                new Question.ChooseOption(activation
+                        .value(type.optionsField())
+                        .map(v -> ((ListValue) v).items())
+                        .orElse(List.of()));
+            case PROVIDE ->
+                new Question.FillIn(world.eventType(type.accepted()).fields().stream()
+                        .map(Roles::item)
+                        .toList());
             case REDEFINE_VARIABLE -> throw new IllegalStateException("Not in the random plans");
         };
+    }
+
+    /** The boats that entered; where none did, those that stand in the place; else all known ones. */
+    private List<String> candidates(Visit visit, Activation activation) {
+        if (!activation.proxies().isEmpty()) {
+            return activation.proxies();
+        }
+        List<String> here = visit.mission.tokensIn(visit.place).stream()
+                .filter(c -> c.token instanceof Token.Proxy)
+                .map(c -> ((Token.Proxy) c.token).proxy())
+                .distinct()
+                .toList();
+        return here.isEmpty() ? List.copyOf(world.proxies) : here;
     }
 
     private static Question.Item item(FieldType f) {
@@ -213,9 +229,10 @@ final class Roles {
             case YES -> Optional.of(new Answer.YesNo(true));
             case NO -> Optional.of(new Answer.YesNo(false));
             case ALL -> Optional.of(new Answer.Proxies(((Question.ChooseProxies) question).proxies()));
-            case FIRST -> ((Question.ChooseOption) question).options().isEmpty()
-                    ? Optional.empty()
-                    : Optional.of(new Answer.Option(0));
+            case FIRST ->
+                ((Question.ChooseOption) question).options().isEmpty()
+                        ? Optional.empty()
+                        : Optional.of(new Answer.Option(0));
         };
     }
 
@@ -225,7 +242,10 @@ final class Roles {
             if (automatic.isPresent() && fits(q.decision().question(), automatic.get())) {
                 accept(q, automatic.get(), Answerer.AUTONOMY);
             } else {
-                world.note(NoteKind.NO_AUTOMATIC_ANSWER, q.decision().mission(), q.decision().type());
+                world.note(
+                        NoteKind.NO_AUTOMATIC_ANSWER,
+                        q.decision().mission(),
+                        q.decision().type());
             }
         });
     }
@@ -283,9 +303,8 @@ final class Roles {
         boolean rejected = answer instanceof Answer.Rejected || (answer instanceof Answer.YesNo yesNo && !yesNo.yes());
         Map<String, Value> values = new LinkedHashMap<>();
         if (answer instanceof Answer.Option option) {
-            Value chosen = ((Question.ChooseOption) q.decision().question())
-                    .options()
-                    .get(option.index());
+            Value chosen =
+                    ((Question.ChooseOption) q.decision().question()).options().get(option.index());
             type.answerFields().forEach((field, from) -> {
                 if (from.equals(".")) {
                     values.put(field, chosen);
@@ -293,8 +312,8 @@ final class Roles {
                     ((RecordValue) chosen).field(from).ifPresent(v -> values.put(field, v));
                 }
             });
-        } else if (answer instanceof Answer.Fields && type.form() == DecisionForm.PROVIDE) {
-            values.putAll(withDefaults((Question.FillIn) q.decision().question(), (Answer.Fields) answer));
+        } else if (answer instanceof Answer.Fields fields && type.form() == DecisionForm.PROVIDE) {
+            values.putAll(withDefaults((Question.FillIn) q.decision().question(), fields));
         }
         List<String> proxies = List.of();
         List<TaskId> tasks = List.of();
@@ -322,8 +341,8 @@ final class Roles {
 
     void close(World.Question q, Optional<Answer> answer, Optional<Answerer> by) {
         world.questions.remove(q);
-        world.clocks.removeIf(c ->
-                c.timer().isEmpty() && c.decision() == q.decision().id());
+        world.clocks.removeIf(
+                c -> c.timer().isEmpty() && c.decision() == q.decision().id());
         world.effects.add(new Effect.DecisionClosed(q.decision().id(), answer, by));
     }
 

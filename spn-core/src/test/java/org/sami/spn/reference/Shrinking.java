@@ -77,7 +77,7 @@ final class Shrinking {
             candidates.add(with(
                     plan,
                     plan.places(),
-                    plan.transitions().stream().filter(o -> o != t).toList(),
+                    plan.transitions().stream().filter(o -> !o.equals(t)).toList(),
                     plan.inEdges().stream()
                             .filter(e -> !e.transition().equals(t.id()))
                             .toList(),
@@ -86,12 +86,10 @@ final class Shrinking {
                             .toList()));
         }
         for (int i = 0; i < plan.inEdges().size(); i++) {
-            candidates.add(with(
-                    plan, plan.places(), plan.transitions(), without(plan.inEdges(), i), plan.outEdges()));
+            candidates.add(with(plan, plan.places(), plan.transitions(), without(plan.inEdges(), i), plan.outEdges()));
         }
         for (int i = 0; i < plan.outEdges().size(); i++) {
-            candidates.add(with(
-                    plan, plan.places(), plan.transitions(), plan.inEdges(), without(plan.outEdges(), i)));
+            candidates.add(with(plan, plan.places(), plan.transitions(), plan.inEdges(), without(plan.outEdges(), i)));
         }
         fewerRequirements(plan, candidates);
         simplerPlaces(plan, candidates);
@@ -102,19 +100,17 @@ final class Shrinking {
         for (int i = 0; i < plan.inEdges().size(); i++) {
             InEdge e = plan.inEdges().get(i);
             for (int r = 0; e.requirements().size() > 1 && r < e.requirements().size(); r++) {
-                InEdge fewer =
-                        new InEdge(e.id(), e.place(), e.transition(), e.mode(), without(e.requirements(), r));
-                candidates.add(with(
-                        plan, plan.places(), plan.transitions(), set(plan.inEdges(), i, fewer), plan.outEdges()));
+                InEdge fewer = new InEdge(e.id(), e.place(), e.transition(), e.mode(), without(e.requirements(), r));
+                candidates.add(
+                        with(plan, plan.places(), plan.transitions(), set(plan.inEdges(), i, fewer), plan.outEdges()));
             }
         }
         for (int i = 0; i < plan.outEdges().size(); i++) {
             OutEdge e = plan.outEdges().get(i);
             for (int r = 0; e.requirements().size() > 1 && r < e.requirements().size(); r++) {
-                OutEdge fewer =
-                        new OutEdge(e.id(), e.transition(), e.place(), e.mode(), without(e.requirements(), r));
-                candidates.add(with(
-                        plan, plan.places(), plan.transitions(), plan.inEdges(), set(plan.outEdges(), i, fewer)));
+                OutEdge fewer = new OutEdge(e.id(), e.transition(), e.place(), e.mode(), without(e.requirements(), r));
+                candidates.add(
+                        with(plan, plan.places(), plan.transitions(), plan.inEdges(), set(plan.outEdges(), i, fewer)));
             }
         }
     }

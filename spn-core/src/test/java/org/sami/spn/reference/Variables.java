@@ -54,7 +54,8 @@ final class Variables {
     }
 
     boolean writeGlobal(String variable, Value value) {
-        boolean declared = world.project.globals().stream().anyMatch(v -> v.name().equals(variable));
+        boolean declared =
+                world.project.globals().stream().anyMatch(v -> v.name().equals(variable));
         if (declared) {
             world.globals.put(variable, value);
             world.effects.add(new Effect.VariableWritten(Ids.NONE, variable, value));

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.sami.spn.model.Place;
 import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Token;
 
 /** "A visit is one entry of tokens, or of nobody, into a place" (SEMANTICS, Visits). */
 final class Visit {
@@ -14,6 +15,10 @@ final class Visit {
     final List<Activation> activations = new ArrayList<>();
     final List<Instance> instances = new ArrayList<>();
     boolean ended;
+    /** When it ended, in order; 0 while it goes on. */
+    long endedAs;
+    /** Who entered, in order. */
+    final List<Token> entered = new ArrayList<>();
     /** A firing that moves sub-mission tokens was enabled by it. */
     boolean used;
 

@@ -65,6 +65,7 @@ final class World {
     long nextDecision = 1;
     long nextClock = 1;
     long firings;
+    long visitsEnded;
 
     World(Vocabulary vocabulary, Project project, int livelockLimit) {
         this.vocabulary = vocabulary;
