@@ -150,9 +150,9 @@ final class Activating {
         }
     }
 
-    /** The engine's own answer to an activation. */
+    /** The engine's own answer to an activation: routed like any other, for whoever moved on may still be waited for. */
     void answer(Sent sent, EventRole role, List<String> proxies, List<TaskId> tasks) {
-        if (sent.open) {
+        if (!sent.mission().ended) {
             rules.routing.route(Occurrence.answer(answerType(sent, role), sent.activation, proxies, tasks, Map.of()));
         }
     }

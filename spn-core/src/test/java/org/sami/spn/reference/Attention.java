@@ -224,11 +224,12 @@ final class Attention {
     }
 
     /** "A token that left is struck from a pending answer; an answer that named only such tokens is discarded." */
-    void strike(Mission m, List<Copy> left) {
+    void strike(Mission m, List<Copy> left, List<Visit> entered) {
         for (Pending p : List.copyOf(m.pending)) {
             for (Token name : p.names()) {
-                boolean hasLeft = left.stream().anyMatch(copy -> concerns(m, p, copy, name));
-                if (hasLeft && !stillThere(m, p, name)) {
+                List<Copy> leaving =
+                        left.stream().filter(copy -> concerns(m, p, copy, name)).toList();
+                if (leaving.stream().anyMatch(copy -> !stillThere(m, p, name, copy.visit.place, entered))) {
                     p.struck.add(name);
                 }
             }
@@ -260,11 +261,15 @@ final class Attention {
                 && enabling.watched(m, p.transition).contains(copy.visit.place);
     }
 
-    private boolean stillThere(Mission m, Pending p, Token name) {
+    /** Whether somebody of that name is there who did not just leave a place and enter it again. */
+    private boolean stillThere(Mission m, Pending p, Token name, Place left, List<Visit> entered) {
         if (p.isAnswer()) {
             return standsForIt(m, p, world.visitOfActivation.get(p.occurrence.activation()), name);
         }
-        return enabling.watched(m, p.transition).stream().anyMatch(place -> m.stands(name, place));
+        return enabling.watched(m, p.transition).stream()
+                .flatMap(place -> m.tokensIn(place).stream())
+                .filter(copy -> copy.token.equals(name))
+                .anyMatch(copy -> !copy.visit.place.equals(left) || !entered.contains(copy.visit));
     }
 
     /** The visit that it answers is over, and it names nobody. */

@@ -66,7 +66,7 @@ final class Firing {
                 entered.add(places.add(m, m.place(edge.place()), tokens));
             }
         }
-        attention.strike(m, left);
+        attention.strike(m, left, entered);
 
         world.firings++;
         List<Occurrence> occurrences = used.stream().map(p -> p.occurrence).toList();

@@ -237,7 +237,7 @@ final class Places {
             m.tokensIn(place).stream().filter(c -> c.token.equals(token)).forEach(copies::add);
         }
         remove(m, copies, true);
-        attention.strike(m, copies);
+        attention.strike(m, copies, List.of());
         copies.stream().map(c -> new Withdrawn(m, c.visit.place)).distinct().forEach(withdrawn::add);
     }
 
