@@ -172,6 +172,14 @@ final class VariableScope {
                 || below(plan, variable).anyMatch(e -> writtenBelow(e.getKey(), e.getValue(), seen));
     }
 
+    /** Whether a plan that runs this one maps a variable of its own to this: then that one is the one to be written. */
+    static boolean mappedAbove(PlanContext plan, String variable) {
+        return plan.parents().stream()
+                .flatMap(VariableScope::subMissions)
+                .filter(s -> s.plan().equals(plan.plan().id()))
+                .anyMatch(s -> s.variables().containsKey(variable));
+    }
+
     /** The plans that a plan runs, with the names that a variable of the parent has in them. */
     private static Stream<Map.Entry<PlanContext, String>> below(PlanContext plan, String variable) {
         return subMissions(plan.plan())

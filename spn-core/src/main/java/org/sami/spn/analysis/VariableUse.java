@@ -36,7 +36,7 @@ final class VariableUse implements PlanCheck {
         boolean written = VariableScope.writtenBelow(plan, v.name(), new HashSet<>());
         if (!read) {
             report.accept(unread(v.name(), pointer, v.name()));
-        } else if (!written && v.initial().isEmpty()) {
+        } else if (!written && v.initial().isEmpty() && !VariableScope.mappedAbove(plan, v.name())) {
             report.accept(Finding.warning(
                     "W-VARIABLE-NEVER-WRITTEN",
                     pointer,

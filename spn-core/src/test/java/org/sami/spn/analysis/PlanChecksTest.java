@@ -311,6 +311,14 @@ class PlanChecksTest {
                 "W-VARIABLE-NEVER-WRITTEN",
                 reading("@v").variable("@v", REAL),
                 reading("@v").variable("@v", REAL, new RealValue(1))));
+        Plan reader = child().output("a", "Do", Map.of("speed", new FieldSource.FromVariable("@c")), Map.of())
+                .variable("@c", REAL)
+                .build();
+        NetBuilder unmapped = parent().sub("start", "child", false, Map.of(), Map.of());
+        NetBuilder mapped = parent().sub("start", "child", false, Map.of(), Map.of("@c", "@p"))
+                .variable("@p", REAL, new RealValue(1));
+        cases.add(new Case(
+                "W-VARIABLE-NEVER-WRITTEN", project(unmapped.build(), reader), project(mapped.build(), reader)));
         FieldSource name = new FieldSource.Fixed(new VariableReference("@v"));
         cases.add(of(
                 "E-VARIABLE-UNKNOWN",
