@@ -83,7 +83,7 @@ final class SubMissions {
                             + "' with a start place");
             return null;
         }
-        Mission child = rules.missionStart.make(plan, plan.plan.name(), parent, instance);
+        Mission child = rules.missionStart.make(plan, plan.plan.title(), parent, instance);
         instance.child = child;
         for (Map.Entry<String, String> mapped : spec.tasks().entrySet()) {
             TaskState original = findTask(parent, mapped.getKey());

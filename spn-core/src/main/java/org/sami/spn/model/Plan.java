@@ -46,6 +46,11 @@ public record Plan(
         testCases = List.copyOf(testCases);
     }
 
+    /** What people call it: its name, or its id where the author gave it none. */
+    public String title() {
+        return name.isBlank() ? id : name;
+    }
+
     /** The place of that id. */
     public Optional<Place> place(String placeId) {
         return places.stream().filter(p -> p.id().equals(placeId)).findFirst();

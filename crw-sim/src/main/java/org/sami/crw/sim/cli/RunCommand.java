@@ -76,7 +76,7 @@ final class RunCommand implements Callable<Integer> {
             return ExitCode.FINDINGS;
         }
         Plan plan = source.choose(planName);
-        RunSettings settings = options.settings(plan.id(), plan.name());
+        RunSettings settings = options.settings(plan.id(), plan.title());
         return new Execution(spec.commandLine(), library, output).runNew(source, plan, settings, journal);
     }
 }

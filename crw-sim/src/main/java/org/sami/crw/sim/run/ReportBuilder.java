@@ -38,7 +38,7 @@ final class ReportBuilder {
         return new RunReport(
                 new RunHeader(
                         plan.plan().id(),
-                        plan.plan().name(),
+                        plan.plan().title(),
                         settings.mission(),
                         settings.fleet().seed(),
                         settings.speed().toString(),
