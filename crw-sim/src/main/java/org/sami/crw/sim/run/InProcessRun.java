@@ -167,13 +167,19 @@ public final class InProcessRun {
     }
 
     private void startWhenAllAreThere() {
-        if (!started && recorder.boatsJoined() == settings.fleet().boats()) {
+        if (!started && recorder.boatsJoined() == settings.fleet().boats() && positionsAreKnown()) {
             started = true;
             base.host().post(new Input.StartMission(plan.plan().id(), settings.mission(), parameters));
             executor.drain();
         } else if (!started && now() > JOIN_MILLIS) {
             fail("only " + recorder.boatsJoined() + " of " + settings.fleet().boats() + " boats answered");
         }
+    }
+
+    /** A plan may ask for an allocation with its first event; that needs to know where the boats are. */
+    private boolean positionsAreKnown() {
+        return water.fleet().proxies().all().stream()
+                .allMatch(boat -> boat.status().pose().isPresent());
     }
 
     private Optional<RunOutcome> outcome() {

@@ -267,6 +267,18 @@ class CommandsTest {
         return Files.writeString(folder.resolve("sample.json"), org.sami.crw.sim.run.Runs.text("sample-project.json"));
     }
 
+    @Test
+    void missionMayAskForAnAllocationWithItsFirstEventAndNeedsNoName() throws Exception {
+        Path file = Files.writeString(
+                folder.resolve("at-once.json"), org.sami.crw.sim.run.Runs.text("allocation-at-once.json"));
+
+        Ran ran = Ran.crw("run", file.toString(), "--boats", "2", "--speed", "max", "--json");
+
+        assertThat(ran.err()).doesNotContain("failed");
+        assertThat(ran.exitCode()).isZero();
+        assertThat(JSON.readTree(ran.out()).get("planName").asText()).isEqualTo("at-once");
+    }
+
     private static String hash(Ran ran) throws Exception {
         return JSON.readTree(ran.out()).get("runHash").asText();
     }
