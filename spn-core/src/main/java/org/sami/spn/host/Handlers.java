@@ -75,7 +75,7 @@ final class Handlers {
             Thread.currentThread().interrupt();
             failed(activation, "its handler was interrupted");
         } catch (Exception | LinkageError | StackOverflowError | AssertionError fault) {
-            LOG.log(Level.WARNING, "the handler of " + activation.type() + " failed at " + activation.id(), fault);
+            LOG.log(Level.WARNING, "the handler of " + activation.type() + " failed: " + reason(fault), fault);
             failed(activation, reason(fault));
         }
     }
