@@ -71,6 +71,10 @@ final class Execution {
             throw new UsageFault("--journal: " + journal + " is there already; go on with it by 'crw resume " + journal
                     + "', or choose another file");
         }
+        Path folder = journal.toAbsolutePath().getParent();
+        if (folder == null || !Files.isDirectory(folder)) {
+            throw new UsageFault("--journal: there is no folder " + folder);
+        }
         RunRecord record = new RunRecord(
                 settings,
                 source.source(),

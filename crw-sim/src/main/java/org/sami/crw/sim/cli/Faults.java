@@ -24,7 +24,8 @@ final class Faults {
     static int onWrongUsage(ParameterException fault, String[] args) {
         CommandLine command = fault.getCommandLine();
         PrintWriter err = command.getErr();
-        err.println("crw: " + fault.getMessage());
+        // picocli says "option" twice where a NAME=VALUE is not one
+        err.println("crw: " + fault.getMessage().replace("option option", "option"));
         UnmatchedArgumentException.printSuggestions(fault, err);
         String name = command.getCommandSpec().qualifiedName(" ");
         err.println("Try '" + name + " --help'.");
