@@ -61,10 +61,13 @@ public final class AnswersFileReader {
     private List<AnswerRule> rules(JsonNode top) {
         refuseUnknown(top, "", TOP);
         if (!FORMAT.equals(top.path("format").asText())) {
-            add("E-VERSION", "/format", "The format is \"" + FORMAT + "\", not " + top.path("format"));
+            add("E-VERSION", "/format", "The format is \"" + FORMAT + "\", not " + shown(top.path("format")));
         }
         if (!top.path("version").isInt() || top.path("version").intValue() != VERSION) {
-            add("E-VERSION", "/version", "This program reads version " + VERSION + ", not " + top.path("version"));
+            add(
+                    "E-VERSION",
+                    "/version",
+                    "This program reads version " + VERSION + ", not " + shown(top.path("version")));
         }
         JsonNode list = top.path("rules");
         if (!list.isArray()) {
