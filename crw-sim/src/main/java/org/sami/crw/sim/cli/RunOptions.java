@@ -78,7 +78,7 @@ final class RunOptions {
             names = "--answers",
             paramLabel = "FILE",
             description =
-                    "What the simulated operator answers (JSON; see docs/command-line.md). Without it: all boats, "
+                    "What the simulated operator answers (JSON; see docs/answers-file.md). Without it: all boats, "
                             + "drawn locations, the first option, yes, and default values.")
     private Path answers;
 
