@@ -262,7 +262,8 @@ final class SubMissions {
     void withdraw(Instance instance, Token token) {
         boolean started = instance.starting.remove(token);
         Mission child = instance.child;
-        if (child == null || !started) {
+        // Who returned from a static instance may have left a copy of itself there.
+        if (child == null || (!started && !instance.isShared())) {
             return;
         }
         Token own = toChild(child, token);
