@@ -7,6 +7,7 @@ import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.sql.Statement;
 import org.sqlite.SQLiteConfig;
+import org.sqlite.SQLiteErrorCode;
 import org.sqlite.SQLiteOpenMode;
 
 /** One connection to a journal's file, and the tables in it. */
@@ -70,7 +71,10 @@ final class Database implements AutoCloseable {
             return database;
         } catch (SQLException fault) {
             database.close();
-            throw new JournalException(file, 0, "cannot be read: " + fault.getMessage(), fault);
+            String what = fault.getErrorCode() == SQLiteErrorCode.SQLITE_NOTADB.code
+                    ? "is no journal of SAMI, or its first bytes are damaged"
+                    : "cannot be read: " + fault.getMessage();
+            throw new JournalException(file, 0, what, fault);
         } catch (JournalException other) {
             database.close();
             throw other;

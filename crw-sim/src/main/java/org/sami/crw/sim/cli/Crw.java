@@ -56,6 +56,7 @@ public final class Crw implements Runnable {
         CommandLine line = new CommandLine(new Crw());
         line.setCaseInsensitiveEnumValuesAllowed(true);
         line.registerConverter(int.class, WholeNumberConverter.INT);
+        line.registerConverter(double.class, NumberConverter.DOUBLE);
         line.registerConverter(long.class, WholeNumberConverter.LONG);
         line.setParameterExceptionHandler(Faults::onWrongUsage);
         line.setExecutionExceptionHandler(Faults::onException);

@@ -26,6 +26,7 @@ class UsageTest {
                 List.of("expected is a whole number, not 'many'", "run clv --boats many"),
                 List.of("--locations is 1 to 10000, not 0", "run clv --locations 0"),
                 List.of("--area is 10 to 20000, not 5", "run clv --area 5"),
+                List.of("'--area': expected is a number, not 'wide'", "run clv --area wide"),
                 List.of("a speed is 'max' or a number above 0", "run clv --speed fast"),
                 List.of("--speed", "run clv --speed 0"),
                 List.of("--for", "run clv --for soon"),
