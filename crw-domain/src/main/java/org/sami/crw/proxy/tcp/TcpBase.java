@@ -8,6 +8,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
@@ -74,6 +75,19 @@ public final class TcpBase implements AutoCloseable {
     /** Asks or tells the proxies something on the base's thread. */
     public <T> CompletableFuture<T> query(Function<ProxyRegistry, T> question) {
         return CompletableFuture.supplyAsync(() -> question.apply(proxies), thread);
+    }
+
+    /**
+     * The base's thread, for what must run beside the proxies, such as handlers ({@code CrwDomain.install}). What throws is told
+     * to the listener; after {@link #close} nothing runs any longer.
+     */
+    public Executor executor() {
+        return work -> run("work for the boats", work);
+    }
+
+    /** The boats. For the base's thread alone. */
+    public ProxyRegistry boats() {
+        return proxies;
     }
 
     /** How the links stand. */
