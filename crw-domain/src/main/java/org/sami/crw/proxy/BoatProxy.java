@@ -99,6 +99,11 @@ public final class BoatProxy {
         return driver.upload();
     }
 
+    /** How many paths have gone to the boat, and how far they came. */
+    public UploadCount uploads() {
+        return driver.uploads();
+    }
+
     /** Whether the boat takes commands from this base. */
     public boolean isCommanding() {
         return link.isCommanding();

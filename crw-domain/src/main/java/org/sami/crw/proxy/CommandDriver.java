@@ -22,6 +22,7 @@ final class CommandDriver {
     private final Requests requests; // of the running command, or to stop for want of one
     private final CommandQueue queue = new CommandQueue();
     private Optional<CommandRun> run = Optional.empty();
+    private UploadCount uploads = UploadCount.NONE;
     private int wireIds;
     private boolean mustStop;
 
@@ -53,6 +54,15 @@ final class CommandDriver {
     /** The path that is on its way to the boat, or there. */
     Optional<Upload> upload() {
         return run.flatMap(CommandRun::upload);
+    }
+
+    /** How many paths have gone to the boat. */
+    UploadCount uploads() {
+        return uploads;
+    }
+
+    private void reached(Upload.State state) {
+        uploads = uploads.oneMore(state);
     }
 
     /** How often the oldest unanswered request has been sent. */
@@ -126,7 +136,7 @@ final class CommandDriver {
         requests.clear();
         String wireId = wireId(queued.command().commandId());
         CommandRun next = queued.command() instanceof FollowPath path
-                ? new PathRun(queued, path, wireId, config.cruiseSpeedMps(), requests)
+                ? new PathRun(queued, path, wireId, config.cruiseSpeedMps(), requests, this::reached)
                 : new StopRun(queued, wireId, requests);
         run = Optional.of(next);
         next.begin(nowMs);

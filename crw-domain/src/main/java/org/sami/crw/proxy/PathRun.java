@@ -3,6 +3,7 @@ package org.sami.crw.proxy;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.LinkMessage;
@@ -36,12 +37,25 @@ final class PathRun extends CommandRun {
 
     private final String listId;
     private final Requests requests;
+    private final Consumer<Upload.State> reached;
     private final List<Waypoint> waypoints;
     private Phase phase = Phase.UPLOADING;
     private int starts;
 
-    PathRun(QueuedCommand queued, FollowPath path, String wireId, double cruiseSpeedMps, Requests requests) {
+    /**
+     * A try.
+     *
+     * @param reached hears how far the upload has come, once for each state
+     */
+    PathRun(
+            QueuedCommand queued,
+            FollowPath path,
+            String wireId,
+            double cruiseSpeedMps,
+            Requests requests,
+            Consumer<Upload.State> reached) {
         super(queued);
+        this.reached = reached;
         this.listId = wireId;
         this.requests = requests;
         double speedMps = path.speedMps().orElse(cruiseSpeedMps);
@@ -68,6 +82,7 @@ final class PathRun extends CommandRun {
 
     @Override
     void begin(long nowMs) {
+        reached.accept(Upload.State.SENT);
         requests.send(new UploadWaypoints(listId + "/upload", listId, waypoints), nowMs);
     }
 
@@ -75,11 +90,13 @@ final class PathRun extends CommandRun {
     Verdict answered(CommandMessage asked, LinkMessage answer, long nowMs) {
         if (asked instanceof UploadWaypoints) {
             phase = Phase.READING_BACK;
+            reached.accept(Upload.State.ACKNOWLEDGED);
             requests.send(new ReadBack(listId + "/readback"), nowMs);
         } else if (answer instanceof HeldWaypoints held) {
             if (!held.listId().equals(listId) || !held.waypoints().equals(waypoints)) {
                 return because(Verdict.RETRY, "the boat does not hold the path that was sent");
             }
+            reached.accept(Upload.State.READ_BACK_EQUAL);
             start(nowMs);
         } else if (asked instanceof StartWaypoints) {
             phase = Phase.DRIVING;

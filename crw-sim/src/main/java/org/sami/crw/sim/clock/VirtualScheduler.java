@@ -1,30 +1,16 @@
 package org.sami.crw.sim.clock;
 
 /**
- * The time of the simulated world and the way to have something done at a later moment of it.
- *
- * <p>Times are virtual milliseconds since the start of the world. All actions run on the one thread that drives the
- * clock, one after another; time stands still while an action runs.
+ * The time of the simulated world: virtual milliseconds since its start. It stands still while an action runs, and moves on when
+ * the thread that drives the clock says so.
  */
-public interface VirtualScheduler {
-
-    /** The virtual time in milliseconds. */
-    long nowMs();
+public interface VirtualScheduler extends Scheduler {
 
     /**
-     * Has an action run once at a moment. Actions of one moment run in the order in which they were scheduled; one that
-     * is scheduled for now runs after those that are already waiting for now.
+     * Has an action run once at a moment, at exactly that time.
      *
      * @throws IllegalArgumentException if the moment lies in the past
      */
+    @Override
     void at(long timeMs, Runnable action);
-
-    /**
-     * Has an action run once after a delay.
-     *
-     * @throws IllegalArgumentException if the delay is negative
-     */
-    default void after(long delayMs, Runnable action) {
-        at(nowMs() + delayMs, action);
-    }
 }

@@ -62,12 +62,21 @@ public final class ReportJson {
     private static ArrayNode boats(RunReport report) {
         ArrayNode array = NODES.arrayNode();
         for (BoatResult boat : report.boats()) {
-            array.addObject()
+            LinkResult link = boat.link();
+            ObjectNode node = array.addObject()
                     .put("id", boat.id())
-                    .put("link", boat.link())
-                    .put("distanceM", decimal(boat.distanceM(), 2))
+                    .put("link", link.words())
+                    .put("bootId", link.bootId())
+                    .put("linkLost", link.lost())
+                    .put("linkBack", link.reconnected());
+            node.putObject("uploads")
+                    .put("sent", link.uploads().sent())
+                    .put("acknowledged", link.uploads().acknowledged())
+                    .put("readBackEqual", link.uploads().readBackEqual());
+            node.put("distanceM", decimal(boat.distanceM(), 2))
                     .put("batteryPercent", decimal(boat.batteryPercent(), 2))
-                    .put("recharges", boat.recharges());
+                    .put("recharges", boat.recharges())
+                    .put("why", link.why());
         }
         return array;
     }

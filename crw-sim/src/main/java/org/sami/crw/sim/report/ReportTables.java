@@ -16,7 +16,7 @@ final class ReportTables {
                     .count();
             table.row(
                     boat.id(),
-                    boat.link(),
+                    boat.link().words(),
                     fixed(boat.distanceM(), 2),
                     fixed(boat.batteryPercent(), 2),
                     boat.recharges(),

@@ -67,7 +67,7 @@ public final class ReportText {
                     boat.distanceM(),
                     boat.batteryPercent(),
                     boat.recharges(),
-                    boat.link());
+                    boat.link().words());
         }
     }
 

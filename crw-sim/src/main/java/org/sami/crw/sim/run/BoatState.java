@@ -3,7 +3,7 @@ package org.sami.crw.sim.run;
 import java.util.Objects;
 
 /**
- * A simulated boat as it truly is, not as anybody was told.
+ * A boat: in process as it truly is, behind TCP as the base was told last.
  *
  * @param eastM metres east of the area's centre
  * @param northM metres north of the area's centre

@@ -1,13 +1,17 @@
 package org.sami.crw.sim.run;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.OperatorDefaults;
 import org.sami.crw.decision.SimulatedOperator;
+import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.fleet.SimulatedBoat;
+import org.sami.crw.sim.report.LinkResult;
+import org.sami.crw.sim.report.LinkResult.Uploads;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.spn.host.EngineHost;
@@ -21,6 +25,7 @@ import org.sami.spn.value.Value;
  * and its settings; of the speed depends only how long it takes. Used once, by one thread.
  */
 public final class InProcessRun {
+    private static final String LINK = "in-process";
     private static final long LOOK_MILLIS = 200;
     private static final long TRACK_MILLIS = 1000;
     private static final long MARK_MILLIS = 10_000;
@@ -57,7 +62,7 @@ public final class InProcessRun {
         this.journal = journal;
         parameters = new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
         RunSettings.Fleet fleet = settings.fleet();
-        base = new BaseStation(plan, journal.inputs(), new VirtualHostClock(clock), executor);
+        base = new BaseStation(plan, journal.inputs(), new ScheduledHostClock(clock), executor);
         water = new SimulatedWater(clock, fleet, boat -> base.boatListener());
         base.know(water.fleet().proxies());
         OperatorDefaults defaults =
@@ -67,7 +72,7 @@ public final class InProcessRun {
         recorder = new RunRecorder(plan.project());
         base.host().addListener(recorder);
         base.host().addListener(operator);
-        base.host().addListener(new LocationListener(visits, water));
+        base.host().addListener(new LocationListener(visits, water.plane()));
         operator.connect(base.host());
         stall = new StallWatch(base.host(), operator, recorder);
     }
@@ -82,8 +87,25 @@ public final class InProcessRun {
         begin(observer);
         RunOutcome outcome = loop(pacer, observer);
         double wallSeconds = (System.nanoTime() - wallStart) / 1e9;
-        return new ReportBuilder(plan, settings, recorder, journal)
-                .build(outcome, fault.orElse(""), wallSeconds, water, visits, tracks, base.messages());
+        List<BoatState> boats = water.boats();
+        return new ReportBuilder(plan, settings, recorder, journal.resumedFrom())
+                .build(
+                        new ReportBuilder.End(outcome, fault.orElse(""), now(), wallSeconds),
+                        boats,
+                        tracks.results(now(), boats, this::link),
+                        visits.locations(),
+                        base.messages());
+    }
+
+    private LinkResult link(String boat) {
+        BoatProxy proxy = water.fleet().proxies().find(boat).orElseThrow();
+        return new LinkResult(
+                LINK,
+                proxy.status().bootId(),
+                0,
+                0,
+                Uploads.of(proxy.uploads()),
+                proxy.explain().text());
     }
 
     /** The boats and their time, for tests. */

@@ -2,6 +2,7 @@ package org.sami.crw.sim.run;
 
 import java.util.Collection;
 import java.util.List;
+import org.sami.boat.server.LocalFrame;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.protocol.Answer;
@@ -16,13 +17,18 @@ import org.sami.spn.value.Value;
  * Takes down the locations that the operator gives: the points of lists and paths in answers and in what a mission starts
  * with. A point by itself is a place to gather at or to return to, not one to visit.
  */
-final class LocationListener implements HostListener {
+public final class LocationListener implements HostListener {
     private final VisitRecorder visits;
-    private final SimulatedWater water;
+    private final LocalFrame plane;
 
-    LocationListener(VisitRecorder visits, SimulatedWater water) {
+    /**
+     * A listener.
+     *
+     * @param plane around the area's centre
+     */
+    public LocationListener(VisitRecorder visits, LocalFrame plane) {
         this.visits = visits;
-        this.water = water;
+        this.plane = plane;
     }
 
     @Override
@@ -50,7 +56,11 @@ final class LocationListener implements HostListener {
 
     private void add(Value item) {
         if (item instanceof GeoPoint point) {
-            visits.add(point.latDeg(), point.lonDeg(), water.eastM(point), water.northM(point));
+            visits.add(
+                    point.latDeg(),
+                    point.lonDeg(),
+                    plane.eastM(point.latDeg(), point.lonDeg()),
+                    plane.northM(point.latDeg(), point.lonDeg()));
         }
     }
 }

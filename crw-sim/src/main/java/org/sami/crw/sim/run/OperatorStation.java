@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.sami.crw.decision.SimulatedOperator;
-import org.sami.crw.sim.clock.VirtualScheduler;
+import org.sami.crw.sim.clock.Scheduler;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.host.EngineHost;
@@ -18,9 +18,9 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 
 /** Where the simulated operator sits: sees a decision when it opens, answers it a while later. */
-final class OperatorStation implements HostListener {
+public final class OperatorStation implements HostListener {
     private final SimulatedOperator operator;
-    private final VirtualScheduler clock;
+    private final Scheduler clock;
     private final long answerAfterMillis;
     private final Map<Long, String> planOfMission = new TreeMap<>();
     private final Map<Long, Decision> open = new TreeMap<>();
@@ -28,14 +28,19 @@ final class OperatorStation implements HostListener {
     private EngineHost host;
     private int thinking;
 
-    OperatorStation(SimulatedOperator operator, VirtualScheduler clock, long answerAfterMillis) {
+    /**
+     * An operator who has not been asked yet.
+     *
+     * @param answerAfterMillis how long every answer takes
+     */
+    public OperatorStation(SimulatedOperator operator, Scheduler clock, long answerAfterMillis) {
         this.operator = operator;
         this.clock = clock;
         this.answerAfterMillis = answerAfterMillis;
     }
 
     /** Tells it whom to answer; before the first decision. */
-    void connect(EngineHost answered) {
+    public void connect(EngineHost answered) {
         host = answered;
     }
 
@@ -75,17 +80,17 @@ final class OperatorStation implements HostListener {
     }
 
     /** Whether an answer will be given without anything else happening. */
-    boolean isThinking() {
+    public boolean isThinking() {
         return thinking > 0;
     }
 
     /** Questions that nobody has answered yet, in order. */
-    List<Decision> open() {
+    public List<Decision> open() {
         return List.copyOf(open.values());
     }
 
     /** What the operator could not answer, in words, oldest first. */
-    List<String> troubles() {
+    public List<String> troubles() {
         return troubles;
     }
 }

@@ -3,6 +3,9 @@ package org.sami.crw.sim.run;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.OptionalLong;
+import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.RunHeader;
 import org.sami.crw.sim.report.RunOutcome;
@@ -10,31 +13,43 @@ import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.report.RunResult;
 
 /** Puts the report of a run together. */
-final class ReportBuilder {
-    private static final String LINK = "in-process";
-
+public final class ReportBuilder {
     private final RunPlan plan;
     private final RunSettings settings;
     private final RunRecorder recorder;
-    private final RunJournal journal;
+    private final OptionalLong resumedFrom;
 
-    ReportBuilder(RunPlan plan, RunSettings settings, RunRecorder recorder, RunJournal journal) {
+    /**
+     * For one run.
+     *
+     * @param resumedFrom index of the last input that was taken from a journal
+     */
+    public ReportBuilder(RunPlan plan, RunSettings settings, RunRecorder recorder, OptionalLong resumedFrom) {
         this.plan = plan;
         this.settings = settings;
         this.recorder = recorder;
-        this.journal = journal;
+        this.resumedFrom = resumedFrom;
     }
 
-    RunReport build(
-            RunOutcome outcome,
-            String reason,
-            double wallSeconds,
-            SimulatedWater water,
-            VisitRecorder visits,
-            TrackRecorder tracks,
+    /**
+     * How and when it came to its end.
+     *
+     * @param reason one sentence where the outcome needs one, else empty
+     */
+    public record End(RunOutcome outcome, String reason, long atMillis, double wallSeconds) {}
+
+    /**
+     * The report.
+     *
+     * @param boats as they are at the end
+     * @param messages what the operator was told, oldest first
+     */
+    public RunReport build(
+            End end,
+            List<BoatState> boats,
+            List<BoatResult> results,
+            List<LocationResult> locations,
             List<NoteResult> messages) {
-        long now = water.clock().nowMs();
-        List<BoatState> boats = water.boats();
         return new RunReport(
                 new RunHeader(
                         plan.plan().id(),
@@ -44,16 +59,16 @@ final class ReportBuilder {
                         settings.speed().toString(),
                         settings.fleet().areaM()),
                 new RunResult(
-                        outcome,
-                        reason,
-                        now,
-                        wallSeconds,
+                        end.outcome(),
+                        end.reason(),
+                        end.atMillis(),
+                        end.wallSeconds(),
                         recorder.clicks(),
                         recorder.firings().size(),
-                        journal.resumedFrom(),
+                        resumedFrom,
                         recorder.hash().with(boats)),
-                tracks.results(now, boats, LINK),
-                visits.locations(),
+                results,
+                locations,
                 recorder.decisions(),
                 recorder.firings(),
                 recorder.interrupts(),

@@ -26,7 +26,7 @@ import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Outcome;
 
 /** Notes down what the engine does, for the report and for the hash of the run. One root mission is the run's. */
-final class RunRecorder implements HostListener {
+public final class RunRecorder implements HostListener {
     private final Project project;
     private final RunHash hash = new RunHash();
     private final Map<Long, String> planOfMission = new LinkedHashMap<>();
@@ -43,7 +43,8 @@ final class RunRecorder implements HostListener {
     private int boatsJoined;
     private long lastInputMillis;
 
-    RunRecorder(Project project) {
+    /** A recorder of a run of one of the project's plans. */
+    public RunRecorder(Project project) {
         this.project = project;
     }
 
@@ -165,17 +166,17 @@ final class RunRecorder implements HostListener {
     }
 
     /** How the run's mission ended; empty while it goes on. */
-    Optional<Outcome> outcome() {
+    public Optional<Outcome> outcome() {
         return outcome;
     }
 
     /** Why the run cannot go on, in one sentence; empty while it can. */
-    Optional<String> failure() {
+    public Optional<String> failure() {
         return failure;
     }
 
     /** The run's mission, empty before it started. */
-    OptionalLong root() {
+    public OptionalLong root() {
         return root;
     }
 
@@ -188,20 +189,22 @@ final class RunRecorder implements HostListener {
     }
 
     /** When the engine last took something in. */
-    long lastInputMillis() {
+    public long lastInputMillis() {
         return lastInputMillis;
     }
 
     /** How many boats the engine has got to know. */
-    int boatsJoined() {
+    public int boatsJoined() {
         return boatsJoined;
     }
 
-    int openDecisions() {
+    /** How many questions to the operator are open. */
+    public int openDecisions() {
         return openDecisions.size();
     }
 
-    List<FiringResult> firings() {
+    /** All firings, in order. */
+    public List<FiringResult> firings() {
         return firings;
     }
 

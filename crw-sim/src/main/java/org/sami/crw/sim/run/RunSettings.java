@@ -2,14 +2,16 @@ package org.sami.crw.sim.run;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalLong;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 
 /**
- * Everything that decides an in-process run, beside its plans and its vocabulary. The run is a function of these; of the
- * speed only how long it takes.
+ * Everything that decides a run, beside its plans and its vocabulary. A run in process is a function of these; of the speed only
+ * how long it takes.
  *
  * @param plan id of the plan
  * @param mission name of the mission
@@ -19,6 +21,7 @@ import java.util.TreeMap;
  * @param parameters values for what the plan asks at its start, as they were given, by name
  * @param answerAfterMillis after how long the simulated operator answers, in simulated milliseconds
  * @param answers text of the answers file; empty text where there is none
+ * @param connect where the boats' servers listen, as many as the fleet has boats; empty = the boats are in this process
  */
 public record RunSettings(
         String plan,
@@ -28,11 +31,13 @@ public record RunSettings(
         OptionalLong limitMillis,
         Map<String, String> parameters,
         long answerAfterMillis,
-        String answers) {
+        String answers,
+        List<BoatAddress> connect) {
     /** A run that is not told when to stop gives up after one simulated day. */
     public static final long LONGEST_MILLIS = 86_400_000;
 
     private static final String PARAMETER = "set.";
+    private static final String CONNECT = "connect";
 
     /**
      * The boats and what they are sent to.
@@ -79,16 +84,54 @@ public record RunSettings(
         if (answerAfterMillis < 0) {
             throw new IllegalArgumentException("the operator answers after 0 s or more, not " + answerAfterMillis);
         }
+        connect = List.copyOf(connect);
+        if (!connect.isEmpty() && (speed.factor() != 1 || connect.size() != fleet.boats())) {
+            throw new IllegalArgumentException("boats behind TCP run at speed 1, not " + speed + "; " + connect.size()
+                    + " addresses for " + fleet.boats() + " boats");
+        }
+    }
+
+    /** A run on boats in this process. */
+    public RunSettings(
+            String plan,
+            String mission,
+            Fleet fleet,
+            Speed speed,
+            OptionalLong limitMillis,
+            Map<String, String> parameters,
+            long answerAfterMillis,
+            String answers) {
+        this(plan, mission, fleet, speed, limitMillis, parameters, answerAfterMillis, answers, List.of());
+    }
+
+    /** The same run on boats behind TCP, in real time. */
+    public RunSettings connectedTo(List<BoatAddress> addresses) {
+        return new RunSettings(
+                plan,
+                mission,
+                new Fleet(addresses.size(), fleet.locations(), fleet.areaM(), fleet.seed()),
+                Speed.REAL,
+                limitMillis,
+                parameters,
+                answerAfterMillis,
+                answers,
+                addresses);
+    }
+
+    /** Whether the boats are other processes, behind TCP. */
+    public boolean isConnected() {
+        return !connect.isEmpty();
     }
 
     /** The same run at another speed. */
     public RunSettings withSpeed(Speed other) {
-        return new RunSettings(plan, mission, fleet, other, limitMillis, parameters, answerAfterMillis, answers);
+        return new RunSettings(
+                plan, mission, fleet, other, limitMillis, parameters, answerAfterMillis, answers, connect);
     }
 
     /** The same run with another end. */
     public RunSettings withLimit(OptionalLong other) {
-        return new RunSettings(plan, mission, fleet, speed, other, parameters, answerAfterMillis, answers);
+        return new RunSettings(plan, mission, fleet, speed, other, parameters, answerAfterMillis, answers, connect);
     }
 
     /** When it stops at the latest, in simulated milliseconds. */
@@ -109,6 +152,9 @@ public record RunSettings(
         limitMillis.ifPresent(limit -> map.put("limitMillis", String.valueOf(limit)));
         map.put("answerAfterMillis", String.valueOf(answerAfterMillis));
         map.put("answers", answers);
+        if (isConnected()) {
+            map.put(CONNECT, connect.stream().map(BoatAddress::toString).collect(Collectors.joining(",")));
+        }
         parameters.forEach((name, value) -> map.put(PARAMETER + name, value));
         return map;
     }
@@ -139,7 +185,8 @@ public record RunSettings(
                 limit == null ? OptionalLong.empty() : OptionalLong.of(Long.parseLong(limit)),
                 parameters,
                 Long.parseLong(needed(map, "answerAfterMillis")),
-                needed(map, "answers"));
+                needed(map, "answers"),
+                map.containsKey(CONNECT) ? BoatAddress.parseAll(map.get(CONNECT)) : List.of());
     }
 
     private static String needed(Map<String, String> map, String name) {

@@ -48,12 +48,9 @@ final class SimulatedWater {
         return fleet;
     }
 
-    double eastM(GeoPoint point) {
-        return plane.eastM(point.latDeg(), point.lonDeg());
-    }
-
-    double northM(GeoPoint point) {
-        return plane.northM(point.latDeg(), point.lonDeg());
+    /** In metres around the area's centre. */
+    LocalFrame plane() {
+        return plane;
     }
 
     /** All boats as they truly are, in order. */
@@ -63,8 +60,8 @@ final class SimulatedWater {
             GeoPoint position = boat.position();
             states.add(new BoatState(
                     boat.id(),
-                    eastM(position),
-                    northM(position),
+                    plane.eastM(position.latDeg(), position.lonDeg()),
+                    plane.northM(position.latDeg(), position.lonDeg()),
                     position.latDeg(),
                     position.lonDeg(),
                     boat.hull().speedMps(),

@@ -11,7 +11,7 @@ import org.sami.spn.protocol.Decision;
  * Finds out that nothing can happen any longer: no timer runs, no answer is on its way, no boat moves, and nothing has come
  * in for a while. Without it a mission that is stuck would only end with the run's time.
  */
-final class StallWatch {
+public final class StallWatch {
     private static final long QUIET_MILLIS = 300_000;
     private static final double STILL_MPS = 0.05;
 
@@ -19,14 +19,15 @@ final class StallWatch {
     private final OperatorStation operator;
     private final RunRecorder recorder;
 
-    StallWatch(EngineHost host, OperatorStation operator, RunRecorder recorder) {
+    /** A watch over one run. */
+    public StallWatch(EngineHost host, OperatorStation operator, RunRecorder recorder) {
         this.host = host;
         this.operator = operator;
         this.recorder = recorder;
     }
 
     /** Why nothing can happen; empty while something can. */
-    Optional<String> look(long nowMillis, List<BoatState> boats) {
+    public Optional<String> look(long nowMillis, List<BoatState> boats) {
         boolean quiet = nowMillis - recorder.lastInputMillis() > QUIET_MILLIS
                 && !operator.isThinking()
                 && boats.stream().allMatch(boat -> Math.abs(boat.speedMps()) < STILL_MPS)

@@ -4,16 +4,19 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.sim.report.LinkResult;
 import org.sami.crw.sim.report.TrackPoint;
 
-/** Notes down where boats truly are: a point a second while they move, none while they lie still. */
-final class TrackRecorder {
+/** Notes down where boats are: a point a second while they move, none while they lie still. */
+public final class TrackRecorder {
     private static final double STILL_M = 0.2;
 
     private final Map<String, List<TrackPoint>> tracks = new LinkedHashMap<>();
 
-    void look(long nowMillis, List<BoatState> boats) {
+    /** Looks where the boats are; to be called once a second. */
+    public void look(long nowMillis, List<BoatState> boats) {
         for (BoatState boat : boats) {
             List<TrackPoint> track = tracks.computeIfAbsent(boat.id(), id -> new ArrayList<>());
             if (track.isEmpty() || moved(track.get(track.size() - 1), boat) > STILL_M) {
@@ -37,16 +40,25 @@ final class TrackRecorder {
                 boat.batteryPercent());
     }
 
-    /** What the boats did, each with its track to where it is now. */
-    List<BoatResult> results(long nowMillis, List<BoatState> boats, String link) {
+    /**
+     * What the boats did, each with its track to where it is now.
+     *
+     * @param links gives each boat's link
+     */
+    public List<BoatResult> results(long nowMillis, List<BoatState> boats, Function<String, LinkResult> links) {
         List<BoatResult> results = new ArrayList<>();
         for (BoatState boat : boats) {
             List<TrackPoint> track = new ArrayList<>(tracks.getOrDefault(boat.id(), List.of()));
             if (track.isEmpty() || track.get(track.size() - 1).atMillis() < nowMillis) {
                 track.add(point(nowMillis, boat));
             }
-            results.add(
-                    new BoatResult(boat.id(), link, boat.distanceM(), boat.batteryPercent(), boat.recharges(), track));
+            results.add(new BoatResult(
+                    boat.id(),
+                    links.apply(boat.id()),
+                    boat.distanceM(),
+                    boat.batteryPercent(),
+                    boat.recharges(),
+                    track));
         }
         return results;
     }

@@ -6,17 +6,17 @@ import java.util.OptionalLong;
 import org.sami.crw.sim.report.LocationResult;
 
 /**
- * Watches which locations boats truly come to. A location counts as visited when a hull was within
- * {@link #RADIUS_M}: what a boat calls arrived (3 m), and what it drives between two looks.
+ * Watches which locations boats come to. A location counts as visited when a boat was within {@link #RADIUS_M}: what it calls
+ * arrived (3 m), and what it drives between two looks; or when somebody takes a boat's word for it.
  */
-final class VisitRecorder {
-    static final double RADIUS_M = 3.5;
+public final class VisitRecorder {
+    public static final double RADIUS_M = 3.5;
 
     private final List<LocationResult> locations = new ArrayList<>();
     private int visited;
 
     /** Adds a location; a second one at the same point is the same. */
-    void add(double latDeg, double lonDeg, double eastM, double northM) {
+    public void add(double latDeg, double lonDeg, double eastM, double northM) {
         boolean known = locations.stream().anyMatch(l -> l.latDeg() == latDeg && l.lonDeg() == lonDeg);
         if (!known) {
             locations.add(
@@ -25,7 +25,7 @@ final class VisitRecorder {
     }
 
     /** Looks where the boats are. */
-    void look(long nowMillis, List<BoatState> boats) {
+    public void look(long nowMillis, List<BoatState> boats) {
         if (visited == locations.size()) {
             return;
         }
@@ -40,31 +40,49 @@ final class VisitRecorder {
     private void look(long nowMillis, int index, LocationResult location, List<BoatState> boats) {
         for (BoatState boat : boats) {
             if (Math.hypot(boat.eastM() - location.eastM(), boat.northM() - location.northM()) <= RADIUS_M) {
-                locations.set(
-                        index,
-                        new LocationResult(
-                                location.number(),
-                                location.latDeg(),
-                                location.lonDeg(),
-                                location.eastM(),
-                                location.northM(),
-                                OptionalLong.of(nowMillis),
-                                boat.id()));
-                visited++;
+                visited(index, nowMillis, boat.id());
                 return;
             }
         }
     }
 
-    int visited() {
+    /** Takes a boat's word that it was at a location; a point that is none of the locations is passed over. */
+    public void visited(double latDeg, double lonDeg, long atMillis, String boatId) {
+        for (int i = 0; i < locations.size(); i++) {
+            LocationResult location = locations.get(i);
+            if (location.latDeg() == latDeg && location.lonDeg() == lonDeg && !location.visited()) {
+                visited(i, atMillis, boatId);
+            }
+        }
+    }
+
+    private void visited(int index, long atMillis, String boatId) {
+        LocationResult location = locations.get(index);
+        locations.set(
+                index,
+                new LocationResult(
+                        location.number(),
+                        location.latDeg(),
+                        location.lonDeg(),
+                        location.eastM(),
+                        location.northM(),
+                        OptionalLong.of(atMillis),
+                        boatId));
+        visited++;
+    }
+
+    /** How many locations have been visited. */
+    public int visited() {
         return visited;
     }
 
-    int count() {
+    /** How many locations there are. */
+    public int count() {
         return locations.size();
     }
 
-    List<LocationResult> locations() {
+    /** All locations, in the order in which they were given. */
+    public List<LocationResult> locations() {
         return List.copyOf(locations);
     }
 }

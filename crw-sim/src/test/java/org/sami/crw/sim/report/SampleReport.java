@@ -7,6 +7,9 @@ import java.util.Random;
 
 /** A made-up report in which every kind of row occurs. */
 final class SampleReport {
+    private static final LinkResult LINK =
+            new LinkResult("in-process", "boot1", 0, 0, new LinkResult.Uploads(2, 2, 2), "it does what it should");
+
     private SampleReport() {}
 
     static RunReport of(int boats, int locations) {
@@ -60,6 +63,6 @@ final class SampleReport {
             track.add(new TrackPoint(
                     60_000L * (i + 1), place.eastM(), place.northM(), place.latDeg(), place.lonDeg(), 1.5, 90.0 - i));
         }
-        return new BoatResult("boat" + (number + 1), "in-process", 600 * 2.5, 100.0 / 3, 0, track);
+        return new BoatResult("boat" + (number + 1), LINK, 600 * 2.5, 100.0 / 3, 0, track);
     }
 }

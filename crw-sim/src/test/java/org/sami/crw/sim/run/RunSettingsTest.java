@@ -35,6 +35,24 @@ class RunSettingsTest {
         assertThat(unlimited.stopMillis()).isEqualTo(RunSettings.LONGEST_MILLIS);
     }
 
+    @Test
+    void comesBackWithTheAddressesOfItsBoats() {
+        RunSettings connected = FULL.connectedTo(BoatAddress.parseAll("[::1]:5001,quay:5002"));
+
+        assertThat(RunSettings.fromMap(connected.toMap())).isEqualTo(connected);
+        assertThat(connected.fleet().boats()).isEqualTo(2);
+        assertThat(connected.isConnected()).isTrue();
+        assertThat(FULL.isConnected()).isFalse();
+    }
+
+    @Test
+    void boatsBehindTcpHaveNoOtherTimeThanTheRealOne() {
+        RunSettings connected = FULL.connectedTo(BoatAddress.parseAll("quay:5002"));
+
+        assertThat(connected.speed()).isEqualTo(Speed.REAL);
+        assertThatThrownBy(() -> connected.withSpeed(Speed.MAX)).hasMessageContaining("at speed 1, not max");
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"plan", "boats", "seed", "speed", "answerAfterMillis", "answers"})
     void namesTheSettingThatIsMissing(String name) {

@@ -1,14 +1,15 @@
 package org.sami.crw.sim.run;
 
-import org.sami.crw.sim.clock.VirtualScheduler;
+import org.sami.crw.sim.clock.Scheduler;
 import org.sami.spn.host.HostClock;
 
-/** The session's time of a run in process: the simulated world's. */
-final class VirtualHostClock implements HostClock {
-    private final VirtualScheduler scheduler;
+/** The session's time of a run: that of its world. For the thread that the scheduler's actions run on. */
+public final class ScheduledHostClock implements HostClock {
+    private final Scheduler scheduler;
     private long latest;
 
-    VirtualHostClock(VirtualScheduler scheduler) {
+    /** A clock that shows the world's time. */
+    public ScheduledHostClock(Scheduler scheduler) {
         this.scheduler = scheduler;
     }
 

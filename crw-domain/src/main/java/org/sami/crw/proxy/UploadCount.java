@@ -1,0 +1,20 @@
+package org.sami.crw.proxy;
+
+/**
+ * How many waypoint lists have gone to a boat since its proxy was made.
+ *
+ * @param sent each counted once, however often it was sent again
+ * @param acknowledged the boat has said that it took them whole
+ * @param readBackEqual the boat has said what it holds, and that was equal
+ */
+public record UploadCount(int sent, int acknowledged, int readBackEqual) {
+    static final UploadCount NONE = new UploadCount(0, 0, 0);
+
+    UploadCount oneMore(Upload.State reached) {
+        return switch (reached) {
+            case SENT -> new UploadCount(sent + 1, acknowledged, readBackEqual);
+            case ACKNOWLEDGED -> new UploadCount(sent, acknowledged + 1, readBackEqual);
+            case READ_BACK_EQUAL -> new UploadCount(sent, acknowledged, readBackEqual + 1);
+        };
+    }
+}

@@ -1,0 +1,76 @@
+package org.sami.crw.sim.run;
+
+import java.net.InetSocketAddress;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Where a boat's server listens.
+ *
+ * @param host a name, an IPv4 address, or an IPv6 address without brackets; in small letters
+ * @param port 1 to 65535
+ */
+public record BoatAddress(String host, int port) {
+    private static final int MAX_PORT = 65_535;
+    private static final Pattern FORM =
+            Pattern.compile("(?:\\[(?<ipv6>[0-9A-Fa-f:.]*:[0-9A-Fa-f:.]*(?:%[A-Za-z0-9]+)?)]|(?<name>[A-Za-z0-9._-]+))"
+                    + ":(?<port>[0-9]{1,5})");
+
+    public BoatAddress {
+        host = Objects.requireNonNull(host, "host").toLowerCase(Locale.ROOT);
+        if (host.isEmpty() || port < 1 || port > MAX_PORT) {
+            throw new IllegalArgumentException("no address of a boat: '" + host + "', port " + port);
+        }
+    }
+
+    /**
+     * Reads {@code HOST:PORT}; an IPv6 address stands in brackets.
+     *
+     * @throws IllegalArgumentException saying what is allowed
+     */
+    public static BoatAddress parse(String text) {
+        Matcher form = FORM.matcher(text.strip());
+        if (form.matches()) {
+            int port = Integer.parseInt(form.group("port"));
+            if (port >= 1 && port <= MAX_PORT) {
+                return new BoatAddress(form.group("ipv6") != null ? form.group("ipv6") : form.group("name"), port);
+            }
+        }
+        throw new IllegalArgumentException(
+                "'" + text + "' is no HOST:PORT; a port is 1 to 65535, an IPv6 address stands in brackets: [::1]:5001");
+    }
+
+    /**
+     * Reads several, with commas between them.
+     *
+     * @throws IllegalArgumentException if one makes no sense or stands there twice
+     */
+    public static List<BoatAddress> parseAll(String text) {
+        List<BoatAddress> all = new ArrayList<>();
+        Set<BoatAddress> known = new HashSet<>();
+        for (String part : text.split(",", -1)) {
+            BoatAddress next = parse(part);
+            if (!known.add(next)) {
+                throw new IllegalArgumentException(next + " stands there twice");
+            }
+            all.add(next);
+        }
+        return all;
+    }
+
+    /** For a socket; a name is looked up when it is connected. */
+    public InetSocketAddress toSocketAddress() {
+        return InetSocketAddress.createUnresolved(host, port);
+    }
+
+    @Override
+    public String toString() {
+        return (host.contains(":") ? "[" + host + "]" : host) + ":" + port;
+    }
+}
