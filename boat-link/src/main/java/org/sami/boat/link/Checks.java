@@ -9,7 +9,6 @@ final class Checks {
 
     static final int MAX_TEXT_LENGTH = 1000;
     static final double MAX_SPEED_MPS = 50;
-    static final double MAX_GAIN = 1000;
 
     private Checks() {}
 

@@ -10,9 +10,15 @@ import org.sami.boat.link.LinkException.Fault;
  */
 final class Fields {
     private final JsonNode object;
+    private final String where; // of the object in the body
 
     Fields(JsonNode object) {
+        this(object, "");
+    }
+
+    private Fields(JsonNode object, String where) {
         this.object = object;
+        this.where = where;
     }
 
     String text(String name) throws LinkException {
@@ -29,7 +35,7 @@ final class Fields {
     }
 
     double number(String name) throws LinkException {
-        return number(member(name), "/" + name);
+        return number(member(name), pointer(name));
     }
 
     double numberOr(String name, double absent) throws LinkException {
@@ -54,7 +60,7 @@ final class Fields {
     int index(String name) throws LinkException {
         long value = integer(name);
         if (value != (int) value) {
-            throw new LinkException(Fault.BAD_VALUE, "/" + name, value + " is no index");
+            throw new LinkException(Fault.BAD_VALUE, pointer(name), value + " is no index");
         }
         return (int) value;
     }
@@ -74,7 +80,15 @@ final class Fields {
                 return word;
             }
         }
-        throw new LinkException(Fault.BAD_VALUE, "/" + name, "not one of the words that are known here");
+        throw new LinkException(Fault.BAD_VALUE, pointer(name), "not one of the words that are known here");
+    }
+
+    Fields object(String name) throws LinkException {
+        JsonNode node = member(name);
+        if (!node.isObject()) {
+            throw wrongType(name, "an object");
+        }
+        return new Fields(node, pointer(name));
     }
 
     JsonNode array(String name) throws LinkException {
@@ -88,13 +102,22 @@ final class Fields {
     private JsonNode member(String name) throws LinkException {
         JsonNode node = object.get(name);
         if (node == null) {
-            throw new LinkException(Fault.MISSING, "/" + name, "missing");
+            throw new LinkException(Fault.MISSING, pointer(name), "missing");
         }
         return node;
     }
 
-    private static LinkException wrongType(String name, String wanted) {
-        return new LinkException(Fault.WRONG_TYPE, "/" + name, "not " + wanted);
+    private String pointer(String name) {
+        return where + "/" + name;
+    }
+
+    private LinkException wrongType(String name, String wanted) {
+        return new LinkException(Fault.WRONG_TYPE, pointer(name), "not " + wanted);
+    }
+
+    /** What a part of a message said of a value that it refused. */
+    LinkException refused(BadValueException refused) {
+        return new LinkException(Fault.BAD_VALUE, pointer(refused.name()), refused.what());
     }
 
     /** What a message said of a value that it refused, as a fault of the frame. */

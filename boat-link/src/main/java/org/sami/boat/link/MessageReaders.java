@@ -40,6 +40,8 @@ final class MessageReaders {
         BY_TYPE.put(Telemetry.TYPE, Telemetry::read);
         BY_TYPE.put(BatteryReport.TYPE, BatteryReport::read);
         BY_TYPE.put(Progress.TYPE, Progress::read);
+        BY_TYPE.put(SettingsReport.TYPE, SettingsReport::read);
+        BY_TYPE.put(SensorReport.TYPE, SensorReport::read);
     }
 
     private MessageReaders() {}

@@ -9,22 +9,22 @@ public final class SetGains extends CommandMessage {
     static final String TYPE = "gains";
 
     private final GainAxis axis;
-    private final double proportional;
-    private final double integral;
-    private final double derivative;
+    private final Gains gains;
 
     /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
     public SetGains(String commandId, GainAxis axis, double proportional, double integral, double derivative) {
+        this(commandId, axis, new Gains(proportional, integral, derivative));
+    }
+
+    /** Makes a message of checked values. */
+    public SetGains(String commandId, GainAxis axis, Gains gains) {
         super(commandId);
         this.axis = Objects.requireNonNull(axis, "axis");
-        this.proportional = Checks.range("p", proportional, 0, Checks.MAX_GAIN);
-        this.integral = Checks.range("i", integral, 0, Checks.MAX_GAIN);
-        this.derivative = Checks.range("d", derivative, 0, Checks.MAX_GAIN);
+        this.gains = Objects.requireNonNull(gains, "gains");
     }
 
     static SetGains read(Fields in) throws LinkException {
-        return new SetGains(
-                in.text("command"), in.word("axis", GainAxis.class), in.number("p"), in.number("i"), in.number("d"));
+        return new SetGains(in.text("command"), in.word("axis", GainAxis.class), Gains.read(in));
     }
 
     /** The control loop. */
@@ -32,19 +32,9 @@ public final class SetGains extends CommandMessage {
         return axis;
     }
 
-    /** Effort per unit of error. */
-    public double proportional() {
-        return proportional;
-    }
-
-    /** Effort per unit of error and second. */
-    public double integral() {
-        return integral;
-    }
-
-    /** Effort per unit of error change a second. */
-    public double derivative() {
-        return derivative;
+    /** Its gains from now on. */
+    public Gains gains() {
+        return gains;
     }
 
     @Override
@@ -55,8 +45,6 @@ public final class SetGains extends CommandMessage {
     @Override
     void writeCommand(JsonGenerator out) throws IOException {
         out.writeStringField("axis", axis.name());
-        out.writeNumberField("p", proportional);
-        out.writeNumberField("i", integral);
-        out.writeNumberField("d", derivative);
+        gains.write(out);
     }
 }

@@ -5,6 +5,9 @@ import java.io.IOException;
 
 /** Scales the speed of every leg, of this list and those to come. */
 public final class SetVelocityMultiplier extends CommandMessage {
+    /** The largest factor. */
+    public static final double MAX_MULTIPLIER = 10;
+
     static final String TYPE = "velocity";
 
     private final double multiplier;
@@ -12,7 +15,7 @@ public final class SetVelocityMultiplier extends CommandMessage {
     /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
     public SetVelocityMultiplier(String commandId, double multiplier) {
         super(commandId);
-        this.multiplier = Checks.range("multiplier", multiplier, 0, 10);
+        this.multiplier = Checks.range("multiplier", multiplier, 0, MAX_MULTIPLIER);
     }
 
     static SetVelocityMultiplier read(Fields in) throws LinkException {

@@ -69,6 +69,13 @@ class MalformedFrameTest {
                 "WRONG_TYPE   | /waypoints/0/2| {\"type\":\"upload\",\"seq\":0,\"command\":\"c\",\"list\":\"l\",\"waypoints\":[[1,2,null]]}",
                 "BAD_VALUE    | /waypoints/1  | {\"type\":\"upload\",\"seq\":0,\"command\":\"c\",\"list\":\"l\",\"waypoints\":[[1,2,3],[91,2,3]]}",
                 "BAD_VALUE    | /waypoints/0  | {\"type\":\"upload\",\"seq\":0,\"command\":\"c\",\"list\":\"l\",\"waypoints\":[[1,2,-3]]}",
+                "BAD_VALUE    | /p            | {\"type\":\"gains\",\"seq\":0,\"command\":\"c\",\"axis\":\"SPEED\",\"p\":1001,\"i\":0,\"d\":0}",
+                "BAD_VALUE    | /multiplier   | {\"type\":\"velocity\",\"seq\":0,\"command\":\"c\",\"multiplier\":10.5}",
+                "WRONG_TYPE   | /heading      | {\"type\":\"settings\",\"seq\":0,\"heading\":3}",
+                "MISSING      | /heading/d    | {\"type\":\"settings\",\"seq\":0,\"heading\":{\"p\":1,\"i\":0}}",
+                "BAD_VALUE    | /heading/i    | {\"type\":\"settings\",\"seq\":0,\"heading\":{\"p\":1,\"i\":-1,\"d\":0}}",
+                "WRONG_TYPE   | /values/1     | {\"type\":\"reading\",\"seq\":0,\"values\":[1,\"2\"]}",
+                "BAD_VALUE    | /values       | {\"type\":\"reading\",\"seq\":0,\"sensor\":\"s\",\"channel\":\"c\",\"values\":[],\"unit\":\"\",\"lat\":0,\"lon\":0,\"time\":0}",
             })
     void saysWhatIsWrongAndWhere(Fault fault, String where, String body) {
         LinkException thrown = catchThrowableOfType(LinkException.class, () -> codec.decode(frame(body)));

@@ -7,6 +7,7 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.Collectors;
@@ -47,7 +48,9 @@ class RoundTripTest {
                 new SetLostLinkAction("c", LostLinkAction.DRIFT),
                 new Telemetry(45.41234567890123, 10.9, -3.1, -0.2, 99.5, BoatMode.RETURN, 12),
                 new BatteryReport(30, BatteryLevel.LOW),
-                new Progress("l", 3, true));
+                new Progress("l", 3, true),
+                new SettingsReport(new Gains(1.2, 0, 0), new Gains(0.3, 0.05, 1000), 2.5, LostLinkAction.RETURN),
+                new SensorReport("ctd", "temperature", List.of(17.25, -1e300), "°C", 45.4, 10.9, 12));
     }
 
     @ParameterizedTest
@@ -69,7 +72,7 @@ class RoundTripTest {
     void tableAboveHoldsEveryKindOfMessage() {
         assertThat(messages().map(LinkMessage::type).collect(Collectors.toSet()))
                 .isEqualTo(MessageReaders.types())
-                .hasSize(25);
+                .hasSize(27);
     }
 
     @Test
@@ -143,6 +146,14 @@ class RoundTripTest {
         assertThatThrownBy(() -> new StopMotors("")).hasMessageContaining("command");
         assertThatThrownBy(() -> new Teleoperate(0, 1.1)).hasMessageContaining("rudder");
         assertThatThrownBy(() -> new Progress("l", -1, false)).hasMessageContaining("next");
+        assertThatThrownBy(() -> new Gains(0, 0, 1000.5)).hasMessageContaining("d:");
+        assertThatThrownBy(() -> reading(List.of())).hasMessageContaining("values");
+        assertThatThrownBy(() -> reading(Collections.nCopies(65, 1.0))).hasMessageContaining("65");
+        assertThatThrownBy(() -> reading(List.of(1.0, Double.NaN))).hasMessageContaining("values");
+    }
+
+    private static SensorReport reading(List<Double> values) {
+        return new SensorReport("ctd", "temperature", values, "°C", 45, 10, 0);
     }
 
     /** Gives few bytes at a time, as a slow link does. */

@@ -50,6 +50,7 @@ public final class BoatServer {
     private final CommandLedger ledger = new CommandLedger();
     private final Pilot pilot;
     private final CommandExecutor executor;
+    private final SensorWatch sensors;
     private final List<ServerSession> sessions = new ArrayList<>();
     private Optional<ServerSession> commander = Optional.empty();
     private boolean commanderLost;
@@ -67,6 +68,7 @@ public final class BoatServer {
         this.log = Objects.requireNonNull(log, "log");
         pilot = new Pilot(config, vehicle);
         executor = new CommandExecutor(config, pilot);
+        sensors = new SensorWatch(vehicle);
         reportedLevel = batteryLevel();
     }
 
@@ -107,6 +109,7 @@ public final class BoatServer {
         for (ServerSession session : sessions) {
             session.tick(nowMs);
         }
+        sensors.tick(nowMs, reading -> broadcast(reading, nowMs)); // last: an instrument that fails stops nothing else
     }
 
     /** What the boat is doing. */
@@ -189,6 +192,7 @@ public final class BoatServer {
         session.setRole(role);
         session.send(new Welcome(config.boatId(), config.bootId(), role, ""), nowMs);
         session.send(battery(), nowMs);
+        session.send(executor.settings(), nowMs);
         session.send(pilot.track().progress(), nowMs);
     }
 
@@ -244,6 +248,9 @@ public final class BoatServer {
         session.executed(sequence);
         log.answered(nowMs, command, answer);
         session.send(answer, nowMs);
+        if (CommandExecutor.isSetting(command)) {
+            broadcast(executor.settings(), nowMs);
+        }
         if (!pilot.track().isAt(before)) {
             broadcast(pilot.track().progress(), nowMs);
         }

@@ -14,6 +14,7 @@ import org.sami.boat.link.NackReason;
 import org.sami.boat.link.SetGains;
 import org.sami.boat.link.SetLostLinkAction;
 import org.sami.boat.link.SetVelocityMultiplier;
+import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.UploadWaypoints;
@@ -32,6 +33,22 @@ final class CommandExecutor {
 
     LostLinkAction lostLinkAction() {
         return lostLinkAction;
+    }
+
+    /** Whether a command sets what {@link #settings} tells. */
+    static boolean isSetting(CommandMessage command) {
+        return command instanceof SetGains
+                || command instanceof SetVelocityMultiplier
+                || command instanceof SetLostLinkAction;
+    }
+
+    /** What is in force. */
+    SettingsReport settings() {
+        return new SettingsReport(
+                pilot.helm().gains(GainAxis.HEADING),
+                pilot.helm().gains(GainAxis.SPEED),
+                pilot.velocityMultiplier(),
+                lostLinkAction);
     }
 
     LinkMessage execute(CommandMessage command) {
@@ -101,12 +118,7 @@ final class CommandExecutor {
     private void set(CommandMessage command) {
         if (command instanceof SetGains) {
             SetGains set = (SetGains) command;
-            Gains gains = new Gains(set.proportional(), set.integral(), set.derivative());
-            if (set.axis() == GainAxis.HEADING) {
-                pilot.helm().setHeadingGains(gains);
-            } else {
-                pilot.helm().setSpeedGains(gains);
-            }
+            pilot.helm().setGains(set.axis(), set.gains());
         } else if (command instanceof SetVelocityMultiplier) {
             pilot.setVelocityMultiplier(((SetVelocityMultiplier) command).multiplier());
         } else if (command instanceof SetLostLinkAction) {

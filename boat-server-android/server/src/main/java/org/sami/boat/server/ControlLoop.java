@@ -1,5 +1,7 @@
 package org.sami.boat.server;
 
+import org.sami.boat.link.Gains;
+
 /** One PID loop: from an error to an effort of -1 to 1. The integral part alone never exceeds full effort. */
 final class ControlLoop {
     private Gains gains;
@@ -9,6 +11,10 @@ final class ControlLoop {
 
     ControlLoop(Gains gains) {
         this.gains = gains;
+    }
+
+    Gains gains() {
+        return gains;
     }
 
     void setGains(Gains newGains) {

@@ -1,5 +1,8 @@
 package org.sami.boat.server;
 
+import org.sami.boat.link.GainAxis;
+import org.sami.boat.link.Gains;
+
 /**
  * Steers the vehicle towards a target: heading by one loop, speed by feed-forward and another. Steering goes before
  * thrust, and the boat slows down while it points elsewhere, so that it turns on the spot rather than circle a target.
@@ -17,12 +20,17 @@ final class Helm {
         speed = new ControlLoop(config.speedGains());
     }
 
-    void setHeadingGains(Gains gains) {
-        heading.setGains(gains);
+    /** The loop's gains from now on; it forgets the past. */
+    void setGains(GainAxis axis, Gains gains) {
+        loop(axis).setGains(gains);
     }
 
-    void setSpeedGains(Gains gains) {
-        speed.setGains(gains);
+    Gains gains(GainAxis axis) {
+        return loop(axis).gains();
+    }
+
+    private ControlLoop loop(GainAxis axis) {
+        return axis == GainAxis.HEADING ? heading : speed;
     }
 
     /** Metres to a target, which is the origin of its frame. */

@@ -43,6 +43,10 @@ final class Pilot {
         return helm;
     }
 
+    double velocityMultiplier() {
+        return velocityMultiplier;
+    }
+
     void setVelocityMultiplier(double multiplier) {
         velocityMultiplier = multiplier;
     }

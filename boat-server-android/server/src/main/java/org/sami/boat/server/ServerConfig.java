@@ -1,6 +1,7 @@
 package org.sami.boat.server;
 
 import java.util.Objects;
+import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
 
 /**

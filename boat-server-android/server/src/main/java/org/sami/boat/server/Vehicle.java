@@ -1,5 +1,8 @@
 package org.sami.boat.server;
 
+import java.util.Collections;
+import java.util.List;
+
 /**
  * A hull with a motor on each side, as the boat server sees it: the phone's own, or a simulated one.
  *
@@ -21,6 +24,11 @@ public interface Vehicle {
 
     /** Charge of the battery in percent of full. */
     double batteryPercent();
+
+    /** The instruments on board; asked for once. */
+    default List<Sensor> sensors() {
+        return Collections.emptyList();
+    }
 
     /** Sets the efforts of the port and the starboard motor, -1 (full astern) to 1 (full ahead), until set again. */
     void setMotors(double port, double starboard);

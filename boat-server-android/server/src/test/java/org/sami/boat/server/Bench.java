@@ -18,11 +18,12 @@ final class Bench {
     final BoatServer server;
     long nowMs = 10_000;
 
-    Bench() {
-        this(UnaryOperator.identity());
+    Bench(Sensor... sensors) {
+        this(UnaryOperator.identity(), sensors);
     }
 
-    Bench(UnaryOperator<ServerConfig.Builder> config) {
+    Bench(UnaryOperator<ServerConfig.Builder> config, Sensor... sensors) {
+        vehicle.sensors = List.of(sensors);
         server = new BoatServer(
                 config.apply(ServerConfig.of("boat1", "boot7")).build(),
                 vehicle,
@@ -98,6 +99,7 @@ final class Bench {
         double headingRad;
         double speedMps;
         double batteryPercent = 100;
+        List<Sensor> sensors = List.of();
         double port = 9;
         double starboard = 9;
 
@@ -136,6 +138,11 @@ final class Bench {
         @Override
         public double batteryPercent() {
             return batteryPercent;
+        }
+
+        @Override
+        public List<Sensor> sensors() {
+            return sensors;
         }
 
         @Override

@@ -50,7 +50,7 @@ class BoatServerTest {
     void welcomesAClientAndSaysWhatItHolds() {
         Client client = bench.commander();
 
-        assertThat(client.got).extracting(LinkMessage::type).containsExactly("welcome", "battery", "progress");
+        assertThat(client.got).extracting(LinkMessage::type).containsExactly("welcome", "battery", "settings", "progress");
         Welcome welcome = client.all(Welcome.class).get(0);
         assertThat(welcome.bootId()).isEqualTo("boot7");
         assertThat(welcome.role()).isEqualTo(Role.COMMANDER);

@@ -1,0 +1,62 @@
+package org.sami.boat.server;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.sami.boat.link.SensorReport;
+
+/** Reads the sensors of a vehicle, each by its own rate, and says where and when that was. */
+final class SensorWatch {
+    private final Vehicle vehicle;
+    private final List<Slot> slots = new ArrayList<>();
+
+    SensorWatch(Vehicle vehicle) {
+        this.vehicle = vehicle;
+        vehicle.sensors().forEach(sensor -> slots.add(new Slot(sensor)));
+    }
+
+    /** Reads what is due. A sensor that fails is asked again when it is due again, and keeps no other from being read. */
+    void tick(long nowMs, Consumer<SensorReport> reports) {
+        RuntimeException failure = null;
+        for (Slot slot : slots) {
+            if (nowMs >= slot.dueMs) {
+                slot.plan(nowMs);
+                try {
+                    read(slot.sensor, nowMs, reports);
+                } catch (RuntimeException e) {
+                    failure = e;
+                }
+            }
+        }
+        if (failure != null) {
+            throw failure;
+        }
+    }
+
+    private void read(Sensor sensor, long nowMs, Consumer<SensorReport> reports) {
+        List<Double> values = sensor.read();
+        if (!values.isEmpty() && values.stream().allMatch(SensorWatch::isFinite)) {
+            reports.accept(new SensorReport(
+                    sensor.name(), sensor.channel(), values, sensor.unit(), vehicle.latDeg(), vehicle.lonDeg(), nowMs));
+        }
+    }
+
+    private static boolean isFinite(double value) {
+        return !Double.isNaN(value) && !Double.isInfinite(value);
+    }
+
+    /** A sensor and when it is to be read. */
+    private static final class Slot {
+        private final Sensor sensor;
+        private long dueMs = Long.MIN_VALUE;
+
+        Slot(Sensor sensor) {
+            this.sensor = sensor;
+        }
+
+        void plan(long nowMs) {
+            boolean onTime = dueMs > nowMs - sensor.periodMs();
+            dueMs = (onTime ? dueMs : nowMs) + sensor.periodMs();
+        }
+    }
+}
