@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.concurrent.Executor;
 import org.sami.crw.decision.MessageSink;
 import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatListeners;
 import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.BoatPositions;

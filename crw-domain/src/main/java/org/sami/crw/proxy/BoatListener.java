@@ -39,6 +39,15 @@ public interface BoatListener {
     /** Another client wishes to command the boat; {@link BoatProxy#grantCommand} hands it over. */
     default void onCommandAsked(String boatId, String clientId) {}
 
+    /** What one of the boat's sensors measured. */
+    default void onReading(String boatId, BoatReading reading) {}
+
+    /** The boat said which settings are in force on it: when the link came, and after each one that was set. */
+    default void onTuning(String boatId, BoatTuning tuning) {}
+
+    /** The boat did not take a setting, for a reason in words. */
+    default void onTuningRefused(String boatId, String reason) {}
+
     /** The boat refuses this base, or a hand-over that it asked for; for a reason in words. */
     default void onRefused(String boatId, String reason) {}
 }

@@ -13,13 +13,21 @@ import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
+import org.sami.boat.link.GainAxis;
+import org.sami.boat.link.Gains;
 import org.sami.boat.link.Goodbye;
 import org.sami.boat.link.GrantCommand;
 import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.Progress;
+import org.sami.boat.link.SensorReport;
+import org.sami.boat.link.SetGains;
+import org.sami.boat.link.SetLostLinkAction;
+import org.sami.boat.link.SetVelocityMultiplier;
+import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Teleoperate;
@@ -42,6 +50,7 @@ public final class BoatProxy {
     private final Requests fleetRequests; // what stops or releases the whole fleet
     private final HandOver handOver;
     private final Announcements announcements;
+    private final Tuner tuner;
     private final CommandDriver driver;
     private BoatStatus status;
     private long nowMs;
@@ -61,6 +70,7 @@ public final class BoatProxy {
         announcements = new Announcements(Objects.requireNonNull(listener, "listener"));
         handOver = new HandOver(boatId, link, config, announcements);
         driver = new CommandDriver(boatId, config, link, announcements);
+        tuner = new Tuner(boatId, link, config, announcements);
         status = BoatStatus.unknown(boatId);
     }
 
@@ -154,6 +164,7 @@ public final class BoatProxy {
         if (link.isCommanding()) {
             driver.tick(nowMs);
             fleetRequests.tick(nowMs).forEach(request -> fleetRequests.send(request, nowMs));
+            tuner.tick(nowMs);
             if (awaitingProgress) {
                 link.helloIfDue(nowMs);
             }
@@ -205,6 +216,30 @@ public final class BoatProxy {
             driver.stopUnlessWanted();
             settle();
         }
+    }
+
+    /** Sets the gains of one of the boat's control loops; what is in force afterwards the listener is told. */
+    public void setGains(GainAxis axis, Gains gains) {
+        tuner.ask("gains " + axis, new SetGains(driver.wireId("gains"), axis, gains), nowMs);
+    }
+
+    /**
+     * Scales the speed of every leg; what is in force afterwards the listener is told.
+     *
+     * @param multiplier 0 to {@link SetVelocityMultiplier#MAX_MULTIPLIER}; the boat's own limit still holds
+     */
+    public void setVelocityMultiplier(double multiplier) {
+        tuner.ask("velocity", new SetVelocityMultiplier(driver.wireId("velocity"), multiplier), nowMs);
+    }
+
+    /** Sets what the boat does when the link is lost; what is in force afterwards the listener is told. */
+    public void setLostLinkAction(LostLinkAction action) {
+        tuner.ask("lost-link", new SetLostLinkAction(driver.wireId("lost-link"), action), nowMs);
+    }
+
+    /** The settings that the boat said last are in force; empty before it said so. */
+    public Optional<BoatTuning> tuning() {
+        return tuner.inForce();
     }
 
     /** Stops the motors, latched on the boat; commands wait until {@link #fleetRelease}. */
@@ -297,6 +332,11 @@ public final class BoatProxy {
             BatteryState battery = new BatteryState(report.percent(), report.level());
             status = status.with(battery);
             announcements.add(l -> l.onBattery(boatId, battery));
+        } else if (message instanceof SensorReport report) {
+            BoatReading reading = BoatReading.of(report);
+            announcements.add(l -> l.onReading(boatId, reading));
+        } else if (message instanceof SettingsReport report) {
+            tuner.reported(report);
         } else if (message instanceof Welcome welcome) {
             welcomed(welcome);
         } else if (message instanceof CommandAsked asked) {
@@ -378,12 +418,14 @@ public final class BoatProxy {
 
     private void answered(String commandId, LinkMessage answer) {
         if (!handOver.answered(commandId)
+                && !tuner.answered(commandId)
                 && fleetRequests.answered(commandId).isEmpty()) { // else the next telemetry says what it has come to
             driver.answered(commandId, answer, nowMs);
         }
     }
 
     private void refused(Nack nack) {
+        tuner.refused(nack);
         boolean mayPass = !handOver.refused(nack) && driver.refused(nack);
         boolean lostThere = nack.reason() == NackReason.NOT_GREETED && !awaitingProgress; // though not here
         if (mayPass || lostThere) {

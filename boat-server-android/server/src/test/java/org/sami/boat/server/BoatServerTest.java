@@ -50,7 +50,9 @@ class BoatServerTest {
     void welcomesAClientAndSaysWhatItHolds() {
         Client client = bench.commander();
 
-        assertThat(client.got).extracting(LinkMessage::type).containsExactly("welcome", "battery", "settings", "progress");
+        assertThat(client.got)
+                .extracting(LinkMessage::type)
+                .containsExactly("welcome", "battery", "settings", "progress");
         Welcome welcome = client.all(Welcome.class).get(0);
         assertThat(welcome.bootId()).isEqualTo("boot7");
         assertThat(welcome.role()).isEqualTo(Role.COMMANDER);

@@ -1,18 +1,14 @@
-package org.sami.crw.handler;
+package org.sami.crw.proxy;
 
 import java.util.List;
 import java.util.function.Consumer;
-import org.sami.crw.proxy.BatteryState;
-import org.sami.crw.proxy.BoatCommand;
-import org.sami.crw.proxy.BoatListener;
-import org.sami.crw.proxy.BoatStatus;
-import org.sami.crw.proxy.Withdrawal;
 
 /** Several listeners as one, told in order. */
-final class BoatListeners implements BoatListener {
+public final class BoatListeners implements BoatListener {
     private final List<BoatListener> listeners;
 
-    BoatListeners(BoatListener... listeners) {
+    /** The listeners in the order in which they are told. */
+    public BoatListeners(BoatListener... listeners) {
         this.listeners = List.of(listeners);
     }
 
@@ -54,6 +50,36 @@ final class BoatListeners implements BoatListener {
     @Override
     public void onRestarted(BoatStatus status) {
         each(listener -> listener.onRestarted(status));
+    }
+
+    @Override
+    public void onCommanding(String boatId, boolean commands) {
+        each(listener -> listener.onCommanding(boatId, commands));
+    }
+
+    @Override
+    public void onCommandAsked(String boatId, String clientId) {
+        each(listener -> listener.onCommandAsked(boatId, clientId));
+    }
+
+    @Override
+    public void onReading(String boatId, BoatReading reading) {
+        each(listener -> listener.onReading(boatId, reading));
+    }
+
+    @Override
+    public void onTuning(String boatId, BoatTuning tuning) {
+        each(listener -> listener.onTuning(boatId, tuning));
+    }
+
+    @Override
+    public void onTuningRefused(String boatId, String reason) {
+        each(listener -> listener.onTuningRefused(boatId, reason));
+    }
+
+    @Override
+    public void onRefused(String boatId, String reason) {
+        each(listener -> listener.onRefused(boatId, reason));
     }
 
     private void each(Consumer<BoatListener> news) {

@@ -1,0 +1,70 @@
+package org.sami.crw.proxy;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.Nack;
+import org.sami.boat.link.SettingsReport;
+
+/**
+ * Sets what can be set on a boat, and knows what it said is in force. Of each kind of setting the newest is asked for, and asked
+ * again until the boat answers: an older one that is still unanswered must not overtake it.
+ */
+final class Tuner {
+    private final String boatId;
+    private final ProxyLink link;
+    private final ProxyConfig config;
+    private final Announcements announcements;
+    private final Map<String, Requests> byKind = new LinkedHashMap<>();
+    private Optional<BoatTuning> inForce = Optional.empty();
+
+    Tuner(String boatId, ProxyLink link, ProxyConfig config, Announcements announcements) {
+        this.boatId = boatId;
+        this.link = link;
+        this.config = config;
+        this.announcements = announcements;
+    }
+
+    /** What the boat said last; empty before it said anything. */
+    Optional<BoatTuning> inForce() {
+        return inForce;
+    }
+
+    void ask(String kind, CommandMessage setting, long nowMs) {
+        Requests requests = byKind.computeIfAbsent(kind, unused -> new Requests(link, config));
+        requests.clear();
+        requests.send(setting, nowMs);
+    }
+
+    void reported(SettingsReport report) {
+        BoatTuning tuning = BoatTuning.of(report);
+        inForce = Optional.of(tuning);
+        announcements.add(l -> l.onTuning(boatId, tuning));
+    }
+
+    /** Whether an answer was to a setting. */
+    boolean answered(String commandId) {
+        return byKind.values().stream()
+                .anyMatch(requests -> requests.answered(commandId).isPresent());
+    }
+
+    /** The boat has refused something. A setting that it may take later is asked for again; of another the listener is told. */
+    void refused(Nack nack) {
+        boolean willPass = switch (nack.reason()) {
+            case NOT_GREETED, NOT_COMMANDER, STALE -> true;
+            default -> false;
+        };
+        if (!willPass && answered(nack.commandId())) {
+            announcements.add(l -> l.onTuningRefused(boatId, nack.detail()));
+        }
+    }
+
+    void tick(long nowMs) {
+        for (Requests requests : byKind.values()) {
+            for (CommandMessage unanswered : requests.tick(nowMs)) {
+                announcements.add(l -> l.onTuningRefused(boatId, "the boat did not answer " + unanswered.type()));
+            }
+        }
+    }
+}

@@ -1,0 +1,41 @@
+package org.sami.crw.proxy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.lang.reflect.Method;
+import java.lang.reflect.Proxy;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class BoatListenersTest {
+
+    @Test
+    void everyKindOfNewsReachesEveryListenerInOrder() throws Exception {
+        List<String> heard = new ArrayList<>();
+        BoatListener both = new BoatListeners(ear("first", heard), ear("second", heard));
+        List<String> expected = new ArrayList<>();
+        for (Method method : BoatListener.class.getMethods()) {
+            method.invoke(both, nothing(method));
+            expected.add("first " + method.getName());
+            expected.add("second " + method.getName());
+        }
+
+        assertThat(heard).isEqualTo(expected).hasSizeGreaterThan(20);
+    }
+
+    private static Object[] nothing(Method method) {
+        return Arrays.stream(method.getParameterTypes())
+                .map(type -> type == boolean.class ? (Object) true : type == int.class ? (Object) 0 : null)
+                .toArray();
+    }
+
+    private static BoatListener ear(String name, List<String> heard) {
+        return (BoatListener) Proxy.newProxyInstance(
+                BoatListener.class.getClassLoader(), new Class<?>[] {BoatListener.class}, (self, method, args) -> {
+                    heard.add(name + " " + method.getName());
+                    return null;
+                });
+    }
+}
