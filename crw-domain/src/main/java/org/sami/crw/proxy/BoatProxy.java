@@ -145,6 +145,20 @@ public final class BoatProxy {
         return withdrawn;
     }
 
+    /**
+     * The base gives the boat up: every command fails for a reason in words, and a boat that is under way is stopped as soon as
+     * it can be told.
+     */
+    public void retire(String reason) {
+        driver.failAll(reason);
+        settle();
+    }
+
+    /** Whether the boat still has to be told to stop, and can be. */
+    public boolean isBeingStopped() {
+        return link.isCommanding() && driver.isStopping();
+    }
+
     /** Takes one whole frame from the boat. */
     public void receive(byte[] bytes, long atMs) {
         nowMs = Math.max(nowMs, atMs);

@@ -79,6 +79,13 @@ final class CommandDriver {
         return queue.withdraw(mission);
     }
 
+    /** Every command fails, for a reason in words. */
+    void failAll(String reason) {
+        for (BoatCommand command : queue.clear()) {
+            announcements.add(l -> l.onFailed(boatId, command, reason));
+        }
+    }
+
     /** Forgets the try that is under way, because the boat has been taken out of its hands; a new one follows. */
     void abandon() {
         run = Optional.empty();

@@ -107,6 +107,17 @@ final class CommandQueue {
         return withdrawn;
     }
 
+    /** Takes back everything, and all blocks. Returns the commands in the order of their turn. */
+    List<BoatCommand> clear() {
+        List<BoatCommand> all = new ArrayList<>();
+        current.ifPresent(running -> all.add(running.command()));
+        waiting().forEach(queued -> all.add(queued.command()));
+        blockingMissions.clear();
+        entries.clear();
+        current = Optional.empty();
+        return all;
+    }
+
     /** The queued command with an id. */
     Optional<QueuedCommand> find(String commandId) {
         return entries.stream()

@@ -1,5 +1,6 @@
 package org.sami.crw.proxy.tcp;
 
+import java.net.InetSocketAddress;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatProxy;
 
@@ -12,7 +13,13 @@ public interface BaseListener {
     /** The proxy of a boat that was found is there, and can be given commands. */
     default void onBoat(BoatProxy proxy) {}
 
-    /** An operator must know this. Told once for each boat, start of its server, and address. */
+    /** A boat is reached at another address from now on. */
+    default void onMoved(String boatId, InetSocketAddress from, InetSocketAddress to) {}
+
+    /** A boat has been removed; its proxy is no longer among the boats of the base. */
+    default void onRemoved(String boatId) {}
+
+    /** An operator must know this. Told once for each boat and address, until the boat is found elsewhere or is removed. */
     default void onAlarm(LinkAlarm alarm) {}
 
     /** Something broke, such as a listener that threw; the links go on. */

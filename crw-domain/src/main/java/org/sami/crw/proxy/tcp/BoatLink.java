@@ -26,8 +26,25 @@ final class BoatLink implements FrameSink {
         /** Where a connection of this link tells what happens; brings it to the base's thread, and back to this link. */
         BoatConnection.Owner ears(BoatLink link);
 
-        /** A boat has said who it is; gives its proxy, or nothing if it is refused. */
-        Optional<BoatProxy> identified(BoatLink link, Welcome welcome);
+        /** A boat has said who it is: whether this link is to carry it. Asked again as long as the answer is to wait. */
+        Claim claimed(BoatLink link, Found found);
+    }
+
+    /**
+     * A boat that answers at the address.
+     *
+     * @param sinceMs when it answered first on this connection
+     */
+    record Found(Welcome welcome, long sinceMs) {}
+
+    /** What a base says to a link that has found a boat. */
+    enum Claim {
+        /** The link carries the boat's proxy from now on; it has been given it. */
+        CARRIES,
+        /** Another link carried the boat, and whether it still does will be seen soon. */
+        WAITS,
+        /** Another link carries the boat. */
+        REFUSED
     }
 
     private final InetSocketAddress address;
@@ -36,6 +53,7 @@ final class BoatLink implements FrameSink {
     private final Backoff backoff;
     private Optional<BoatProxy> proxy = Optional.empty();
     private Optional<BoatConnection> connection = Optional.empty();
+    private Optional<Found> found = Optional.empty();
     private boolean open;
     private boolean refused;
     private long lastHeardMs;
@@ -56,6 +74,31 @@ final class BoatLink implements FrameSink {
 
     Optional<BoatConnection> connection() {
         return connection;
+    }
+
+    /** Whether a connection stands. */
+    boolean isOpen() {
+        return open;
+    }
+
+    /** When a frame came last, in ms of the base's clock. */
+    long lastHeardMs() {
+        return lastHeardMs;
+    }
+
+    /** From now on it carries the frames of that proxy, which says hello over it. */
+    void carry(BoatProxy carried, long nowMs) {
+        proxy = Optional.of(carried);
+        found = Optional.empty();
+        carried.opened(nowMs);
+    }
+
+    /** Carries the boat no longer; what answers here is asked anew who it is. */
+    void release(String why, long nowMs) {
+        Optional<BoatProxy> released = proxy;
+        proxy = Optional.empty();
+        connection.ifPresent(standing -> standing.close(why));
+        released.ifPresent(known -> known.closed(nowMs));
     }
 
     LinkReport report() {
@@ -81,6 +124,7 @@ final class BoatLink implements FrameSink {
                     .orElseThrow()
                     .close("nothing has come for " + config.proxy().lostAfterMs() + " ms");
         }
+        found.ifPresent(this::claim);
         proxy.ifPresent(known -> known.tick(nowMs));
     }
 
@@ -107,7 +151,7 @@ final class BoatLink implements FrameSink {
         if (proxy.isPresent()) {
             backoff.reset();
             proxy.get().receive(frame, nowMs);
-        } else if (!refused) {
+        } else if (!refused && found.isEmpty()) {
             identify(frame, nowMs);
         }
     }
@@ -118,16 +162,18 @@ final class BoatLink implements FrameSink {
             if (!(message instanceof Welcome welcome)) {
                 return;
             }
-            proxy = base.identified(this, welcome);
-            refused = proxy.isEmpty();
-            if (refused) {
-                lastEvent = "refused: " + welcome.boatId() + " is known already";
-                connection.orElseThrow().close(lastEvent);
-            } else {
-                proxy.get().opened(nowMs);
-            }
+            found = Optional.of(new Found(welcome, nowMs));
+            claim(found.get());
         } catch (LinkException e) {
             connection.orElseThrow().close("what answers there is no boat: " + e.getMessage());
+        }
+    }
+
+    private void claim(Found claimed) {
+        if (base.claimed(this, claimed) == Claim.REFUSED) {
+            refused = true;
+            found = Optional.empty();
+            connection.orElseThrow().close("refused: " + claimed.welcome().boatId() + " is reached by another link");
         }
     }
 
@@ -136,6 +182,7 @@ final class BoatLink implements FrameSink {
             return;
         }
         connection = Optional.empty();
+        found = Optional.empty();
         open = false;
         nextTryMs = nowMs + (refused ? backoff.longest() : backoff.next());
         refused = false;

@@ -2,11 +2,8 @@ package org.sami.crw.proxy.tcp;
 
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
-import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.Executors;
@@ -16,7 +13,6 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 import org.sami.boat.link.SteadyClock;
-import org.sami.boat.link.Welcome;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 
@@ -26,7 +22,7 @@ import org.sami.crw.proxy.ProxyRegistry;
  *
  * <p>Links come again by themselves after they broke. What a boat then does is its proxy's matter: a boat whose server has
  * started anew is not moved before {@link BoatProxy#confirmRestart}. Of two boats with one id the first that answered is kept,
- * the other refused and alarmed.
+ * the other refused and alarmed; a boat that has fallen silent at one address and answers at another has moved.
  *
  * <p>Proxies, registry and listeners live on the base's thread; {@link #query} brings others there. Safe for use by several
  * threads.
@@ -34,24 +30,18 @@ import org.sami.crw.proxy.ProxyRegistry;
 public final class TcpBase implements AutoCloseable {
     private static final long STOP_MS = 5000;
 
-    private final TcpBaseConfig config;
     private final SteadyClock clock;
     private final BaseListener listener;
     private final ScheduledExecutorService thread;
     private final Future<?> ticks;
-    private final Hand hand = new Hand();
-
-    // For the base's thread:
-    private final List<BoatLink> links = new ArrayList<>();
-    private final ProxyRegistry proxies = new ProxyRegistry();
-    private final Set<LinkAlarm> alarmed = new LinkedHashSet<>();
-    private boolean stopped;
+    private final LinkTable links; // for the base's thread
+    private boolean stopped; // as well
 
     /** A base without boats, whose thread runs already. */
     public TcpBase(TcpBaseConfig config, SteadyClock clock, BaseListener listener) {
-        this.config = Objects.requireNonNull(config, "config");
         this.clock = Objects.requireNonNull(clock, "clock");
         this.listener = Objects.requireNonNull(listener, "listener");
+        links = new LinkTable(Objects.requireNonNull(config, "config"), listener, this::earsOf);
         thread = Executors.newSingleThreadScheduledExecutor(work -> {
             Thread made = new Thread(work, config.proxy().clientId() + "-links");
             made.setDaemon(true);
@@ -63,18 +53,28 @@ public final class TcpBase implements AutoCloseable {
     /** Begins to connect to the boat at an address, and keeps at it; an address that is known already is ignored. */
     public void connect(InetSocketAddress address) {
         run("connecting to " + address, () -> {
-            boolean known = links.stream().anyMatch(link -> link.address().equals(address));
-            if (!known && !stopped) {
-                BoatLink link = new BoatLink(address, config, hand, config.seed() + links.size());
-                links.add(link);
-                link.tick(now());
+            if (!stopped) {
+                links.add(address, now());
             }
         });
     }
 
+    /**
+     * Gives up a boat and its address. Its commands fail, it is stopped if it can be told, and is then left alone. Gives whether
+     * it was known.
+     */
+    public CompletableFuture<Boolean> remove(String boatId) {
+        return CompletableFuture.supplyAsync(() -> links.remove(boatId, now()), thread);
+    }
+
+    /** Gives up an address, and as {@link #remove} the boat that it leads to. Gives whether it was known. */
+    public CompletableFuture<Boolean> disconnect(InetSocketAddress address) {
+        return CompletableFuture.supplyAsync(() -> links.remove(address, now()), thread);
+    }
+
     /** Asks or tells the proxies something on the base's thread. */
     public <T> CompletableFuture<T> query(Function<ProxyRegistry, T> question) {
-        return CompletableFuture.supplyAsync(() -> question.apply(proxies), thread);
+        return CompletableFuture.supplyAsync(() -> question.apply(boats()), thread);
     }
 
     /**
@@ -87,13 +87,12 @@ public final class TcpBase implements AutoCloseable {
 
     /** The boats. For the base's thread alone. */
     public ProxyRegistry boats() {
-        return proxies;
+        return links.proxies();
     }
 
     /** How the links stand. */
     public CompletableFuture<List<LinkReport>> links() {
-        return CompletableFuture.supplyAsync(
-                () -> links.stream().map(BoatLink::report).toList(), thread);
+        return CompletableFuture.supplyAsync(links::reports, thread);
     }
 
     /** Closes all links and ends all threads. Waits for them for a few seconds; not to be called on the base's thread. */
@@ -103,7 +102,7 @@ public final class TcpBase implements AutoCloseable {
         List<BoatConnection> closing = new ArrayList<>();
         run("closing", () -> {
             stopped = true;
-            links.forEach(link -> link.connection().ifPresent(closing::add));
+            closing.addAll(links.connections());
             closing.forEach(connection -> connection.close("the base stops"));
         });
         thread.shutdown(); // what was said before still comes to the proxies
@@ -125,9 +124,7 @@ public final class TcpBase implements AutoCloseable {
     }
 
     private void tick() {
-        for (BoatLink link : links) {
-            guarded("a tick of " + link.address(), () -> link.tick(now()));
-        }
+        links.tick(now(), work -> guarded("a tick of a link", work));
     }
 
     private void run(String what, Runnable work) {
@@ -146,65 +143,26 @@ public final class TcpBase implements AutoCloseable {
         }
     }
 
-    /** Brings what connections tell to the base's thread, and decides which boats are taken. */
-    private final class Hand implements BoatLink.Base {
-        @Override
-        public BoatConnection.Owner ears(BoatLink link) {
-            return new BoatConnection.Owner() {
-                @Override
-                public void opened(BoatConnection connection) {
-                    run("an opened link", () -> link.opened(connection, now()));
-                }
-
-                @Override
-                public void arrived(BoatConnection from, byte[] frame, Runnable done) {
-                    run("a frame", () -> {
-                        done.run();
-                        link.arrived(from, frame, now());
-                    });
-                }
-
-                @Override
-                public void closed(BoatConnection connection, String why) {
-                    run("a closed link", () -> link.closed(connection, why, now()));
-                }
-            };
-        }
-
-        @Override
-        public Optional<BoatProxy> identified(BoatLink link, Welcome welcome) {
-            Optional<BoatProxy> known = proxies.find(welcome.boatId());
-            if (known.isPresent()) {
-                alarm(link, welcome, known.get());
-                return Optional.empty();
+    /** Brings what connections tell to the base's thread. */
+    private BoatConnection.Owner earsOf(BoatLink link) {
+        return new BoatConnection.Owner() {
+            @Override
+            public void opened(BoatConnection connection) {
+                run("an opened link", () -> link.opened(connection, now()));
             }
-            BoatProxy proxy = new BoatProxy(welcome.boatId(), link, listener.found(welcome.boatId()), config.proxy());
-            proxies.add(proxy);
-            listener.onBoat(proxy);
-            return Optional.of(proxy);
-        }
 
-        private void alarm(BoatLink link, Welcome welcome, BoatProxy known) {
-            BoatLink first = links.stream()
-                    .filter(other -> other.report().boatId().equals(Optional.of(welcome.boatId())))
-                    .findFirst()
-                    .orElseThrow();
-            boolean same = known.status().bootId().equals(welcome.bootId());
-            String both = first.address() + " and " + link.address();
-            LinkAlarm alarm = same
-                    ? new LinkAlarm(
-                            LinkAlarm.Kind.ONE_BOAT_AT_TWO_ADDRESSES,
-                            welcome.boatId(),
-                            link.address(),
-                            welcome.boatId() + " is one boat at " + both + "; the second link is refused")
-                    : new LinkAlarm(
-                            LinkAlarm.Kind.TWO_BOATS_WITH_ONE_ID,
-                            welcome.boatId(),
-                            link.address(),
-                            "two boats are named " + welcome.boatId() + ", at " + both + "; the second is refused");
-            if (alarmed.add(alarm)) {
-                listener.onAlarm(alarm);
+            @Override
+            public void arrived(BoatConnection from, byte[] frame, Runnable done) {
+                run("a frame", () -> {
+                    done.run();
+                    link.arrived(from, frame, now());
+                });
             }
-        }
+
+            @Override
+            public void closed(BoatConnection connection, String why) {
+                run("a closed link", () -> link.closed(connection, why, now()));
+            }
+        };
     }
 }

@@ -1,6 +1,7 @@
 package org.sami.crw.sim.boat;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
@@ -97,6 +98,15 @@ final class Harbour implements AutoCloseable {
         return log(name).stream()
                 .filter(entry -> entry.command().type().equals(type))
                 .count();
+    }
+
+    /** The same, for conditions. */
+    long executedOf(String name, String type) {
+        try {
+            return executed(name, type);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     /** A path of points so many metres north of the pier, and far away eastward if there are none. */
@@ -200,6 +210,16 @@ final class Harbour implements AutoCloseable {
             if (onlyWatches) {
                 proxy.observe();
             }
+        }
+
+        @Override
+        public void onMoved(String boatId, InetSocketAddress from, InetSocketAddress to) {
+            heard.add(boatId + " moved to port " + to.getPort());
+        }
+
+        @Override
+        public void onRemoved(String boatId) {
+            heard.add(boatId + " removed");
         }
 
         @Override

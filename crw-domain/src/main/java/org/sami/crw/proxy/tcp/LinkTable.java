@@ -1,0 +1,235 @@
+package org.sami.crw.proxy.tcp;
+
+import java.net.InetSocketAddress;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import org.sami.boat.link.FrameSink;
+import org.sami.boat.link.Welcome;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.ProxyRegistry;
+
+/**
+ * The links of a base, and which boat each carries. Decides what becomes of a boat that answers at a second address: as long as
+ * frames come over the first link, that one keeps the boat and the second is refused and alarmed; when nothing comes any
+ * longer, the boat has moved. For the base's thread.
+ */
+final class LinkTable {
+    private static final long STOP_WITHIN_MS = 2000;
+
+    private final TcpBaseConfig config;
+    private final BaseListener listener;
+    private final Function<BoatLink, BoatConnection.Owner> ears;
+    private final List<BoatLink> links = new ArrayList<>();
+    private final List<Leaving> leaving = new ArrayList<>();
+    private final ProxyRegistry proxies = new ProxyRegistry();
+    private final Map<String, BoatLink> carriers = new LinkedHashMap<>();
+    private final Map<String, BoatProxy> removed = new HashMap<>(); // each remembers which ids it has used
+    private final Set<LinkAlarm> alarmed = new LinkedHashSet<>();
+    private long made;
+    private long nowMs;
+
+    /** A table without links; {@code ears} gives a link's connections whom to tell what happens. */
+    LinkTable(TcpBaseConfig config, BaseListener listener, Function<BoatLink, BoatConnection.Owner> ears) {
+        this.config = config;
+        this.listener = listener;
+        this.ears = ears;
+    }
+
+    ProxyRegistry proxies() {
+        return proxies;
+    }
+
+    List<LinkReport> reports() {
+        return links.stream().map(BoatLink::report).toList();
+    }
+
+    /** Every connection that stands or is tried. */
+    List<BoatConnection> connections() {
+        List<BoatConnection> all = new ArrayList<>();
+        links.forEach(link -> link.connection().ifPresent(all::add));
+        leaving.forEach(one -> one.link.connection().ifPresent(all::add));
+        return all;
+    }
+
+    void add(InetSocketAddress address, long atMs) {
+        nowMs = atMs;
+        boolean known = links.stream().anyMatch(link -> link.address().equals(address));
+        if (!known) {
+            BoatLink link = new BoatLink(address, config, new Hand(), config.seed() + made++);
+            links.add(link);
+            link.tick(nowMs);
+        }
+    }
+
+    /** Gives up an address, and the boat that it carries. Returns whether it was known. */
+    boolean remove(InetSocketAddress address, long atMs) {
+        nowMs = atMs;
+        Optional<BoatLink> found =
+                links.stream().filter(link -> link.address().equals(address)).findFirst();
+        found.ifPresent(link -> link.report().boatId().ifPresentOrElse(this::remove, () -> drop(link)));
+        return found.isPresent();
+    }
+
+    /** Gives up a boat and its address. Returns whether it was known. */
+    boolean remove(String boatId, long atMs) {
+        nowMs = atMs;
+        boolean known = carriers.containsKey(boatId);
+        if (known) {
+            remove(boatId);
+        }
+        return known;
+    }
+
+    private void remove(String boatId) {
+        BoatLink link = carriers.remove(boatId);
+        BoatProxy proxy = proxies.find(boatId).orElseThrow();
+        proxies.remove(boatId);
+        removed.put(boatId, proxy);
+        links.remove(link);
+        leaving.add(new Leaving(link, proxy, nowMs + STOP_WITHIN_MS));
+        forgetAlarms(boatId);
+        proxy.retire("the boat has been removed");
+        listener.onRemoved(boatId);
+    }
+
+    private void drop(BoatLink link) {
+        links.remove(link);
+        link.release("the address is given up", nowMs);
+    }
+
+    /** Lets time pass for all links; {@code guarded} is given the work for each, so that none suffers from another. */
+    void tick(long atMs, Consumer<Runnable> guarded) {
+        nowMs = atMs;
+        for (BoatLink link : List.copyOf(links)) {
+            guarded.accept(() -> link.tick(atMs));
+        }
+        leaving.forEach(one -> guarded.accept(() -> one.proxy.tick(atMs)));
+        letGo(one -> !one.proxy.isBeingStopped() || atMs >= one.untilMs);
+    }
+
+    private void letGo(Predicate<Leaving> which) {
+        for (Leaving one : List.copyOf(leaving)) {
+            if (which.test(one)) {
+                one.link.release("the boat has been removed", nowMs);
+                leaving.remove(one);
+            }
+        }
+    }
+
+    private void forgetAlarms(String boatId) {
+        alarmed.removeIf(alarm -> alarm.boatId().equals(boatId));
+    }
+
+    /** A boat that was removed, until it has stopped. */
+    private record Leaving(BoatLink link, BoatProxy proxy, long untilMs) {}
+
+    /** Decides which link carries a boat. */
+    private final class Hand implements BoatLink.Base {
+        @Override
+        public BoatConnection.Owner ears(BoatLink link) {
+            return ears.apply(link);
+        }
+
+        @Override
+        public BoatLink.Claim claimed(BoatLink link, BoatLink.Found found) {
+            String boatId = found.welcome().boatId();
+            BoatLink carrier = carriers.get(boatId);
+            if (carrier == null) {
+                adopt(link, boatId);
+            } else if (carrier.isOpen() && carrier.lastHeardMs() > found.sinceMs()) {
+                alarm(carrier, link, found.welcome());
+                return BoatLink.Claim.REFUSED;
+            } else if (!hasGone(carrier, found.welcome())) {
+                return BoatLink.Claim.WAITS;
+            } else {
+                move(carrier, link, found.welcome());
+            }
+            return BoatLink.Claim.CARRIES;
+        }
+
+        private void adopt(BoatLink link, String boatId) {
+            letGo(one -> one.proxy.boatId().equals(boatId));
+            BoatProxy proxy = Optional.ofNullable(removed.remove(boatId))
+                    .orElseGet(
+                            () -> new BoatProxy(boatId, new Carried(boatId), listener.found(boatId), config.proxy()));
+            carriers.put(boatId, link);
+            proxies.add(proxy);
+            listener.onBoat(proxy);
+            link.carry(proxy, nowMs);
+        }
+
+        /** The same start of the same boat can be at one place only; another boat of its name must not take its place so soon. */
+        private boolean hasGone(BoatLink carrier, Welcome welcome) {
+            boolean same = isSameStart(welcome);
+            return !carrier.isOpen()
+                    && (same || nowMs - carrier.lastHeardMs() > config.proxy().lostAfterMs());
+        }
+
+        private boolean isSameStart(Welcome welcome) {
+            return proxies.find(welcome.boatId())
+                    .filter(known -> known.status().bootId().equals(welcome.bootId()))
+                    .isPresent();
+        }
+
+        private void move(BoatLink from, BoatLink to, Welcome welcome) {
+            String boatId = welcome.boatId();
+            if (isSameStart(welcome)) {
+                drop(from); // nobody is there any longer; else a boat of that name may still be, and must be noticed
+            } else {
+                from.release("the boat is reached elsewhere", nowMs);
+            }
+            carriers.put(boatId, to);
+            forgetAlarms(boatId);
+            listener.onMoved(boatId, from.address(), to.address());
+            to.carry(proxies.find(boatId).orElseThrow(), nowMs);
+        }
+
+        private void alarm(BoatLink carrier, BoatLink link, Welcome welcome) {
+            String both = carrier.address() + " and " + link.address();
+            LinkAlarm alarm = isSameStart(welcome)
+                    ? new LinkAlarm(
+                            LinkAlarm.Kind.ONE_BOAT_AT_TWO_ADDRESSES,
+                            welcome.boatId(),
+                            link.address(),
+                            welcome.boatId() + " is one boat at " + both + "; the second link is refused")
+                    : new LinkAlarm(
+                            LinkAlarm.Kind.TWO_BOATS_WITH_ONE_ID,
+                            welcome.boatId(),
+                            link.address(),
+                            "two boats are named " + welcome.boatId() + ", at " + both + "; the second is refused");
+            if (alarmed.add(alarm)) {
+                listener.onAlarm(alarm);
+            }
+        }
+    }
+
+    /** The way of a proxy's frames: over the link that carries the boat now. */
+    private final class Carried implements FrameSink {
+        private final String boatId;
+
+        Carried(String boatId) {
+            this.boatId = boatId;
+        }
+
+        @Override
+        public void send(byte[] frame) {
+            BoatLink carrier = carriers.get(boatId);
+            if (carrier != null) {
+                carrier.send(frame);
+            } else {
+                leaving.stream()
+                        .filter(one -> one.proxy.boatId().equals(boatId))
+                        .forEach(one -> one.link.send(frame));
+            }
+        }
+    }
+}

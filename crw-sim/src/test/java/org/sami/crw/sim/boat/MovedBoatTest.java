@@ -1,0 +1,173 @@
+package org.sami.crw.sim.boat;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.BoatMode;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.tcp.LinkAlarm;
+import org.sami.crw.proxy.tcp.LinkReport;
+import org.sami.crw.sim.boat.Harbour.Base;
+
+/** Boats that change their address, come back under another one, or are removed from the base. */
+@Timeout(90)
+class MovedBoatTest {
+    @TempDir
+    private Path logs;
+
+    private Harbour harbour;
+
+    @BeforeEach
+    void open() {
+        harbour = new Harbour(logs);
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        harbour.close();
+    }
+
+    @Test
+    void boatThatFallsSilentAndAnswersAtAnotherAddressGoesOnThereWithoutAnAlarm() throws Exception {
+        BoatOnTcp boat = harbour.boat("anna");
+        TestRelay first = harbour.relay(boat);
+        TestRelay second = harbour.relay(boat);
+        Base base = harbour.base("base");
+        base.connect(first.address(), "anna");
+        base.submit("anna", Harbour.path("m1", 1));
+        base.awaitMode("anna", BoatMode.PATH);
+        first.setSwallows(true); // its old connection stands and says nothing
+        base.tcp.connect(second.address());
+
+        Await.until(
+                "it has moved",
+                10,
+                () -> base.count("anna moved to port " + second.address().getPort()) == 1);
+        Await.until("it goes on", 10, () -> harbour.executedOf("anna", "start") == 2);
+        assertThat(base.alarms).isEmpty();
+        assertThat(harbour.executedOf("anna", "upload")).isEqualTo(1);
+        first.setSwallows(false);
+        Await.holds("nobody tries the old address", 1, () -> base.links().size() == 1);
+        assertThat(base.links()).extracting(LinkReport::address).containsExactly(second.address());
+        assertThat(base.alarms).isEmpty();
+        assertThat(base.failures).isEmpty();
+    }
+
+    @Test
+    void boatThatStartsAnewAtAnotherAddressIsTakenOverAndNotMovedUntilItIsAllowed() throws Exception {
+        BoatOnTcp boat = harbour.boat("anna");
+        Base base = harbour.base("base");
+        base.connect(boat.address(), "anna");
+        base.submit("anna", Harbour.path("m1", 1));
+        base.awaitMode("anna", BoatMode.PATH);
+        boat.close();
+        BoatOnTcp again = harbour.boat("anna");
+        base.tcp.connect(again.address());
+
+        Await.until(
+                "it has moved",
+                10,
+                () -> base.count("anna moved to port " + again.address().getPort()) == 1);
+        Await.until("the operator is asked", 10, () -> base.count("anna restarted") == 1);
+        base.awaitMode("anna", BoatMode.STOPPED);
+        Await.holds("it rests", 1, () -> base.mode("anna").equals(Optional.of(BoatMode.STOPPED)));
+        assertThat(base.alarms).isEmpty();
+        base.ask("anna", proxy -> {
+            proxy.confirmRestart();
+            return true;
+        });
+        base.awaitMode("anna", BoatMode.PATH);
+        assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+    }
+
+    @Test
+    void namesakeOfABoatThatHasComeBackIsAlarmed() throws Exception {
+        BoatOnTcp boat = harbour.boat("anna");
+        TestRelay relay = harbour.relay(boat);
+        BoatOnTcp namesake = harbour.boat("anna", 0, logs.resolve("other"));
+        Base base = harbour.base("base");
+        base.connect(relay.address(), "anna");
+        relay.setSwallows(true);
+        base.tcp.connect(namesake.address());
+        Await.until(
+                "it is taken for the same boat",
+                10,
+                () -> base.count("anna moved to port " + namesake.address().getPort()) == 1);
+        relay.setSwallows(false);
+
+        Await.until("the first is there again", 15, () -> !base.alarms.isEmpty());
+        assertThat(base.alarms)
+                .singleElement()
+                .extracting(LinkAlarm::kind)
+                .isEqualTo(LinkAlarm.Kind.TWO_BOATS_WITH_ONE_ID);
+    }
+
+    @Test
+    void removedBoatIsStoppedAndLeftAloneAndItsCommandsFail() throws Exception {
+        BoatOnTcp boat = harbour.boat("anna");
+        Base base = harbour.base("removing");
+        base.connect(boat.address(), "anna");
+        base.submit("anna", Harbour.path("m1", 1));
+        base.submit("anna", Harbour.path("m2", 2));
+        base.awaitMode("anna", BoatMode.PATH);
+
+        assertThat(base.tcp.remove("anna").join()).isTrue();
+        assertThat(base.tcp.remove("anna").join()).isFalse();
+        Await.until("it is stopped", 10, () -> harbour.executedOf("anna", "stop") == 1);
+        Await.until("no thread is left", 5, () -> Await.threads("removing-to-") == 0);
+        assertThat(base.heard)
+                .contains(
+                        "anna failed m1: the boat has been removed",
+                        "anna failed m2: the boat has been removed",
+                        "anna removed",
+                        "anna LOST");
+        assertThat(base.links()).isEmpty();
+        assertThat(base.tcp.query(boats -> boats.boatIds()).join()).isEmpty();
+        assertThat(base.failures).isEmpty();
+    }
+
+    @Test
+    void removedBoatCanBeConnectedAgainAndGetsNoIdTwice() throws Exception {
+        BoatOnTcp boat = harbour.boat("anna");
+        Base base = harbour.base("base");
+        for (int i = 1; i <= 3; i++) {
+            int times = i;
+            base.tcp.connect(boat.address());
+            Await.until(
+                    "it is there",
+                    10,
+                    () -> base.tcp
+                            .query(boats -> boats.find("anna").isPresent())
+                            .join());
+            base.submit("anna", Harbour.path("m1", 1));
+            Await.until(
+                    "it is under way",
+                    10,
+                    () -> harbour.executedOf("anna", "start") == times
+                            && base.ask("anna", BoatProxy::explain).shouldMove());
+            assertThat(base.tcp.disconnect(boat.address()).join()).isTrue();
+            Await.until("it is stopped", 10, () -> harbour.executedOf("anna", "stop") == times);
+        }
+
+        assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+        assertThat(base.alarms).isEmpty();
+        assertThat(base.tcp.disconnect(boat.address()).join()).isFalse();
+    }
+
+    @Test
+    void addressWhereNobodyIsCanBeGivenUp() throws IOException {
+        Base base = harbour.base("base");
+        base.tcp.connect(Harbour.port(1));
+        assertThat(base.links()).hasSize(1);
+
+        assertThat(base.tcp.disconnect(Harbour.port(1)).join()).isTrue();
+        assertThat(base.links()).isEmpty();
+    }
+}
