@@ -38,7 +38,7 @@ class ShippedFilesTest {
 
         assertThat(reading.findings()).isEmpty();
         assertThat(reading.orThrow().plans()).extracting(Plan::id).containsExactly("clv", "station-keep");
-        assertThat(reading.orThrow().vocabulary().markups()).hasSize(16);
+        assertThat(reading.orThrow().vocabulary().markups()).hasSize(18);
     }
 
     @Test

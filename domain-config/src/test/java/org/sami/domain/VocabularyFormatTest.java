@@ -88,7 +88,9 @@ class VocabularyFormatTest {
                     "answers": ["Taken", "Left"] | "answers": ["Taken", "Gone"] | E-ANSWERS
                     "answers": ["Taken", "Left"] | "answers": ["Taken", "Left", "Wait"] | E-ANSWERS
                     "answers": ["Taken", "Left"] | "answers": ["Taken"]         | E-DECISION
-                    "rejected": "Left",     | ''                      | E-DECISION
+                    "form": "choose-option" | "form": "approve"       | E-DECISION
+                    "form": "choose-option" | "form": "choose-variable" | E-DECISION
+                    "form": "choose-option" | "form": "define-variables" | E-DECISION
                     "optionsField": "offers" | "optionsField": "gifts" | E-DECISION
                     "price": "price"        | "price": "colour"       | E-DECISION
                     "price": "price"        | "cost": "price"         | E-DECISION

@@ -30,7 +30,7 @@ final class AnswerForm {
     /** Checks an answer to an output event's decision. */
     static void check(
             JsonNode answer, String pointer, DecisionType decision, Vocabulary vocabulary, List<Finding> findings) {
-        Optional<String> member = only(answer, pointer, membersFor(decision.form()), findings);
+        Optional<String> member = only(answer, pointer, membersFor(decision), findings);
         if (member.isEmpty()) {
             return;
         }
@@ -45,12 +45,13 @@ final class AnswerForm {
         only(answer, pointer, List.of(VALUE), findings);
     }
 
-    private static List<String> membersFor(DecisionForm form) {
-        return switch (form) {
+    private static List<String> membersFor(DecisionType decision) {
+        return switch (decision.form()) {
             case APPROVE -> List.of(YES, SILENT);
             case CHOOSE_PROXIES -> List.of(BOATS, SILENT);
-            case CHOOSE_OPTION -> List.of(OPTION, REJECT, SILENT);
-            case PROVIDE, REDEFINE_VARIABLE -> List.of(VALUES, SILENT);
+            case CHOOSE_OPTION, CHOOSE_VARIABLE ->
+                decision.rejected().isEmpty() ? List.of(OPTION, SILENT) : List.of(OPTION, REJECT, SILENT);
+            case PROVIDE, REDEFINE_VARIABLE, DEFINE_VARIABLES -> List.of(VALUES, SILENT);
         };
     }
 

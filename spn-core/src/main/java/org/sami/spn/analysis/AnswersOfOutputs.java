@@ -7,6 +7,7 @@ import org.sami.spn.analysis.PlanContext.PlacedOutput;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.vocabulary.DecisionType;
+import org.sami.spn.vocabulary.EventFlag;
 import org.sami.spn.vocabulary.EventRole;
 
 /** What a place asks for, a transition after it waits for (thesis 4.3.3, Events). */
@@ -18,6 +19,7 @@ final class AnswersOfOutputs implements PlanCheck {
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (PlacedOutput output : plan.outputs()) {
             if (output.type().answers().isEmpty()
+                    || output.type().flags().contains(EventFlag.ANSWER_OPTIONAL)
                     || output.place().end()
                     || ANSWERED_BY_THE_MISSION.contains(output.type().role())) {
                 continue;

@@ -5,6 +5,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedInput;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.vocabulary.EventFlag;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.EventType;
 
@@ -25,7 +26,9 @@ final class CausesOfInputs implements PlanCheck {
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (PlacedInput input : plan.inputs()) {
             List<EventType> causes = causes(plan, input.type());
-            if (causes.isEmpty() || FROM_ELSEWHERE.contains(input.type().role())) {
+            if (causes.isEmpty()
+                    || input.type().flags().contains(EventFlag.NEWS)
+                    || FROM_ELSEWHERE.contains(input.type().role())) {
                 continue;
             }
             boolean before = plan.outputs().stream()

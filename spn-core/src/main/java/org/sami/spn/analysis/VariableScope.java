@@ -1,6 +1,7 @@
 package org.sami.spn.analysis;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -14,6 +15,8 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.model.VariableSpec;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.value.VariableReference;
 import org.sami.spn.vocabulary.DecisionForm;
@@ -22,6 +25,9 @@ import org.sami.spn.vocabulary.FieldType;
 
 /** Who declares, reads and writes which variable, as seen from one plan (SEMANTICS, Variables; thesis 3.1). */
 final class VariableScope {
+    private static final Set<DecisionForm> ASK_FOR_VARIABLES =
+            EnumSet.of(DecisionForm.REDEFINE_VARIABLE, DecisionForm.DEFINE_VARIABLES);
+
     private final PlanContext plan;
     private final List<Use> redefinitions;
     private final List<Use> reads;
@@ -98,21 +104,32 @@ final class VariableScope {
     private List<Use> findRedefinitions() {
         List<Use> uses = new ArrayList<>();
         for (PlacedOutput output : plan.outputs()) {
-            boolean redefines = output.type().decision().isPresent()
-                    && output.type().decision().get().form() == DecisionForm.REDEFINE_VARIABLE;
-            output.spec().fields().forEach((field, source) -> {
-                if (redefines
-                        && source instanceof FieldSource.Fixed fixed
-                        && fixed.value() instanceof VariableReference reference) {
-                    uses.add(new Use(
-                            reference.variable(),
-                            Optional.empty(),
-                            output.pointer() + "/fields/" + field,
-                            output.spec().id()));
-                }
-            });
+            if (output.type()
+                    .decision()
+                    .filter(d -> ASK_FOR_VARIABLES.contains(d.form()))
+                    .isPresent()) {
+                output.spec()
+                        .fields()
+                        .forEach((field, source) -> named(source)
+                                .forEach(variable -> uses.add(new Use(
+                                        variable,
+                                        Optional.empty(),
+                                        output.pointer() + "/fields/" + field,
+                                        output.spec().id()))));
+            }
         }
         return uses;
+    }
+
+    private static List<String> named(FieldSource source) {
+        if (!(source instanceof FieldSource.Fixed fixed)) {
+            return List.of();
+        }
+        List<Value> values = fixed.value() instanceof ListValue list ? list.items() : List.of(fixed.value());
+        return values.stream()
+                .filter(VariableReference.class::isInstance)
+                .map(value -> ((VariableReference) value).variable())
+                .toList();
     }
 
     private static Use use(String variable, EventType type, String field, String pointer, String event) {

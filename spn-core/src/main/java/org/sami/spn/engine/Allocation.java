@@ -12,6 +12,7 @@ import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.MapValue;
 import org.sami.spn.value.ProxyValue;
+import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Reserved;
@@ -49,6 +50,9 @@ final class Allocation {
     /** Applies the allocation in an activation. */
     void apply(Sent sent) {
         Value tasks = sent.activation.values().get(Reserved.TASKS);
+        if (tasks == null && sent.activation.values().get(Reserved.ALLOCATION) instanceof RecordValue record) {
+            tasks = record.field(Reserved.TASKS).orElse(null);
+        }
         if (!(tasks instanceof MapValue map)) {
             rules.note(
                     NoteKind.HANDLER_FAILED,

@@ -17,12 +17,15 @@ import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Question;
+import org.sami.spn.value.MapValue;
 import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
+import org.sami.spn.value.VariableReference;
 import org.sami.spn.vocabulary.AnswerNames;
 import org.sami.spn.vocabulary.DecisionForm;
 import org.sami.spn.vocabulary.DecisionType;
+import org.sami.spn.vocabulary.Reserved;
 
 /** Questions to the operator: opened, answered once by the operator or by autonomy, closed (DESIGN, How data flows). */
 final class Decisions {
@@ -202,10 +205,8 @@ final class Decisions {
         Activation asked = open.sent.activation;
         boolean no = answer instanceof Answer.Rejected || (answer instanceof Answer.YesNo yesNo && !yesNo.yes());
         Map<String, Value> values = values(open, type, answer);
-        if (type.form() == DecisionForm.REDEFINE_VARIABLE) {
-            for (Map.Entry<String, Value> e : values.entrySet()) {
-                rules.variables.write(open.mission, e.getKey(), e.getValue());
-            }
+        if (type.form() == DecisionForm.REDEFINE_VARIABLE || type.form() == DecisionForm.DEFINE_VARIABLES) {
+            values = written(open, values);
         }
         List<String> proxies = List.of();
         List<TaskId> tasks = List.of();
@@ -219,6 +220,17 @@ final class Decisions {
         if (!event.isEmpty()) {
             rules.routing.route(Occurrence.answer(event, asked, proxies, tasks, values));
         }
+    }
+
+    /** Writes variables; the answer carries what they were given as one map. */
+    private Map<String, Value> written(OpenDecision open, Map<String, Value> given) {
+        Map<Value, Value> written = new LinkedHashMap<>();
+        given.forEach((name, value) -> {
+            if (rules.variables.write(open.mission, name, value)) {
+                written.put(new VariableReference(name), value);
+            }
+        });
+        return Map.of(Reserved.VALUES, new MapValue(written));
     }
 
     private static Map<String, Value> values(OpenDecision open, DecisionType type, Answer answer) {

@@ -13,6 +13,7 @@ import org.sami.spn.protocol.Question;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.TextValue;
+import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.value.VariableReference;
@@ -44,8 +45,10 @@ final class Questions {
             case APPROVE -> new Question.Approve();
             case CHOOSE_PROXIES -> new Question.ChooseProxies(candidates(sent), type.min(), type.max());
             case CHOOSE_OPTION -> new Question.ChooseOption(options(sent));
+            case CHOOSE_VARIABLE -> new Question.ChooseOption(variablesOfClass(sent));
             case PROVIDE -> new Question.FillIn(fieldsOf(type.accepted()));
-            case REDEFINE_VARIABLE -> new Question.FillIn(variable(sent));
+            case REDEFINE_VARIABLE -> new Question.FillIn(variables(sent, variable(sent)));
+            case DEFINE_VARIABLES -> new Question.FillIn(variables(sent, listed(sent)));
         };
     }
 
@@ -62,9 +65,29 @@ final class Questions {
         return standing.isEmpty() ? List.copyOf(rules.state.proxies) : List.copyOf(standing);
     }
 
-    private static List<Value> options(Sent sent) {
-        Value options = sent.activation.values().get(sent.output.decision.optionsField());
-        return options instanceof ListValue list ? list.items() : List.of();
+    private List<Value> options(Sent sent) {
+        String field = sent.output.decision.optionsField();
+        Value options = sent.activation.values().get(field);
+        if (options instanceof ListValue list) {
+            return list.items();
+        }
+        return sent.output
+                .type
+                .flatMap(type -> type.field(field))
+                .map(FieldType::type)
+                .filter(ValueType.ListOf.class::isInstance)
+                .map(list -> rules.variables.valuesInScope(sent.mission(), ((ValueType.ListOf) list).element()))
+                .orElse(List.of());
+    }
+
+    private List<Value> variablesOfClass(Sent sent) {
+        Value named = sent.activation.values().get(Reserved.VARIABLE_CLASS);
+        return Optional.ofNullable(named)
+                .flatMap(value -> TypeNames.parse(CompiledInput.text(value)))
+                .map(type -> rules.variables.namesInScope(sent.mission(), type).stream()
+                        .<Value>map(VariableReference::new)
+                        .toList())
+                .orElse(List.of());
     }
 
     private List<Question.Item> fieldsOf(String inputEvent) {
@@ -79,17 +102,28 @@ final class Questions {
         return items;
     }
 
-    private List<Question.Item> variable(Sent sent) {
+    private static List<Value> variable(Sent sent) {
         Value named = sent.activation.values().get(Reserved.VARIABLE);
-        String name =
-                named instanceof VariableReference r ? r.variable() : named == null ? "" : CompiledInput.text(named);
-        if (name.isEmpty()) {
-            return List.of();
-        }
+        return named == null ? List.of() : List.of(named);
+    }
+
+    private static List<Value> listed(Sent sent) {
+        return sent.activation.values().get(Reserved.VARIABLES) instanceof ListValue list ? list.items() : List.of();
+    }
+
+    private List<Question.Item> variables(Sent sent, List<Value> named) {
+        Set<String> names = new LinkedHashSet<>();
+        named.forEach(
+                value -> names.add(value instanceof VariableReference r ? r.variable() : CompiledInput.text(value)));
+        names.remove("");
+        return names.stream().map(name -> item(sent, name)).toList();
+    }
+
+    private Question.Item item(Sent sent, String name) {
         VariableSpec declared = rules.variables.declaration(sent.mission(), name);
         Optional<Value> current = Optional.ofNullable(rules.variables.read(sent.mission(), name));
         ValueType type = declared == null ? ValueType.Simple.ANY : declared.type();
-        return List.of(new Question.Item(name, type, "", current, true, "New value of " + name));
+        return new Question.Item(name, type, "", current, true, "New value of " + name);
     }
 
     /** What autonomy would answer to a question; empty where it has no sensible answer. */

@@ -1,5 +1,7 @@
 package org.sami.spn.engine;
 
+import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.model.VariableSpec;
@@ -7,6 +9,7 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.value.Value;
+import org.sami.spn.value.ValueType;
 
 /** Reads and writes variables in their scopes (thesis 3.1, Variables; SEMANTICS, Variables). */
 final class Variables {
@@ -58,6 +61,33 @@ final class Variables {
         }
         rules.emit(new Effect.VariableWritten(place.owner == null ? Ids.NONE : place.owner.id, place.name, value));
         return true;
+    }
+
+    /** The declared variables of a type that a mission can read, its own first, the globals last. */
+    List<String> namesInScope(Mission mission, ValueType type) {
+        return declaredInScope(mission).entrySet().stream()
+                .filter(e -> e.getValue().type().equals(type))
+                .map(Map.Entry::getKey)
+                .toList();
+    }
+
+    /** The values of a type that variables hold which a mission can read, its own first, the globals last. */
+    List<Value> valuesInScope(Mission mission, ValueType type) {
+        return declaredInScope(mission).keySet().stream()
+                .map(name -> read(mission, name))
+                .filter(value -> value != null
+                        && type.accepts(value, rules.project().vocabulary.types()))
+                .distinct()
+                .toList();
+    }
+
+    private Map<String, VariableSpec> declaredInScope(Mission mission) {
+        Map<String, VariableSpec> declared = new LinkedHashMap<>();
+        for (Mission m = mission; m != null; m = m.parent) {
+            m.plan.variables.forEach(declared::putIfAbsent);
+        }
+        rules.project().globals.forEach(declared::putIfAbsent);
+        return declared;
     }
 
     boolean fits(VariableSpec declaration, Value value) {

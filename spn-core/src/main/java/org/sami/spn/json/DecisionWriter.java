@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Question;
+import org.sami.spn.value.TypeNames;
 
 /** Writes decisions for reports and tools. */
 final class DecisionWriter {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.spn.value.NamedType;
+import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.ValueType;
 
 /** Reads declarations of enumerations and records. */

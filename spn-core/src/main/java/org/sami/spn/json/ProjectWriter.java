@@ -16,6 +16,7 @@ import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.VariableSpec;
+import org.sami.spn.value.TypeNames;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**

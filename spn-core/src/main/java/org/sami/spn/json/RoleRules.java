@@ -2,6 +2,7 @@ package org.sami.spn.json;
 
 import java.util.Map;
 import java.util.Optional;
+import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventRole;

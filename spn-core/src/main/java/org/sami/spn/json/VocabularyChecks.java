@@ -3,6 +3,7 @@ package org.sami.spn.json;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.spn.value.NamedType;
+import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.AutonomyAnswer;
 import org.sami.spn.vocabulary.DecisionForm;
@@ -56,21 +57,46 @@ final class VocabularyChecks {
         }
         if (decision.form() == DecisionForm.CHOOSE_OPTION) {
             checkOptions(event, decision);
+        } else if (decision.form() == DecisionForm.CHOOSE_VARIABLE) {
+            checkAnswerFields(event, decision, ValueType.Simple.VARIABLE);
         } else if (!decision.optionsField().isEmpty()
                 || !decision.answerFields().isEmpty()) {
-            report(Codes.DECISION, event, "only choose-option has optionsField and answerFields");
+            report(Codes.DECISION, event, "only a choice of options has optionsField and answerFields");
         }
         if (!fits(decision.autonomy(), decision.form())) {
             report(Codes.DECISION, event, "autonomy cannot answer that to such a question");
         }
-        boolean rejects = decision.form() == DecisionForm.APPROVE || decision.form() == DecisionForm.CHOOSE_OPTION;
-        if (rejects == decision.rejected().isEmpty()) {
-            report(Codes.DECISION, event, rejects ? "its decision lacks \"rejected\"" : "nothing can be rejected here");
+        checkRejected(event, decision);
+        checkFieldsOfVariables(event, decision.form());
+    }
+
+    private void checkRejected(EventType event, DecisionType decision) {
+        boolean rejected = !decision.rejected().isEmpty();
+        if (decision.form() == DecisionForm.APPROVE && !rejected) {
+            report(Codes.DECISION, event, "its decision lacks \"rejected\"");
+        } else if (rejected
+                && decision.form() != DecisionForm.APPROVE
+                && decision.form() != DecisionForm.CHOOSE_OPTION) {
+            report(Codes.DECISION, event, "nothing can be rejected here");
         }
-        if (decision.form() == DecisionForm.REDEFINE_VARIABLE
-                && event.field(Reserved.VARIABLE).map(FieldType::type).orElse(ValueType.Simple.ANY)
-                        != ValueType.Simple.VARIABLE) {
-            report(Codes.DECISION, event, "a decision on a variable needs the field \"variable\" of type variable");
+    }
+
+    /** The fields that a decision on variables reads by fixed names. */
+    private void checkFieldsOfVariables(EventType event, DecisionForm form) {
+        switch (form) {
+            case REDEFINE_VARIABLE -> expect(event, Reserved.VARIABLE, ValueType.Simple.VARIABLE);
+            case DEFINE_VARIABLES -> expect(event, Reserved.VARIABLES, new ValueType.ListOf(ValueType.Simple.VARIABLE));
+            case CHOOSE_VARIABLE -> expect(event, Reserved.VARIABLE_CLASS, ValueType.Simple.TEXT);
+            default -> {}
+        }
+    }
+
+    private void expect(EventType event, String field, ValueType type) {
+        if (!event.field(field).map(FieldType::type).equals(Optional.of(type))) {
+            report(
+                    Codes.DECISION,
+                    event,
+                    "such a decision needs the field \"" + field + "\" of type " + TypeNames.of(type));
         }
     }
 
@@ -79,8 +105,11 @@ final class VocabularyChecks {
             case NONE -> true;
             case YES, NO -> form == DecisionForm.APPROVE;
             case ALL -> form == DecisionForm.CHOOSE_PROXIES;
-            case FIRST -> form == DecisionForm.CHOOSE_OPTION;
-            case DEFAULTS -> form == DecisionForm.PROVIDE || form == DecisionForm.REDEFINE_VARIABLE;
+            case FIRST -> form == DecisionForm.CHOOSE_OPTION || form == DecisionForm.CHOOSE_VARIABLE;
+            case DEFAULTS ->
+                form == DecisionForm.PROVIDE
+                        || form == DecisionForm.REDEFINE_VARIABLE
+                        || form == DecisionForm.DEFINE_VARIABLES;
         };
     }
 
@@ -93,13 +122,17 @@ final class VocabularyChecks {
                     "its optionsField \"" + decision.optionsField() + "\" is no list of its fields");
             return;
         }
+        checkAnswerFields(event, decision, list.element());
+    }
+
+    private void checkAnswerFields(EventType event, DecisionType decision, ValueType option) {
         EventType accepted = vocabulary.events().get(decision.accepted());
         if (accepted == null) {
             return;
         }
         for (Map.Entry<String, String> e : decision.answerFields().entrySet()) {
             Optional<ValueType> target = accepted.field(e.getKey()).map(FieldType::type);
-            Optional<ValueType> source = part(list.element(), e.getValue());
+            Optional<ValueType> source = part(option, e.getValue());
             if (target.isEmpty() || !target.equals(source)) {
                 report(
                         Codes.DECISION,

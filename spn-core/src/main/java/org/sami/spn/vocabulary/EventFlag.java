@@ -5,5 +5,9 @@ public enum EventFlag {
     /** Frequent news, such as pose updates: only the latest per proxy counts; unwanted ones are counted, not recorded. */
     COALESCE,
     /** An output event that occupies its robots: a motion command. Used by the checks and by withdrawal reports. */
-    COMMAND
+    COMMAND,
+    /** An input event that also comes without being asked for: it needs no output event before its transition. */
+    NEWS,
+    /** An output event that plans may send without waiting for its answers. */
+    ANSWER_OPTIONAL
 }

@@ -56,6 +56,18 @@ public final class Reserved {
     /** Field of Redefine Variables: a variable. */
     public static final String VARIABLE = "variable";
 
+    /** Field of Define Variables: a list of variables. */
+    public static final String VARIABLES = "variables";
+
+    /** Field of Select Variable: text, a type as vocabularies write it. */
+    public static final String VARIABLE_CLASS = "variableClass";
+
+    /** Field of the answers to Define and Redefine Variables: a map from variable to its new value. */
+    public static final String VALUES = "values";
+
+    /** Field of Apply Allocation: a record with a field {@link #TASKS}. */
+    public static final String ALLOCATION = "allocation";
+
     /** Field of a decision whose text becomes the prompt. */
     public static final String QUESTION = "question";
 

@@ -202,7 +202,8 @@ final class Roles {
                 new Question.FillIn(world.eventType(type.accepted()).fields().stream()
                         .map(Roles::item)
                         .toList());
-            case REDEFINE_VARIABLE -> throw new IllegalStateException("Not in the random plans");
+            case REDEFINE_VARIABLE, DEFINE_VARIABLES, CHOOSE_VARIABLE ->
+                throw new IllegalStateException("Not in the random plans");
         };
     }
 

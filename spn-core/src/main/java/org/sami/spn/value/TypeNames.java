@@ -1,8 +1,7 @@
-package org.sami.spn.json;
+package org.sami.spn.value;
 
 import java.util.Locale;
 import java.util.Optional;
-import org.sami.spn.value.ValueType;
 
 /**
  * Types as text: {@code real}, {@code list<point>}, {@code map<proxy,path>}, or the name of a declared type. Declared names

@@ -1,0 +1,158 @@
+package org.sami.crw.handler;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.sami.spn.vocabulary.Direction;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.EventType;
+
+/** The vocabulary against its sources and against what is built: no event that nothing handles. */
+class CatalogueTest {
+    /** Appendix .2.1, in its order. */
+    private static final List<String> APPENDIX_OUTPUTS = List.of(
+            "ProxySetDescription",
+            "ProxyExecutePath",
+            "ProxyExecutePathAndBlock",
+            "ProxyGotoPoint",
+            "ProxyGotoPointAndBlock",
+            "ProxyExploreArea",
+            "ProxyResendWaypoints",
+            "ConnectExistingProxy",
+            "ConnectExistingProxyId",
+            "CreateSimulatedProxy",
+            "SetGains",
+            "BlockMovement",
+            "ProxyGotoLatLon",
+            "AllocationRequest",
+            "PathRequest",
+            "AssembleLocationRequest",
+            "ProxyCompareDistanceRequest",
+            "StartSystemTimer",
+            "StartProxyTimer",
+            "GetAllProxyTokens",
+            "BatteryLevelSubscription",
+            "DisplayMessage",
+            "OperatorAllocationOptions",
+            "OperatorPathOptions",
+            "OperatorSelectBoat",
+            "OperatorSelectBoatList",
+            "OperatorSelectBoatId",
+            "OperatorCreateArea",
+            "OperatorApprove",
+            "DefineVariables",
+            "RedefineVariables",
+            "SelectVariable",
+            "ReturnValue",
+            "SendAbortMission",
+            "SendProxyAbortAllMissions",
+            "SendProxyAbortFutureMissions",
+            "ProxyAbortMission",
+            "GenerateTasks",
+            "RefreshTasks",
+            "TaskComplete");
+
+    /** Appendix .2.2, in its order. */
+    private static final List<String> APPENDIX_INPUTS = List.of(
+            "ProxyPathCompleted",
+            "ProxyCreated",
+            "ProxyPoseUpdated",
+            "AllocationResponse",
+            "PathResponse",
+            "BatteryNominal",
+            "BatteryLow",
+            "BatteryCritical",
+            "AssembleLocationResponse",
+            "TimerExpired",
+            "ProxyTimerExpired",
+            "TokensReturned",
+            "QuantityGreater",
+            "QuantityLess",
+            "QuantityEqual",
+            "OperatorAcceptedAllocation",
+            "OperatorRejectedAllocation",
+            "OperatorAcceptsPath",
+            "OperatorRejectsPath",
+            "OperatorSelectsBoat",
+            "OperatorSelectsBoatList",
+            "OperatorSelectsBoatId",
+            "OperatorCreatedArea",
+            "YesOption",
+            "NoOption",
+            "DefinedVariablesReceived",
+            "RedefinedVariablesReceived",
+            "VariableSelected",
+            "CheckReturn",
+            "ProxyAbortMissionReceived",
+            "OperatorInterruptReceived",
+            "TaskDelayed",
+            "TaskReassigned",
+            "TaskReleased",
+            "TaskStarted",
+            "TaskUnassigned");
+
+    /** Declared output events whose handlers are still to come. It only gets shorter. */
+    private static final List<String> NOT_HANDLED_YET = List.of(
+            "BatteryLevelSubscription",
+            "ConnectExistingProxy",
+            "ConnectExistingProxyId",
+            "CreateSimulatedProxy",
+            "DisconnectServer",
+            "DistributeLocationsRequest",
+            "PathRequest",
+            "ProxyAbortMission",
+            "ProxyAreaSubscription",
+            "ProxyEmergencyAbort",
+            "ProxyExecutePathAndBlock",
+            "ProxyExploreArea",
+            "ProxyGotoLocationList",
+            "ProxyGotoPointAndBlock",
+            "ProxyResendWaypoints",
+            "ProxySetDescription",
+            "ProxyStationKeep",
+            "ReconnectServer",
+            "RefreshTasks",
+            "SendAbortMission",
+            "SendProxyAbortAllMissions",
+            "SendProxyAbortFutureMissions",
+            "SetGains",
+            "SetVelocityMultiplier",
+            "TakeMeasurement",
+            "TakePanorama",
+            "TaskComplete");
+
+    private final TestWorld world = new TestWorld(new ScriptedEngine(TestWorld.VOCABULARY));
+
+    @Test
+    void theAppendixIsDeclaredWholeAndByItsNames() {
+        assertThat(APPENDIX_OUTPUTS).hasSize(40).allSatisfy(name -> assertDeclared(name, Direction.OUTPUT));
+        assertThat(APPENDIX_INPUTS).hasSize(36).allSatisfy(name -> assertDeclared(name, Direction.INPUT));
+    }
+
+    private static void assertDeclared(String name, Direction direction) {
+        EventType type = TestWorld.VOCABULARY.events().get(name);
+        assertThat(type).as(name).isNotNull();
+        assertThat(type.direction()).as(name).isEqualTo(direction);
+        assertThat(type.help()).as(name).endsWith(".");
+    }
+
+    /** An output event is a question to the operator, the engine's own, or has a handler. */
+    @Test
+    void everyOutputEventIsHandledOrListedAsStillToCome() {
+        Set<String> unhandled = new TreeSet<>();
+        for (EventType type : TestWorld.VOCABULARY.events().values()) {
+            if (type.direction() == Direction.OUTPUT
+                    && type.decision().isEmpty()
+                    && type.role() == EventRole.NONE
+                    && !world.domain.handledTypes().contains(type.name())) {
+                unhandled.add(type.name());
+            }
+        }
+
+        assertThat(unhandled).containsExactlyElementsOf(NOT_HANDLED_YET);
+        assertThat(TestWorld.VOCABULARY.events().keySet()).containsAll(world.domain.handledTypes());
+    }
+}
