@@ -1,7 +1,7 @@
 package org.sami.crw.handler;
 
 /** The input events that this package answers with, as the domain's vocabulary names them. */
-final class EventNames {
+public final class EventNames {
     static final String PATH_COMPLETED = "ProxyPathCompleted";
     static final String PATH_FAILED = "ProxyPathFailed";
     static final String ALLOCATION_RESPONSE = "AllocationResponse";
@@ -11,9 +11,12 @@ final class EventNames {
     static final String QUANTITY_EQUAL = "QuantityEqual";
     static final String PROXY_CREATED = "ProxyCreated";
     static final String POSE_UPDATED = "ProxyPoseUpdated";
-    static final String BATTERY_NOMINAL = "BatteryNominal";
-    static final String BATTERY_LOW = "BatteryLow";
-    static final String BATTERY_CRITICAL = "BatteryCritical";
+    /** News of a battery. */
+    public static final String BATTERY_NOMINAL = "BatteryNominal";
+    /** News of a battery. */
+    public static final String BATTERY_LOW = "BatteryLow";
+    /** News of a battery. */
+    public static final String BATTERY_CRITICAL = "BatteryCritical";
 
     private EventNames() {}
 }

@@ -69,7 +69,7 @@ final class Decisions {
     void openParameters(Mission m, Parameters parameters) {
         List<Question.Item> items = parameters.items();
         add(new OpenDecision(
-                own(m, "Parameters of " + m.name, new Question.FillIn(items), Questions.defaults(items)),
+                own(m, "", "Parameters of " + m.name, new Question.FillIn(items), Questions.defaults(items)),
                 OpenDecision.Purpose.PARAMETERS,
                 m,
                 null,
@@ -81,7 +81,7 @@ final class Decisions {
     void openInterruptChoice(Mission m, Sent sent, String interrupt, List<String> candidates) {
         Question question = new Question.ChooseProxies(candidates, 1, Integer.MAX_VALUE);
         add(new OpenDecision(
-                own(m, "Whom is '" + interrupt + "' for?", question, Optional.empty()),
+                own(m, Decision.INTERRUPT + interrupt, "Whom is '" + interrupt + "' for?", question, Optional.empty()),
                 OpenDecision.Purpose.INTERRUPT_CHOICE,
                 m,
                 sent,
@@ -95,7 +95,12 @@ final class Decisions {
         String prompt = "The sub-mission on '" + instance.place.place + "' was aborted. Return " + robots
                 + " to the plan? Otherwise they stay there.";
         add(new OpenDecision(
-                own(m, prompt, new Question.Approve(), Optional.of(new Answer.YesNo(true))),
+                own(
+                        m,
+                        Decision.ABORTED + instance.place.place.id(),
+                        prompt,
+                        new Question.Approve(),
+                        Optional.of(new Answer.YesNo(true))),
                 OpenDecision.Purpose.ABORTED_CHILD,
                 m,
                 null,
@@ -103,12 +108,12 @@ final class Decisions {
                 ""));
     }
 
-    private Decision own(Mission m, String prompt, Question question, Optional<Answer> automatic) {
+    private Decision own(Mission m, String type, String prompt, Question question, Optional<Answer> automatic) {
         return new Decision(
                 ++rules.state.lastDecision,
                 m.id,
                 Ids.NONE,
-                "",
+                type,
                 prompt,
                 question,
                 automatic,

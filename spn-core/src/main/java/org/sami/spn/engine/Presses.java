@@ -101,16 +101,24 @@ final class Presses {
         for (Sent sent : openInterrupts(m, name)) {
             boolean robots = sent.output.role == EventRole.PROXY_INTERRUPT;
             if (robots && proxies.isEmpty()) {
-                if (!asked) {
-                    rules.decisions.openInterruptChoice(m, sent, name, candidates(sent));
-                    asked = true;
-                }
+                asked = asked || ask(m, sent, name);
             } else {
                 press(sent, robots ? proxies : List.of());
             }
             offered = true;
         }
         return offered;
+    }
+
+    /** Asks whom the press is for; where nobody stands whom it could take, it is refused. */
+    private boolean ask(Mission m, Sent sent, String name) {
+        List<String> candidates = candidates(sent);
+        if (candidates.isEmpty()) {
+            refused(m.id, "Nobody is there for the interrupt '" + name + "'");
+            return false;
+        }
+        rules.decisions.openInterruptChoice(m, sent, name, candidates);
+        return true;
     }
 
     /** The robots of an interrupt were chosen. */

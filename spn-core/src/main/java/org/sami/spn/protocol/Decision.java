@@ -11,7 +11,8 @@ import org.sami.spn.model.MarkupSpec;
  *
  * @param activation the activation that asks, or {@link Ids#NONE} for the parameters of a mission that starts, the
  *     choice of an interrupt's proxies and what the engine itself asks
- * @param type the output event type that asks; empty text where the engine itself asks
+ * @param type the output event type that asks; where the engine itself asks, {@link #INTERRUPT} and the interrupt's name,
+ *     {@link #ABORTED} and the place's id, or empty text for the parameters of a mission that starts
  * @param prompt one sentence for the operator
  * @param automatic what autonomy would answer; empty where it has no sensible answer
  * @param deadlineMillis when autonomy answers, on the session's clock; empty = never
@@ -27,6 +28,12 @@ public record Decision(
         OptionalLong deadlineMillis,
         Priority priority,
         List<MarkupSpec> markups) {
+    /** Begins the type of the question whom a pressed interrupt is for; its name follows. */
+    public static final String INTERRUPT = "interrupt:";
+
+    /** Begins the type of the question what becomes of an aborted sub-mission's robots; the id of its place follows. */
+    public static final String ABORTED = "aborted:";
+
     public Decision {
         Objects.requireNonNull(type, "type");
         Objects.requireNonNull(prompt, "prompt");

@@ -334,7 +334,7 @@ final class Missions {
                 world.nextDecision++,
                 instance.parent.id,
                 Ids.NONE,
-                "",
+                Decision.ABORTED + instance.place.id(),
                 "",
                 new Question.Approve(),
                 Optional.of(new org.sami.spn.protocol.Answer.YesNo(true)),

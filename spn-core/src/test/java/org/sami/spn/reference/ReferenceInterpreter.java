@@ -337,8 +337,13 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
             } else if (!press.proxies().isEmpty()) {
                 pressed(a, press.proxies());
             } else if (!asked) {
-                roles.askWhom(m, press.name(), candidates(m, a));
-                asked = true;
+                List<String> boats = candidates(m, a);
+                if (boats.isEmpty()) {
+                    world.note(NoteKind.INTERRUPT_REFUSED, m.id, press.name());
+                } else {
+                    roles.askWhom(m, press.name(), boats);
+                    asked = true;
+                }
             }
         }
         return offered;

@@ -140,7 +140,7 @@ final class Roles {
                 world.nextDecision++,
                 m.id,
                 Ids.NONE,
-                "",
+                Decision.INTERRUPT + interrupt,
                 interrupt,
                 new Question.ChooseProxies(boats, 1, Integer.MAX_VALUE),
                 Optional.empty(),

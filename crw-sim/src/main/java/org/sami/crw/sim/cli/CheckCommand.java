@@ -1,8 +1,12 @@
 package org.sami.crw.sim.cli;
 
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
 import java.util.concurrent.Callable;
+import org.sami.crw.sim.run.PlanInterrupts;
 import org.sami.spn.finding.Severity;
+import org.sami.spn.json.DomainLibrary;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -13,7 +17,8 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "check",
         mixinStandardHelpOptions = true,
-        description = "Reads a project file and checks its plans; prints what it finds, with the place in the file.",
+        description = "Reads a project file and checks its plans; prints what it finds, with the place in the file, "
+                + "and the interrupts that the plans offer.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:no errors; there may be warnings",
@@ -36,10 +41,20 @@ final class CheckCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        PlanSource source = PlanSource.find(name, PlanSource.library());
+        DomainLibrary library = PlanSource.library();
+        PlanSource source = PlanSource.find(name, library);
         PrintWriter out = spec.commandLine().getOut();
         if (json) {
-            out.println(FindingsText.json(name, source.findings()).toPrettyString());
+            ObjectNode object = FindingsText.json(name, source.findings());
+            ObjectNode interrupts = object.putObject("interrupts");
+            source.project()
+                    .ifPresent(project -> project.plans().forEach(plan -> {
+                        ArrayNode names = interrupts.putArray(plan.id());
+                        new PlanInterrupts(library.vocabulary(), project, plan)
+                                .names()
+                                .forEach(names::add);
+                    }));
+            out.println(object.toPrettyString());
         } else {
             FindingsText.print(out, name, source.findings());
             out.printf(
@@ -47,6 +62,13 @@ final class CheckCommand implements Callable<Integer> {
                     name,
                     FindingsText.count(source.findings(), Severity.ERROR),
                     FindingsText.count(source.findings(), Severity.WARNING));
+            source.project()
+                    .ifPresent(project -> project.plans().forEach(plan -> {
+                        PlanInterrupts interrupts = new PlanInterrupts(library.vocabulary(), project, plan);
+                        if (!interrupts.names().isEmpty()) {
+                            out.printf("%s: --interrupt %s%n", plan.id(), interrupts.inWords());
+                        }
+                    }));
         }
         out.flush();
         return source.hasErrors() ? ExitCode.FINDINGS : ExitCode.OK;

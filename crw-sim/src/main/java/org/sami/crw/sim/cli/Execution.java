@@ -18,6 +18,7 @@ import org.sami.crw.sim.resume.WrittenJournal;
 import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.Parameters;
+import org.sami.crw.sim.run.PlanInterrupts;
 import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.crw.sim.run.RunPlan;
@@ -62,7 +63,7 @@ final class Execution {
             err.flush();
             return ExitCode.FINDINGS;
         }
-        checkParameters(runPlan, settings);
+        checkSettings(runPlan, settings);
         output.prepare();
         if (journal == null) {
             return run(new InProcessRun(runPlan, settings, answers.orThrow(), RunJournal.none()), settings, journal);
@@ -87,11 +88,17 @@ final class Execution {
         }
     }
 
-    private static void checkParameters(RunPlan plan, RunSettings settings) {
+    private static void checkSettings(RunPlan plan, RunSettings settings) {
         try {
             new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
         } catch (IllegalArgumentException e) {
             throw new UsageFault("--set: " + e.getMessage());
+        }
+        try {
+            new PlanInterrupts(plan.vocabulary(), plan.project(), plan.plan())
+                    .read(settings.interrupts(), settings.fleet().boatNames());
+        } catch (IllegalArgumentException e) {
+            throw new UsageFault("--interrupt: " + e.getMessage());
         }
     }
 

@@ -7,6 +7,7 @@ import java.io.PrintWriter;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.sami.crw.sim.run.Parameters;
+import org.sami.crw.sim.run.PlanInterrupts;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -19,7 +20,8 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "plans",
         mixinStandardHelpOptions = true,
-        description = "Lists the plans of the library, with what can be set when they start.",
+        description = "Lists the plans of the library, with what can be set when they start and which interrupts can "
+                + "be pressed.",
         footerHeading = "%nExamples:%n",
         footer = {"  crw plans", "  crw plans --json"})
 final class PlansCommand implements Callable<Integer> {
@@ -40,17 +42,20 @@ final class PlansCommand implements Callable<Integer> {
             out.println(object(library).toPrettyString());
         } else {
             library.plans()
-                    .forEach(plan -> print(out, plan, parameters(library, plan).fields()));
+                    .forEach(plan -> print(out, plan, parameters(library, plan).fields(), interrupts(library, plan)));
         }
         out.flush();
         return ExitCode.OK;
     }
 
-    private static void print(PrintWriter out, Plan plan, List<String> parameters) {
+    private static void print(PrintWriter out, Plan plan, List<String> parameters, PlanInterrupts interrupts) {
         out.printf("%s  (%s)%n", plan.id(), plan.name());
         out.print(wrapped(plan.description()));
         if (!parameters.isEmpty()) {
             out.print(wrapped("--set " + String.join(", ", parameters)));
+        }
+        if (!interrupts.names().isEmpty()) {
+            out.print(wrapped("--interrupt " + interrupts.inWords()));
         }
         out.println();
     }
@@ -86,8 +91,18 @@ final class PlansCommand implements Callable<Integer> {
             parameters.fields().forEach(fields::add);
             ArrayNode variables = node.putArray("variables");
             parameters.variables().forEach(variables::add);
+            PlanInterrupts interrupts = interrupts(library, plan);
+            ArrayNode buttons = node.putArray("interrupts");
+            interrupts
+                    .names()
+                    .forEach(name -> buttons.addObject().put("name", name).put("boats", interrupts.takesBoats(name)));
         }
         return json;
+    }
+
+    private static PlanInterrupts interrupts(DomainLibrary library, Plan plan) {
+        Project project = library.projectOf(plan.id()).orElseThrow();
+        return new PlanInterrupts(library.vocabulary(), project, plan);
     }
 
     private static Parameters parameters(DomainLibrary library, Plan plan) {

@@ -3,7 +3,9 @@ package org.sami.crw.sim.cli;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -82,6 +84,15 @@ final class RunOptions {
                             + "drawn locations, the first option, yes, and default values.")
     private Path answers;
 
+    @Option(
+            names = "--interrupt",
+            paramLabel = "NAME[:BOAT]@SECONDS",
+            description = "Press an interrupt so many simulated seconds after the mission's start; BOAT is a boat's "
+                    + "name or counts from 1. One that nobody can take is pressed again until somebody does. With "
+                    + "'battery' for SECONDS it is pressed for each boat whose battery turns critical. May be given "
+                    + "several times. 'crw plans' names a plan's interrupts.")
+    private List<String> interrupts = new ArrayList<>();
+
     RunSettings settings(String plan, String mission) {
         within("--boats", boats, 1, RunSettings.Fleet.MOST_BOATS);
         within("--locations", locations, 1, RunSettings.Fleet.MOST_LOCATIONS);
@@ -95,7 +106,9 @@ final class RunOptions {
                     Optional.ofNullable(limitMillis).map(OptionalLong::of).orElse(OptionalLong.empty()),
                     parameters,
                     answerAfterMillis,
-                    answersText());
+                    answersText(),
+                    List.of(),
+                    interrupts);
         } catch (IllegalArgumentException e) {
             throw new UsageFault(e.getMessage());
         }

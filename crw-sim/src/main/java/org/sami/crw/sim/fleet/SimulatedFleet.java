@@ -76,12 +76,17 @@ public final class SimulatedFleet {
         frame = new LocalFrame(baseLatDeg, baseLonDeg);
         SplittableRandom seeds = new SplittableRandom(seed);
         for (int i = 0; i < boatCount; i++) {
-            String id = "boat" + (i + 1);
+            String id = idOf(i);
             SimulatedBoat boat = new SimulatedBoat(
                     id, clock, config, frame, i * SPACING_M, 0, BoatSeeds.next(seeds), listeners.apply(id));
             boats.add(boat);
             proxies.add(boat.proxy());
         }
+    }
+
+    /** The id of a boat of such a fleet, counted from 0. */
+    public static String idOf(int index) {
+        return "boat" + (index + 1);
     }
 
     /** Begins to tick the boats, at the present virtual time and every 100 ms from then on. */

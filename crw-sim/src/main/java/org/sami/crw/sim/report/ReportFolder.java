@@ -9,7 +9,7 @@ import java.util.Objects;
 
 /**
  * Writes a report's files into a folder: {@code report.json}, {@code boats.csv}, {@code locations.csv},
- * {@code firings.csv}, {@code tracks.csv}, {@code decisions.csv} and {@code map.png}. Files of those names are replaced;
+ * {@code firings.csv}, {@code tracks.csv}, {@code decisions.csv}, {@code interrupts.csv} and {@code map.png}. Files of those names are replaced;
  * each appears whole or not at all.
  */
 public final class ReportFolder {
@@ -29,6 +29,7 @@ public final class ReportFolder {
         text("firings.csv", ReportTables.firings(report).toString());
         text("tracks.csv", ReportTables.tracks(report).toString());
         text("decisions.csv", ReportTables.decisions(report).toString());
+        text("interrupts.csv", ReportTables.interrupts(report).toString());
         bytes("map.png", new MapPicture(report).png());
     }
 

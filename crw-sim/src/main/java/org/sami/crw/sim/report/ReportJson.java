@@ -100,11 +100,14 @@ public final class ReportJson {
     private static ArrayNode interrupts(RunReport report) {
         ArrayNode array = NODES.arrayNode();
         for (InterruptResult interrupt : report.interrupts()) {
-            array.addObject()
-                    .put("name", interrupt.name())
-                    .put("boat", interrupt.boat())
-                    .put("pressedAt", seconds(interrupt.pressedAtMillis()))
-                    .put("taken", interrupt.taken());
+            ObjectNode node = array.addObject();
+            node.put("name", interrupt.name());
+            node.put("boat", interrupt.boat());
+            node.put("trigger", interrupt.trigger());
+            interrupt.pressedAtMillis().ifPresent(at -> node.put("pressedAt", seconds(at)));
+            node.put("presses", interrupt.presses());
+            node.put("taken", interrupt.taken());
+            interrupt.takenAtMillis().ifPresent(at -> node.put("takenAt", seconds(at)));
         }
         return array;
     }

@@ -105,4 +105,21 @@ final class ReportTables {
         }
         return table;
     }
+
+    static CsvTable interrupts(RunReport report) {
+        CsvTable table = new CsvTable("interrupt", "boat", "trigger", "pressed_at_s", "presses", "taken", "taken_at_s");
+        for (InterruptResult interrupt : report.interrupts()) {
+            table.row(
+                    interrupt.name(),
+                    interrupt.boat(),
+                    interrupt.trigger(),
+                    interrupt.pressedAtMillis().isPresent()
+                            ? seconds(interrupt.pressedAtMillis().getAsLong())
+                            : "",
+                    interrupt.presses(),
+                    interrupt.taken(),
+                    interrupt.taken() ? seconds(interrupt.takenAtMillis().getAsLong()) : "");
+        }
+        return table;
+    }
 }

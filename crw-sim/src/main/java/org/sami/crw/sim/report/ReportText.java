@@ -15,6 +15,7 @@ public final class ReportText {
         StringBuilder text = new StringBuilder();
         summary(text, report);
         boats(text, report);
+        interrupts(text, report);
         notes(text, report);
         return text.toString();
     }
@@ -69,6 +70,34 @@ public final class ReportText {
                     boat.recharges(),
                     boat.link().words());
         }
+    }
+
+    private static void interrupts(StringBuilder text, RunReport report) {
+        if (report.interrupts().isEmpty()) {
+            return;
+        }
+        line(text, "");
+        line(text, "  interrupts");
+        for (InterruptResult interrupt : report.interrupts()) {
+            String boat = interrupt.boat().isEmpty() ? "" : " for " + interrupt.boat();
+            line(text, "  %s%s: %s", interrupt.name(), boat, pressed(interrupt));
+        }
+    }
+
+    private static String pressed(InterruptResult interrupt) {
+        if (interrupt.pressedAtMillis().isEmpty()) {
+            return "not pressed, for the run was over before";
+        }
+        String first = String.format(
+                Locale.ROOT, "pressed at %.1f s", interrupt.pressedAtMillis().getAsLong() / 1000.0);
+        String more = interrupt.presses() > 1 ? ", " + interrupt.presses() + " times in all" : "";
+        String taken = interrupt.taken()
+                ? String.format(
+                        Locale.ROOT,
+                        ", taken at %.1f s",
+                        interrupt.takenAtMillis().getAsLong() / 1000.0)
+                : ", never taken";
+        return first + more + taken;
     }
 
     /** News that no transition wanted is counted, the rest is shown. */

@@ -40,6 +40,7 @@ public final class InProcessRun {
     private final VirtualClock clock = new VirtualClock();
     private final SimulatedWater water;
     private final OperatorStation operator;
+    private final InterruptStation interrupts;
     private final BaseStation base;
     private final RunRecorder recorder;
     private final VisitRecorder visits = new VisitRecorder();
@@ -54,7 +55,7 @@ public final class InProcessRun {
      * Puts the world together; nothing happens in it yet.
      *
      * @param answers what the simulated operator is told to answer
-     * @throws IllegalArgumentException naming the parameter, if a given one does not fit the plan
+     * @throws IllegalArgumentException naming the parameter or the interrupt, if a given one does not fit the plan
      */
     public InProcessRun(RunPlan plan, RunSettings settings, AnswersFile answers, RunJournal journal) {
         this.plan = plan;
@@ -69,12 +70,18 @@ public final class InProcessRun {
                 new OperatorDefaults(SimulatedWater.CENTRE, fleet.areaM(), fleet.locations(), fleet.seed());
         operator = new OperatorStation(
                 new SimulatedOperator(plan.vocabulary(), defaults, answers), clock, settings.answerAfterMillis());
+        interrupts = new InterruptStation(
+                new PlanInterrupts(plan.vocabulary(), plan.project(), plan.plan())
+                        .read(settings.interrupts(), fleet.boatNames()),
+                clock);
         recorder = new RunRecorder(plan.project());
         base.host().addListener(recorder);
         base.host().addListener(operator);
         base.host().addListener(new LocationListener(visits, water.plane()));
+        base.host().addListener(interrupts);
         operator.connect(base.host());
-        stall = new StallWatch(base.host(), operator, recorder);
+        interrupts.connect(base.host());
+        stall = new StallWatch(base.host(), operator, interrupts, recorder);
     }
 
     /**
@@ -94,6 +101,7 @@ public final class InProcessRun {
                         boats,
                         tracks.results(now(), boats, this::link),
                         visits.locations(),
+                        interrupts.results(),
                         base.messages());
     }
 

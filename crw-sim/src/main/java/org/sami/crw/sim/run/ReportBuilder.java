@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.OptionalLong;
 import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.sim.report.InterruptResult;
 import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.RunHeader;
@@ -49,6 +50,7 @@ public final class ReportBuilder {
             List<BoatState> boats,
             List<BoatResult> results,
             List<LocationResult> locations,
+            List<InterruptResult> interrupts,
             List<NoteResult> messages) {
         return new RunReport(
                 new RunHeader(
@@ -71,7 +73,7 @@ public final class ReportBuilder {
                 locations,
                 recorder.decisions(),
                 recorder.firings(),
-                recorder.interrupts(),
+                interrupts,
                 notes(messages));
     }
 

@@ -12,7 +12,6 @@ import java.util.Set;
 import org.sami.crw.decision.ClickCount;
 import org.sami.crw.sim.report.DecisionResult;
 import org.sami.crw.sim.report.FiringResult;
-import org.sami.crw.sim.report.InterruptResult;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
@@ -33,7 +32,6 @@ public final class RunRecorder implements HostListener {
     private final List<FiringResult> firings = new ArrayList<>();
     private final Set<Long> openDecisions = new LinkedHashSet<>();
     private final Map<Long, DecisionResult> decisions = new LinkedHashMap<>();
-    private final List<InterruptResult> interrupts = new ArrayList<>();
     private final List<NoteResult> notes = new ArrayList<>();
     private OptionalLong root = OptionalLong.empty();
     private Optional<Outcome> outcome = Optional.empty();
@@ -58,9 +56,6 @@ public final class RunRecorder implements HostListener {
         costOfInput = clicks.clicks() - before;
         for (Effect effect : effects) {
             take(index, atMillis, effect);
-        }
-        if (input instanceof Input.Interrupt interrupt) {
-            interrupt(atMillis, interrupt, effects);
         }
         if (input instanceof Input.StartMission && root.isEmpty()) {
             failure = Optional.of(
@@ -158,13 +153,6 @@ public final class RunRecorder implements HostListener {
         }
     }
 
-    private void interrupt(long atMillis, Input.Interrupt interrupt, List<Effect> effects) {
-        boolean refused = effects.stream()
-                .anyMatch(e -> e instanceof Effect.Noted noted && noted.kind() == NoteKind.INTERRUPT_REFUSED);
-        interrupts.add(
-                new InterruptResult(interrupt.name(), String.join(" ", interrupt.proxies()), atMillis, !refused));
-    }
-
     /** How the run's mission ended; empty while it goes on. */
     public Optional<Outcome> outcome() {
         return outcome;
@@ -210,10 +198,6 @@ public final class RunRecorder implements HostListener {
 
     List<DecisionResult> decisions() {
         return List.copyOf(decisions.values());
-    }
-
-    List<InterruptResult> interrupts() {
-        return interrupts;
     }
 
     List<NoteResult> notes() {

@@ -1,5 +1,6 @@
 package org.sami.crw.sim.run;
 
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -8,6 +9,8 @@ import java.util.Objects;
 import java.util.OptionalLong;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.sami.crw.sim.fleet.SimulatedFleet;
 
 /**
  * Everything that decides a run, beside its plans and its vocabulary. A run in process is a function of these; of the speed only
@@ -22,6 +25,7 @@ import java.util.stream.Collectors;
  * @param answerAfterMillis after how long the simulated operator answers, in simulated milliseconds
  * @param answers text of the answers file; empty text where there is none
  * @param connect where the boats' servers listen, as many as the fleet has boats; empty = the boats are in this process
+ * @param interrupts which interrupts are pressed, as they were given ({@link PlanInterrupts}), in order
  */
 public record RunSettings(
         String plan,
@@ -32,12 +36,14 @@ public record RunSettings(
         Map<String, String> parameters,
         long answerAfterMillis,
         String answers,
-        List<BoatAddress> connect) {
+        List<BoatAddress> connect,
+        List<String> interrupts) {
     /** A run that is not told when to stop gives up after one simulated day. */
     public static final long LONGEST_MILLIS = 86_400_000;
 
     private static final String PARAMETER = "set.";
     private static final String CONNECT = "connect";
+    private static final String INTERRUPT = "interrupt.";
 
     /**
      * The boats and what they are sent to.
@@ -66,6 +72,11 @@ public record RunSettings(
             }
         }
 
+        /** The names of the boats, in order. */
+        public List<String> boatNames() {
+            return IntStream.range(0, boats).mapToObj(SimulatedFleet::idOf).toList();
+        }
+
         private static void within(String what, int value, int least, int most) {
             if (value < least || value > most) {
                 throw new IllegalArgumentException(what + " are " + least + " to " + most + ", not " + value);
@@ -81,6 +92,7 @@ public record RunSettings(
         Objects.requireNonNull(limitMillis, "limitMillis");
         parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
         Objects.requireNonNull(answers, "answers");
+        interrupts = List.copyOf(interrupts);
         if (answerAfterMillis < 0) {
             throw new IllegalArgumentException("the operator answers after 0 s or more, not " + answerAfterMillis);
         }
@@ -91,7 +103,7 @@ public record RunSettings(
         }
     }
 
-    /** A run on boats in this process. */
+    /** A run on boats in this process, in which nobody presses an interrupt. */
     public RunSettings(
             String plan,
             String mission,
@@ -101,7 +113,7 @@ public record RunSettings(
             Map<String, String> parameters,
             long answerAfterMillis,
             String answers) {
-        this(plan, mission, fleet, speed, limitMillis, parameters, answerAfterMillis, answers, List.of());
+        this(plan, mission, fleet, speed, limitMillis, parameters, answerAfterMillis, answers, List.of(), List.of());
     }
 
     /** The same run on boats behind TCP, in real time. */
@@ -115,7 +127,8 @@ public record RunSettings(
                 parameters,
                 answerAfterMillis,
                 answers,
-                addresses);
+                addresses,
+                interrupts);
     }
 
     /** Whether the boats are other processes, behind TCP. */
@@ -123,15 +136,22 @@ public record RunSettings(
         return !connect.isEmpty();
     }
 
+    /** The same run with other interrupts. */
+    public RunSettings withInterrupts(List<String> others) {
+        return new RunSettings(
+                plan, mission, fleet, speed, limitMillis, parameters, answerAfterMillis, answers, connect, others);
+    }
+
     /** The same run at another speed. */
     public RunSettings withSpeed(Speed other) {
         return new RunSettings(
-                plan, mission, fleet, other, limitMillis, parameters, answerAfterMillis, answers, connect);
+                plan, mission, fleet, other, limitMillis, parameters, answerAfterMillis, answers, connect, interrupts);
     }
 
     /** The same run with another end. */
     public RunSettings withLimit(OptionalLong other) {
-        return new RunSettings(plan, mission, fleet, speed, other, parameters, answerAfterMillis, answers, connect);
+        return new RunSettings(
+                plan, mission, fleet, speed, other, parameters, answerAfterMillis, answers, connect, interrupts);
     }
 
     /** When it stops at the latest, in simulated milliseconds. */
@@ -156,6 +176,9 @@ public record RunSettings(
             map.put(CONNECT, connect.stream().map(BoatAddress::toString).collect(Collectors.joining(",")));
         }
         parameters.forEach((name, value) -> map.put(PARAMETER + name, value));
+        for (int i = 0; i < interrupts.size(); i++) {
+            map.put(INTERRUPT + i, interrupts.get(i));
+        }
         return map;
     }
 
@@ -186,7 +209,16 @@ public record RunSettings(
                 parameters,
                 Long.parseLong(needed(map, "answerAfterMillis")),
                 needed(map, "answers"),
-                map.containsKey(CONNECT) ? BoatAddress.parseAll(map.get(CONNECT)) : List.of());
+                map.containsKey(CONNECT) ? BoatAddress.parseAll(map.get(CONNECT)) : List.of(),
+                interrupts(map));
+    }
+
+    private static List<String> interrupts(Map<String, String> map) {
+        List<String> interrupts = new ArrayList<>();
+        for (String next = map.get(INTERRUPT + 0); next != null; next = map.get(INTERRUPT + interrupts.size())) {
+            interrupts.add(next);
+        }
+        return interrupts;
     }
 
     private static String needed(Map<String, String> map, String name) {

@@ -8,7 +8,7 @@ import org.sami.spn.host.EngineHost;
 import org.sami.spn.protocol.Decision;
 
 /**
- * Finds out that nothing can happen any longer: no timer runs, no answer is on its way, no boat moves, and nothing has come
+ * Finds out that nothing can happen any longer: no timer runs, no answer is on its way, no interrupt is to be pressed, no boat moves, and nothing has come
  * in for a while. Without it a mission that is stuck would only end with the run's time.
  */
 public final class StallWatch {
@@ -17,12 +17,14 @@ public final class StallWatch {
 
     private final EngineHost host;
     private final OperatorStation operator;
+    private final InterruptStation interrupts;
     private final RunRecorder recorder;
 
     /** A watch over one run. */
-    public StallWatch(EngineHost host, OperatorStation operator, RunRecorder recorder) {
+    public StallWatch(EngineHost host, OperatorStation operator, InterruptStation interrupts, RunRecorder recorder) {
         this.host = host;
         this.operator = operator;
+        this.interrupts = interrupts;
         this.recorder = recorder;
     }
 
@@ -30,6 +32,7 @@ public final class StallWatch {
     public Optional<String> look(long nowMillis, List<BoatState> boats) {
         boolean quiet = nowMillis - recorder.lastInputMillis() > QUIET_MILLIS
                 && !operator.isThinking()
+                && !interrupts.hasPlans()
                 && boats.stream().allMatch(boat -> Math.abs(boat.speedMps()) < STILL_MPS)
                 && host.ask(EngineView::nextDueMillis).isEmpty();
         return quiet ? Optional.of(reason(boats)) : Optional.empty();

@@ -26,6 +26,9 @@ class CommandsTest {
         assertThat(text.out()).contains("clv  (Cooperative Location Visit)").contains("station-keep");
         assertThat(json.get("plans").findValuesAsText("id")).contains("clv", "station-keep");
         assertThat(json.get("plans").get(1).get("parameters").toString()).contains("ask-stations.location");
+        assertThat(text.out()).contains("--interrupt End station keeping@SECONDS");
+        assertThat(json.get("plans").get(1).get("interrupts").toString())
+                .isEqualTo("[{\"name\":\"End station keeping\",\"boats\":false}]");
     }
 
     @Test

@@ -31,6 +31,7 @@ class ReportFolderTest {
                             "firings.csv",
                             "tracks.csv",
                             "decisions.csv",
+                            "interrupts.csv",
                             "map.png");
         }
     }
@@ -60,7 +61,8 @@ class ReportFolderTest {
         assertThat(json.get("locationsVisited").asInt()).isEqualTo(11);
         assertThat(json.get("boats").get(0).get("distanceM").asText()).isEqualTo("1500");
         assertThat(json.get("interrupts").get(0).toString())
-                .isEqualTo("{\"name\":\"Alarm\",\"boat\":\"boat1\",\"pressedAt\":65,\"taken\":true}");
+                .isEqualTo("{\"name\":\"Alarm\",\"boat\":\"boat1\",\"trigger\":\"time\",\"pressedAt\":65,\"presses\":2,"
+                        + "\"taken\":true,\"takenAt\":67}");
     }
 
     @Test

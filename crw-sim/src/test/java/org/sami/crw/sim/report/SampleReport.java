@@ -50,7 +50,8 @@ final class SampleReport {
                         1)),
                 List.of(new FiringResult(
                         1, 4, 5_000, 1, "clv", "boats selected", "OperatorSelectsBoatList", "boat1: a, b")),
-                List.of(new InterruptResult("Alarm", "boat1", 65_000, true)),
+                List.of(new InterruptResult(
+                        "Alarm", "boat1", InterruptResult.TIME, OptionalLong.of(65_000), OptionalLong.of(67_000), 2)),
                 List.of(new NoteResult(70_000, "late", 1, "An answer came late.")));
     }
 

@@ -3,6 +3,7 @@ package org.sami.crw.sim.run;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
 import java.util.Map;
 import java.util.OptionalLong;
 import java.util.TreeMap;
@@ -20,7 +21,9 @@ class RunSettingsTest {
             OptionalLong.of(90_500),
             Map.of("@x", "a=b", "event.field", "1"),
             1_500,
-            "{\"rules\": []}");
+            "{\"rules\": []}",
+            List.of(),
+            List.of("recharge:2@10.5", "alarm@7", "alarm@7"));
 
     @Test
     void comesBackFromAJournalsHeader() {

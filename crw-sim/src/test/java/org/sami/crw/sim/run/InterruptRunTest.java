@@ -1,0 +1,56 @@
+package org.sami.crw.sim.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.OptionalLong;
+import org.junit.jupiter.api.Test;
+import org.sami.crw.sim.report.InterruptResult;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+
+/** Interrupts pressed in a run. */
+class InterruptRunTest {
+    @Test
+    void buttonOfAPlanIsPressedAtItsTime() {
+        RunReport report = run("station-keep", "End station keeping@100");
+
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
+        InterruptResult pressed = report.interrupts().get(0);
+        assertThat(pressed.taken()).isTrue();
+        assertThat(pressed.takenAtMillis().getAsLong()).isBetween(100_000L, 101_000L);
+        assertThat(report.result().simulatedMillis())
+                .isEqualTo(pressed.takenAtMillis().getAsLong());
+    }
+
+    @Test
+    void interruptThatComesTooEarlyIsPressedAgainUntilItIsTaken() {
+        RunReport report = run("station-keep", "End station keeping@0");
+
+        InterruptResult pressed = report.interrupts().get(0);
+        assertThat(pressed.pressedAtMillis().getAsLong()).isLessThan(1_000);
+        assertThat(pressed.presses()).isGreaterThan(1);
+        assertThat(pressed.takenAtMillis().getAsLong()).isGreaterThan(5_000);
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
+    }
+
+    @Test
+    void interruptWhoseTimeComesAfterTheEndIsReportedAsNotPressed() {
+        RunReport report = run("station-keep", "End station keeping@5000");
+
+        assertThat(report.result().simulatedMillis()).isLessThan(5_000_000);
+        assertThat(report.interrupts())
+                .containsExactly(new InterruptResult(
+                        "End station keeping",
+                        "",
+                        InterruptResult.TIME,
+                        OptionalLong.empty(),
+                        OptionalLong.empty(),
+                        0));
+    }
+
+    private static RunReport run(String plan, String... interrupts) {
+        RunPlan runPlan = Runs.plan(plan);
+        return Runs.run(runPlan, Runs.settings(runPlan, 3, 6, 7).withInterrupts(List.of(interrupts)));
+    }
+}
