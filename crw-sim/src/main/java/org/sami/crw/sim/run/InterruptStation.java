@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.crw.handler.EventNames;
-import org.sami.crw.sim.clock.VirtualScheduler;
+import org.sami.crw.sim.clock.Scheduler;
 import org.sami.crw.sim.report.InterruptResult;
 import org.sami.crw.sim.run.InterruptPress.State;
 import org.sami.spn.engine.EngineView;
@@ -35,7 +35,7 @@ public final class InterruptStation implements HostListener {
             Set.of(EventNames.BATTERY_NOMINAL, EventNames.BATTERY_LOW, EventNames.BATTERY_CRITICAL);
 
     private final List<PlannedInterrupt> planned;
-    private final VirtualScheduler clock;
+    private final Scheduler clock;
     private final List<InterruptPress> presses = new ArrayList<>();
     private final Set<String> critical = new LinkedHashSet<>();
     private EngineHost host;
@@ -43,7 +43,7 @@ public final class InterruptStation implements HostListener {
     private boolean over;
 
     /** A station that will press these. */
-    public InterruptStation(List<PlannedInterrupt> planned, VirtualScheduler clock) {
+    public InterruptStation(List<PlannedInterrupt> planned, Scheduler clock) {
         this.planned = List.copyOf(planned);
         this.clock = clock;
         for (PlannedInterrupt plan : planned) {
@@ -178,7 +178,7 @@ public final class InterruptStation implements HostListener {
     }
 
     /** Whether a time is still to come at which it presses, whatever happens until then. */
-    boolean hasPlans() {
+    public boolean hasPlans() {
         return !over && presses.stream().anyMatch(p -> p.state == State.AHEAD);
     }
 
