@@ -21,6 +21,7 @@ import picocli.CommandLine.Spec;
             JournalCommand.class,
             DemoCommand.class,
             BoatCommand.class,
+            LogCommand.class,
             CommandLine.HelpCommand.class
         },
         exitCodeListHeading = "%nExit codes:%n",
@@ -48,7 +49,7 @@ public final class Crw implements Runnable {
     @Override
     public void run() {
         throw new ParameterException(
-                spec.commandLine(), "Which command? One of plans, check, run, resume, journal, demo, boat.");
+                spec.commandLine(), "Which command? One of plans, check, run, resume, journal, demo, boat, log.");
     }
 
     /** The command line, ready to be executed in any process. */

@@ -1,7 +1,5 @@
 package org.sami.crw.sim.report;
 
-import java.util.Locale;
-
 /** A table in the form of RFC 4180, with line feeds: what spreadsheets and statistics programs read. */
 final class CsvTable {
     private final StringBuilder text = new StringBuilder();
@@ -17,25 +15,17 @@ final class CsvTable {
         if (cells.length != columns) {
             throw new IllegalArgumentException("a row of " + cells.length + " cells in a table of " + columns);
         }
-        for (int i = 0; i < cells.length; i++) {
-            text.append(i == 0 ? "" : ",").append(quoted(String.valueOf(cells[i])));
-        }
-        text.append('\n');
+        text.append(CsvRow.of(cells));
     }
 
     /** A number with a fixed count of digits after the point. */
     static String fixed(double value, int digits) {
-        return String.format(Locale.ROOT, "%." + digits + "f", value);
+        return CsvRow.fixed(value, digits);
     }
 
     /** Milliseconds as seconds. */
     static String seconds(long millis) {
         return fixed(millis / 1000.0, 3);
-    }
-
-    private static String quoted(String cell) {
-        boolean plain = cell.chars().noneMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
-        return plain ? cell : '"' + cell.replace("\"", "\"\"") + '"';
     }
 
     @Override

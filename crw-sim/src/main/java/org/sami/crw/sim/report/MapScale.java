@@ -22,8 +22,13 @@ final class MapScale {
 
     /** The scale at which everything of a report is inside a frame with some room around it. */
     static MapScale fitting(RunReport report, Rectangle frame) {
+        return fitting(points(report), frame);
+    }
+
+    /** The scale at which all points are inside a frame with some room around them; there is at least one. */
+    static MapScale fitting(Stream<? extends Point2D> points, Rectangle frame) {
         double[] box = {Double.MAX_VALUE, Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
-        points(report).forEach(p -> {
+        points.forEach(p -> {
             box[0] = Math.min(box[0], p.getX());
             box[1] = Math.min(box[1], p.getY());
             box[2] = Math.max(box[2], p.getX());

@@ -14,18 +14,31 @@ final class WaterDrawing {
     private final Rectangle frame;
     private final MapScale scale;
     private final double areaM;
+    private final String axes;
 
     WaterDrawing(Rectangle frame, MapScale scale, double areaM) {
+        this(frame, scale, areaM, "metres east and north of the area's centre");
+    }
+
+    /** Without an area. */
+    WaterDrawing(Rectangle frame, MapScale scale, String axes) {
+        this(frame, scale, 0, axes);
+    }
+
+    private WaterDrawing(Rectangle frame, MapScale scale, double areaM, String axes) {
         this.frame = frame;
         this.scale = scale;
         this.areaM = areaM;
+        this.axes = axes;
     }
 
     void draw(Graphics2D g) {
         g.setColor(Palette.WATER);
         g.fill(frame);
         grid(g);
-        area(g);
+        if (areaM > 0) {
+            area(g);
+        }
         g.setColor(Palette.FAINT_INK);
         g.setStroke(Palette.dashed(1.2f));
         g.draw(frame);
@@ -54,7 +67,6 @@ final class WaterDrawing {
             g.setColor(Palette.FAINT_INK);
             g.drawString(label, frame.x - 8 - metrics.stringWidth(label), (float) y + 5);
         }
-        String axes = "metres east and north of the area's centre";
         g.drawString(axes, (float) frame.getMaxX() - metrics.stringWidth(axes), (float) frame.getMaxY() + 42);
     }
 
