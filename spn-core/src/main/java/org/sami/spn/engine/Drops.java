@@ -117,10 +117,10 @@ final class Drops {
         }
         withdrawCommands(m, token);
         for (Entry e : removed) {
-            rules.leaving.left(e, before, true);
+            rules.work.left(e.place); // before what its instances lose by it
         }
         for (Entry e : removed) {
-            rules.work.left(e.place);
+            rules.leaving.left(e, before, true);
         }
     }
 

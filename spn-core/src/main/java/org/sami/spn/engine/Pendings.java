@@ -142,16 +142,25 @@ final class Pendings {
 
     private void strikeIfGone(TransitionState t, Name n, PlaceState left, long before) {
         boolean gone =
-                n.pending.isNews() ? t.barrier != null && !standsOn(n, t, left, before) : n.stood && !stands(n, t);
+                n.pending.isNews() ? watches(t, left) && !standsOn(n, t, left, before) : n.stood && !stands(n, t);
         if (gone) {
             strike(t, n);
         }
     }
 
-    /** Whether a token of a name stands in an in place, other than as a copy that entered the left place just now. */
+    private static boolean watches(TransitionState t, PlaceState left) {
+        for (CompiledTransition watching : left.place.barriers) {
+            if (watching == t.transition) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether a token of a name stands in a watched place, other than as a copy that entered the left place just now. */
     private boolean standsOn(Name n, TransitionState t, PlaceState left, long before) {
         for (Token token : n.tokens) {
-            for (CompiledPlace place : t.transition.inPlaces) {
+            for (CompiledPlace place : t.transition.watched) {
                 PlaceState state = t.mission.places[place.index];
                 Entry oldest = state == null ? null : state.find(token);
                 if (oldest != null && (state != left || oldest.order <= before)) {

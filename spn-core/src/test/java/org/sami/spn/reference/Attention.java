@@ -176,20 +176,18 @@ final class Attention {
 
     /** "Pending." */
     void keep(Mission m, Pending pending) {
-        if (!pending.isAnswer() && !pending.tellsReturn) {
+        Optional<Visit> answered = pending.answeredVisit(world);
+        if (answered.isEmpty() && !pending.tellsReturn) {
             // "News: one pending per input event and named set, the newer replaces the older."
-            m.pending.removeIf(older -> !older.isAnswer()
+            m.pending.removeIf(older -> older.answeredVisit(world).isEmpty()
                     && !older.tellsReturn
                     && older.transition.equals(pending.transition)
                     && older.event.equals(pending.event)
                     && namedSet(older).equals(namedSet(pending)));
         }
-        if (pending.isAnswer()) {
-            Visit visit = world.visitOfActivation.get(pending.occurrence.activation());
-            pending.names().stream()
-                    .filter(name -> standsForIt(m, pending, visit, name))
-                    .forEach(pending.stood::add);
-        }
+        answered.ifPresent(visit -> pending.names().stream()
+                .filter(name -> standsForIt(m, pending, visit, name))
+                .forEach(pending.stood::add));
         m.pending.add(pending);
         world.lookAt(m, pending.transition);
     }
@@ -249,8 +247,9 @@ final class Attention {
         if (!enabling.tokensOf(name, p).contains(copy.token)) {
             return false;
         }
-        if (p.isAnswer()) {
-            Visit visit = world.visitOfActivation.get(p.occurrence.activation());
+        Optional<Visit> answered = p.answeredVisit(world);
+        if (answered.isPresent()) {
+            Visit visit = answered.get();
             return p.stood.contains(name)
                     && (copy.visit == visit
                             || World.others(m.inPlaces(p.transition), visit.place)
@@ -263,8 +262,9 @@ final class Attention {
 
     /** Whether somebody of that name is there who did not just leave a place and enter it again. */
     private boolean stillThere(Mission m, Pending p, Token name, Place left, List<Visit> entered) {
-        if (p.isAnswer()) {
-            return standsForIt(m, p, world.visitOfActivation.get(p.occurrence.activation()), name);
+        Optional<Visit> answered = p.answeredVisit(world);
+        if (answered.isPresent()) {
+            return standsForIt(m, p, answered.get(), name);
         }
         return enabling.watched(m, p.transition).stream()
                 .flatMap(place -> m.tokensIn(place).stream())
@@ -274,13 +274,13 @@ final class Attention {
 
     /** The visit that it answers is over, and it names nobody. */
     private boolean unheardOf(Pending p) {
-        return p.isAnswer()
-                && !p.occurrence.namesSomebody()
-                && world.visitOfActivation.get(p.occurrence.activation()).ended;
+        return !p.occurrence.namesSomebody()
+                && p.answeredVisit(world).map(visit -> visit.ended).orElse(false);
     }
 
-    /** A dropped boat: "nobody waits for it any longer". */
-    void forget(Mission m, Token.Proxy boat) {
+    /** A dropped boat: "nobody waits for it any longer". Returns the transitions that still have others to hear of. */
+    List<Transition> forget(Mission m, Token.Proxy boat) {
+        List<Transition> struck = new ArrayList<>();
         for (Pending p : new ArrayList<>(m.pending)) {
             if (p.names().contains(boat)) {
                 p.struck.add(boat);
@@ -288,9 +288,10 @@ final class Attention {
                     m.pending.remove(p);
                     world.note(NoteKind.DISCARDED, m.id, p.occurrence.type());
                 } else {
-                    world.lookAt(m, p.transition);
+                    struck.add(p.transition);
                 }
             }
         }
+        return struck;
     }
 }

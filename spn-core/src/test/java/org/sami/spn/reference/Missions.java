@@ -308,6 +308,7 @@ final class Missions {
                     Occurrence o = new Occurrence(event.type(), m.id, Ids.NONE, proxies, tasks, Map.of());
                     Pending pending = new Pending(t, event, o);
                     pending.ofAborted = true;
+                    pending.childOf = instance.visit;
                     attention.keep(m, pending);
                     wanted = true;
                 }

@@ -23,6 +23,8 @@ final class Pending {
     Optional<Visit> returnOf = Optional.empty();
     /** Whether it tells of an aborted child. */
     boolean ofAborted;
+    /** The visit whose child was aborted: it is told as an answer to that visit, though to no activation of it. */
+    Optional<Visit> childOf = Optional.empty();
     /** Whether it tells a return value: kept in order, never replaced. */
     boolean tellsReturn;
 
@@ -34,6 +36,11 @@ final class Pending {
 
     boolean isAnswer() {
         return occurrence.activation() != Ids.NONE;
+    }
+
+    /** The visit that it answers; empty for news. */
+    Optional<Visit> answeredVisit(World world) {
+        return isAnswer() ? Optional.of(world.visitOfActivation.get(occurrence.activation())) : childOf;
     }
 
     /** Whom it names and who was not struck. */

@@ -422,15 +422,19 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
                     .entrySet()
                     .removeIf(e -> e.getKey().mission() == m.id && e.getValue().equals(proxy));
         }
+        Map<Mission, List<Transition>> struck = new LinkedHashMap<>();
         for (Mission m : concerned) {
             places.removeEverywhere(m, boat);
-            attention.forget(m, boat);
+            struck.put(m, attention.forget(m, boat));
             for (Visit visit : m.visits) {
                 visit.instances.forEach(i -> i.back.removeIf(boat::equals));
             }
             m.statics.forEach(i -> i.returns.forEach(r -> r.removeIf(boat::equals)));
         }
-        left.forEach((m, lost) -> lost.forEach(place -> places.lookAfterLeaving(m, place)));
+        for (Mission m : concerned) {
+            left.get(m).forEach(place -> places.lookAfterLeaving(m, place));
+            struck.get(m).forEach(t -> world.lookAt(m, t));
+        }
         places.lookAtWithdrawn();
     }
 
