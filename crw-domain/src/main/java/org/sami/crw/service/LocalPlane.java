@@ -8,7 +8,7 @@ import org.sami.spn.value.GeoPoint;
  * area: over 2 km they are right to a metre even at 60 degrees, at a hundredth of a geodesic's cost. What is reported is
  * measured by {@link Geodesy}.
  */
-final class LocalPlane {
+public final class LocalPlane {
     private static final double EQUATOR_RADIUS_M = 6_378_137.0;
     private static final double FLATTENING = 1 / 298.257223563;
 
@@ -16,7 +16,8 @@ final class LocalPlane {
     private final double metresPerLonDeg;
     private final double metresPerLatDeg;
 
-    LocalPlane(GeoPoint origin) {
+    /** A plane that touches at a point. */
+    public LocalPlane(GeoPoint origin) {
         this.origin = origin;
         double e2 = FLATTENING * (2 - FLATTENING);
         double sin = Math.sin(Math.toRadians(origin.latDeg()));
@@ -28,12 +29,18 @@ final class LocalPlane {
     }
 
     /** Metres to the east of the origin, the shorter way round the earth. */
-    double x(GeoPoint point) {
+    public double x(GeoPoint point) {
         return Math.IEEEremainder(point.lonDeg() - origin.lonDeg(), 360) * metresPerLonDeg;
     }
 
     /** Metres to the north of the origin. */
-    double y(GeoPoint point) {
+    public double y(GeoPoint point) {
         return (point.latDeg() - origin.latDeg()) * metresPerLatDeg;
+    }
+
+    /** The point of the surface at plane coordinates, in metres; at altitude zero. */
+    public GeoPoint point(double x, double y) {
+        double lonDeg = Math.IEEEremainder(origin.lonDeg() + x / metresPerLonDeg, 360);
+        return GeoPoint.of(origin.latDeg() + y / metresPerLatDeg, lonDeg);
     }
 }

@@ -8,24 +8,25 @@ import java.util.stream.IntStream;
 import org.sami.spn.value.GeoPoint;
 
 /** Points and boats in a square of 600 m, seeded. */
-final class AreaOfTest {
-    static final GeoPoint CENTRE = GeoPoint.of(45.6, 10.68);
+public final class AreaOfTest {
+    public static final GeoPoint CENTRE = GeoPoint.of(45.6, 10.68);
 
     private final Random random;
 
-    AreaOfTest(long seed) {
+    /** An area of its own for each seed. */
+    public AreaOfTest(long seed) {
         random = new Random(seed);
     }
 
-    GeoPoint point() {
+    public GeoPoint point() {
         return Geodesy.offset(CENTRE, random.nextDouble() * 600 - 300, random.nextDouble() * 600 - 300);
     }
 
-    List<GeoPoint> points(int count) {
+    public List<GeoPoint> points(int count) {
         return IntStream.range(0, count).mapToObj(i -> point()).toList();
     }
 
-    Map<String, GeoPoint> boats(int count) {
+    public Map<String, GeoPoint> boats(int count) {
         Map<String, GeoPoint> boats = new LinkedHashMap<>();
         IntStream.rangeClosed(1, count).forEach(i -> boats.put("boat-" + i, point()));
         return boats;

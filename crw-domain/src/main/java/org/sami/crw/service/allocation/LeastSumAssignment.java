@@ -1,4 +1,4 @@
-package org.sami.crw.service;
+package org.sami.crw.service.allocation;
 
 import java.util.Arrays;
 
@@ -7,7 +7,7 @@ import java.util.Arrays;
  * The Hungarian method for the assignment problem, 1955; J. Munkres, 1957). O(rows² × columns); as many columns as rows or
  * more. Deterministic: the same costs give the same assignment.
  */
-final class LeastSumAssignment {
+public final class LeastSumAssignment {
     private final double[][] costs;
     private final int rows;
     private final int columns;
@@ -26,7 +26,7 @@ final class LeastSumAssignment {
     }
 
     /** The column of each row. */
-    static int[] of(double[][] costs) {
+    public static int[] of(double[][] costs) {
         LeastSumAssignment assignment = new LeastSumAssignment(costs);
         for (int row = 1; row <= assignment.rows; row++) {
             assignment.place(row);

@@ -1,32 +1,34 @@
-package org.sami.crw.service;
+package org.sami.crw.service.allocation;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.sami.crw.service.LocalPlane;
 import org.sami.spn.value.GeoPoint;
 
 /** The auction of thesis 7.0.3 word by word: every bid builds its whole path anew. */
 final class SlowAuction {
-    private final AllocationProblem problem;
+    private final Map<String, GeoPoint> boats;
+    private final List<GeoPoint> locations;
     private final LocalPlane plane;
     private final Map<String, List<GeoPoint>> won = new LinkedHashMap<>();
 
-    SlowAuction(AllocationProblem problem) {
-        this.problem = problem;
-        plane = new LocalPlane(problem.boats().values().iterator().next());
-        problem.boats().keySet().forEach(boat -> won.put(boat, new ArrayList<>()));
+    SlowAuction(Map<String, GeoPoint> boats, List<GeoPoint> locations) {
+        this.boats = boats;
+        this.locations = locations;
+        plane = new LocalPlane(boats.values().iterator().next());
+        boats.keySet().forEach(boat -> won.put(boat, new ArrayList<>()));
     }
 
     Map<String, List<GeoPoint>> paths() {
-        for (GeoPoint location : problem.locations()) {
+        for (GeoPoint location : locations) {
             String winner = null;
             double best = Double.MAX_VALUE;
             for (String boat : won.keySet()) {
                 List<GeoPoint> with = new ArrayList<>(won.get(boat));
                 with.add(location);
-                double bid =
-                        length(problem.boats().get(boat), path(problem.boats().get(boat), with));
+                double bid = length(boats.get(boat), path(boats.get(boat), with));
                 if (bid < best) {
                     best = bid;
                     winner = boat;
@@ -35,7 +37,7 @@ final class SlowAuction {
             won.get(winner).add(location);
         }
         Map<String, List<GeoPoint>> paths = new LinkedHashMap<>();
-        won.forEach((boat, locations) -> paths.put(boat, path(problem.boats().get(boat), locations)));
+        won.forEach((boat, locations) -> paths.put(boat, path(boats.get(boat), locations)));
         return paths;
     }
 

@@ -1,4 +1,4 @@
-package org.sami.crw.service;
+package org.sami.crw.service.assembly;
 
 import java.util.Map;
 import org.sami.spn.value.GeoPoint;

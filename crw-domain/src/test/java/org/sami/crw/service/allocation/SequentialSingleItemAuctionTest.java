@@ -1,4 +1,4 @@
-package org.sami.crw.service;
+package org.sami.crw.service.allocation;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -12,6 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.crw.event.Allocation;
+import org.sami.crw.service.AreaOfTest;
+import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 
@@ -23,12 +25,13 @@ class SequentialSingleItemAuctionTest {
     void findsWhatTheSlowAuctionFinds(int boats, int locations) {
         for (long seed = 1; seed <= 40; seed++) {
             AreaOfTest area = new AreaOfTest(seed * 1000 + boats);
-            AllocationProblem problem = new AllocationProblem(area.boats(boats), area.points(locations));
+            Map<String, GeoPoint> at = area.boats(boats);
+            List<GeoPoint> points = area.points(locations);
 
             Map<String, List<GeoPoint>> found = new LinkedHashMap<>();
-            auction.allocate(problem).paths().forEach((boat, path) -> found.put(boat, path.points()));
+            allocate(at, points).paths().forEach((boat, path) -> found.put(boat, path.points()));
 
-            assertThat(found).as("seed %s", seed).isEqualTo(new SlowAuction(problem).paths());
+            assertThat(found).as("seed %s", seed).isEqualTo(new SlowAuction(at, points).paths());
         }
     }
 
@@ -36,24 +39,22 @@ class SequentialSingleItemAuctionTest {
     @CsvSource({"1,1", "3,20", "5,30", "25,10", "2,60"})
     void putsEachLocationOnExactlyOnePathAndNamesEveryBoat(int boats, int locations) {
         AreaOfTest area = new AreaOfTest(7);
-        AllocationProblem problem = new AllocationProblem(area.boats(boats), area.points(locations));
+        Map<String, GeoPoint> at = area.boats(boats);
+        List<GeoPoint> points = area.points(locations);
 
-        Allocation allocation = auction.allocate(problem);
+        Allocation allocation = allocate(at, points);
 
         List<GeoPoint> visited = new ArrayList<>();
         allocation.paths().values().forEach(path -> visited.addAll(path.points()));
-        assertThat(visited).containsExactlyInAnyOrderElementsOf(problem.locations());
-        assertThat(allocation.paths().keySet())
-                .containsExactlyElementsOf(problem.boats().keySet());
+        assertThat(visited).containsExactlyInAnyOrderElementsOf(points);
+        assertThat(allocation.paths().keySet()).containsExactlyElementsOf(at.keySet());
     }
 
     @Test
     void twoLocationsAtOnePointAreVisitedTwice() {
         GeoPoint point = new AreaOfTest(3).point();
-        AllocationProblem problem =
-                new AllocationProblem(Map.of("boat-1", AreaOfTest.CENTRE), List.of(point, point, point));
-
-        assertThat(auction.allocate(problem).paths())
+        assertThat(allocate(Map.of("boat-1", AreaOfTest.CENTRE), List.of(point, point, point))
+                        .paths())
                 .containsEntry("boat-1", new GeoPath(List.of(point, point, point)));
     }
 
@@ -64,7 +65,7 @@ class SequentialSingleItemAuctionTest {
         boats.put("alpha", AreaOfTest.CENTRE);
         GeoPoint location = Geodesy.offset(AreaOfTest.CENTRE, 50, 0);
 
-        Allocation allocation = auction.allocate(new AllocationProblem(boats, List.of(location)));
+        Allocation allocation = allocate(boats, List.of(location));
 
         assertThat(allocation.paths().get("zeta").points()).containsExactly(location);
         assertThat(allocation.paths().get("alpha").points()).isEmpty();
@@ -79,7 +80,7 @@ class SequentialSingleItemAuctionTest {
         GeoPoint east = Geodesy.offset(AreaOfTest.CENTRE, 200, 50);
         GeoPoint furtherEast = Geodesy.offset(AreaOfTest.CENTRE, 200, 80);
 
-        Allocation allocation = auction.allocate(new AllocationProblem(boats, List.of(furtherEast, west, east)));
+        Allocation allocation = allocate(boats, List.of(furtherEast, west, east));
 
         assertThat(allocation.paths().get("west").points()).containsExactly(west);
         assertThat(allocation.paths().get("east").points()).containsExactly(east, furtherEast);
@@ -91,9 +92,7 @@ class SequentialSingleItemAuctionTest {
     void spreadsTheWorkOverTheBoats() {
         for (long seed = 1; seed <= 20; seed++) {
             AreaOfTest area = new AreaOfTest(seed);
-            AllocationProblem problem = new AllocationProblem(area.boats(5), area.points(30));
-
-            Allocation allocation = auction.allocate(problem);
+            Allocation allocation = allocate(area.boats(5), area.points(30));
 
             assertThat(allocation.paths().values())
                     .as("seed %s", seed)
@@ -106,12 +105,13 @@ class SequentialSingleItemAuctionTest {
     void locationsWithoutABoatAreRefused() {
         List<GeoPoint> locations = new AreaOfTest(1).points(2);
 
-        assertThatThrownBy(() -> new AllocationProblem(Map.of(), locations)).hasMessageContaining("no boat");
+        assertThatThrownBy(() -> AllocationProblem.ofVisits(Map.of(), locations))
+                .hasMessageContaining("no boat");
     }
 
     @Test
     void nothingForNobodyIsAnEmptyAllocation() {
-        Allocation allocation = auction.allocate(new AllocationProblem(Map.of(), List.of()));
+        Allocation allocation = allocate(Map.of(), List.of());
 
         assertThat(allocation.paths()).isEmpty();
         assertThat(allocation.totalLengthM()).isZero();
@@ -120,12 +120,16 @@ class SequentialSingleItemAuctionTest {
     @Test
     void tenThousandLocationsAreAllocated() {
         AreaOfTest area = new AreaOfTest(11);
-        AllocationProblem problem = new AllocationProblem(area.boats(25), area.points(10_000));
+        Map<String, GeoPoint> boats = area.boats(25);
 
-        long visited = auction.allocate(problem).paths().values().stream()
+        long visited = allocate(boats, area.points(10_000)).paths().values().stream()
                 .mapToLong(path -> path.points().size())
                 .sum();
 
         assertThat(visited).isEqualTo(10_000);
+    }
+
+    private Allocation allocate(Map<String, GeoPoint> boats, List<GeoPoint> locations) {
+        return auction.divide(AllocationProblem.ofVisits(boats, locations)).toAllocation("");
     }
 }

@@ -1,4 +1,4 @@
-package org.sami.crw.service;
+package org.sami.crw.service.assembly;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -12,6 +12,9 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.crw.service.AreaOfTest;
+import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.allocation.LeastSumAssignment;
 import org.sami.spn.value.GeoPoint;
 
 class HexagonalAssemblyTest {

@@ -1,10 +1,10 @@
-package org.sami.crw.service;
+package org.sami.crw.service.allocation;
 
 import java.util.Arrays;
 import java.util.List;
 
 /**
- * A path from a start through locations, built by always going to the nearest one that is left (thesis 7.0.3, footnote);
+ * A path of a boat from where it is free through locations, built by always going to the nearest one that is left (thesis 7.0.3, footnote);
  * of equally near ones, to that with the lowest index. Locations are added in order of index.
  *
  * <p>Adding a location changes nothing before the first stop from which it is nearer than the next one, so only what
@@ -12,10 +12,8 @@ import java.util.List;
  * a path built at once.
  */
 final class NearestNeighbourPath {
-    private final double startX;
-    private final double startY;
-    private final double[] x;
-    private final double[] y;
+    private final Legs legs;
+    private final int boat;
     /** The locations in the order of visits. */
     private int[] order = new int[8];
     /** Length of the path up to and including each of them. */
@@ -26,11 +24,9 @@ final class NearestNeighbourPath {
     private int[] candidateOrder = new int[8];
     private double[] candidateLengthTo = new double[8];
 
-    NearestNeighbourPath(double startX, double startY, double[] x, double[] y) {
-        this.startX = startX;
-        this.startY = startY;
-        this.x = x;
-        this.y = y;
+    NearestNeighbourPath(Legs legs, int boat) {
+        this.legs = legs;
+        this.boat = boat;
     }
 
     /** Length of the path with one location more, or infinity where it is not below a limit. */
@@ -63,7 +59,7 @@ final class NearestNeighbourPath {
         System.arraycopy(lengthTo, 0, candidateLengthTo, 0, at);
         candidateOrder[at] = location;
         System.arraycopy(order, at, candidateOrder, at + 1, size - at);
-        double length = (at == 0 ? 0 : lengthTo[at - 1]) + distanceFrom(order, at, location);
+        double length = (at == 0 ? legs.begun(boat) : lengthTo[at - 1]) + distanceFrom(order, at, location);
         candidateLengthTo[at] = length;
         for (int i = at + 1; i <= size && length < limit; i++) {
             int nearest = nearestFrom(i);
@@ -99,11 +95,7 @@ final class NearestNeighbourPath {
 
     /** Distance to a location from the stop before a position in an order, or from the start. */
     private double distanceFrom(int[] stops, int position, int location) {
-        double fromX = position == 0 ? startX : x[stops[position - 1]];
-        double fromY = position == 0 ? startY : y[stops[position - 1]];
-        double dx = x[location] - fromX;
-        double dy = y[location] - fromY;
-        return Math.sqrt(dx * dx + dy * dy);
+        return legs.leg(boat, position == 0 ? -1 : stops[position - 1], location);
     }
 
     private void swap(int i, int j) {

@@ -1,10 +1,12 @@
-package org.sami.crw.service;
+package org.sami.crw.service.assembly;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.allocation.LeastSumAssignment;
 import org.sami.spn.value.GeoPoint;
 
 /**

@@ -1,0 +1,38 @@
+package org.sami.crw.service.allocation;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
+import java.util.TreeSet;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * A boat to which work can be allocated.
+ *
+ * @param at where it is
+ * @param offers its capabilities; in the order of the alphabet
+ * @param begun the work that it has begun and keeps, in its order: it does that first, and what it gets comes after
+ */
+public record Candidate(String boat, GeoPoint at, Set<String> offers, List<Work> begun) {
+    public Candidate {
+        Objects.requireNonNull(boat, "boat");
+        Objects.requireNonNull(at, "at");
+        offers = java.util.Collections.unmodifiableSet(new TreeSet<>(offers));
+        begun = List.copyOf(begun);
+    }
+
+    /** A boat that has begun nothing and offers nothing in particular. */
+    public static Candidate at(String boat, GeoPoint at) {
+        return new Candidate(boat, at, Set.of(), List.of());
+    }
+
+    /** Whether it can do this work. */
+    public boolean canDo(Work work) {
+        return offers.containsAll(work.needs());
+    }
+
+    /** Where it is free for more: at the last work that it has begun, else where it is. */
+    public GeoPoint freeAt() {
+        return begun.isEmpty() ? at : begun.get(begun.size() - 1).location();
+    }
+}

@@ -1,0 +1,113 @@
+package org.sami.crw.service.allocation;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.sami.crw.event.Allocation;
+import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.choice.Criterion;
+import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * A solution of an allocation problem.
+ *
+ * @param problem the problem that it solves
+ * @param paths the work of each boat in its order, what it had begun first; every boat is there
+ * @param unallocated the work that nobody got
+ * @param totalM sum of the lengths of all paths, along the surface
+ * @param longestM the longest of them
+ * @param legsMeasured how many distances were computed for it
+ * @param method the algorithm's name
+ */
+public record Division(
+        AllocationProblem problem,
+        Map<String, List<Work>> paths,
+        List<Unallocated> unallocated,
+        double totalM,
+        double longestM,
+        long legsMeasured,
+        String method) {
+
+    /** A division from the work's indices in the problem, in each boat's order. */
+    static Division of(
+            AllocationProblem whole, AllocationProblem possible, List<List<Integer>> shares, Legs legs, String method) {
+        Map<String, List<Work>> paths = new LinkedHashMap<>();
+        double total = 0;
+        double longest = 0;
+        for (int b = 0; b < shares.size(); b++) {
+            Candidate boat = whole.boats().get(b);
+            List<Work> path = new ArrayList<>(boat.begun());
+            shares.get(b).forEach(index -> path.add(possible.work().get(index)));
+            paths.put(boat.boat(), List.copyOf(path));
+            double length =
+                    Geodesy.lengthM(boat.at(), path.stream().map(Work::location).toList());
+            total += length;
+            longest = Math.max(longest, length);
+        }
+        return new Division(whole, paths, whole.impossible(), total, longest, legs.measured(), method);
+    }
+
+    /** Orders divisions by a criterion, the best first: by what is measured, not by what is declared. */
+    public static Comparator<Division> by(Criterion criterion) {
+        return switch (criterion) {
+            case COMPUTATION_TIME -> Comparator.comparingLong(Division::legsMeasured);
+            case EXECUTION_TIME ->
+                Comparator.comparingDouble(Division::longestM).thenComparing(Division::totalM);
+            case EXECUTION_SAFETY ->
+                Comparator.comparingInt(Division::crossings).thenComparing(Division::totalM);
+            case EXECUTION_EFFICIENCY ->
+                Comparator.comparingDouble(Division::totalM).thenComparing(Division::longestM);
+        };
+    }
+
+    /** Number of places at which paths of two boats cross, without what they had begun. */
+    public int crossings() {
+        List<List<GeoPoint>> fresh = new ArrayList<>();
+        for (Candidate boat : problem.boats()) {
+            List<GeoPoint> path = new ArrayList<>(List.of(boat.freeAt()));
+            paths.get(boat.boat()).stream()
+                    .skip(boat.begun().size())
+                    .map(Work::location)
+                    .forEach(path::add);
+            fresh.add(path);
+        }
+        return Crossings.of(fresh);
+    }
+
+    /** The boat of each work that somebody got, by the work's name. */
+    public Map<String, String> boatOf() {
+        Map<String, String> boatOf = new HashMap<>();
+        paths.forEach((boat, path) -> path.forEach(one -> boatOf.put(one.name(), boat)));
+        return boatOf;
+    }
+
+    /** As a value for plans, with the reason for the choice of its method; paths begin with what boats had begun. */
+    public Allocation toAllocation(String reason) {
+        return allocation(reason, true);
+    }
+
+    /** The same without what boats had begun: they do that on other paths. */
+    public Allocation toNewWork(String reason) {
+        return allocation(reason, false);
+    }
+
+    private Allocation allocation(String reason, boolean withBegun) {
+        Map<String, GeoPath> points = new LinkedHashMap<>();
+        for (Candidate boat : problem.boats()) {
+            List<Work> path = paths.get(boat.boat());
+            points.put(
+                    boat.boat(),
+                    new GeoPath(path.stream()
+                            .skip(withBegun ? 0 : boat.begun().size())
+                            .map(Work::location)
+                            .toList()));
+        }
+        return new Allocation(points, totalM, longestM, method)
+                .withReason(reason)
+                .withUnallocated(unallocated.stream().map(Unallocated::words).toList());
+    }
+}

@@ -1,0 +1,41 @@
+package org.sami.crw.service.allocation;
+
+/** What a division of work is the best by, as far as changes of one or two paths show it. Lengths in metres. */
+enum Objective {
+    /** The least sum of all paths. */
+    TOTAL {
+        @Override
+        boolean better(double oldA, double oldB, double newA, double newB) {
+            return newA + newB < oldA + oldB - LEAST_GAIN_M;
+        }
+
+        @Override
+        double join(double length, double other) {
+            return length + other;
+        }
+    },
+    /** The shortest longest path; of equally long ones the least sum. */
+    LONGEST {
+        @Override
+        boolean better(double oldA, double oldB, double newA, double newB) {
+            double oldLongest = Math.max(oldA, oldB);
+            double newLongest = Math.max(newA, newB);
+            return newLongest < oldLongest - LEAST_GAIN_M
+                    || (newLongest <= oldLongest && newA + newB < oldA + oldB - LEAST_GAIN_M);
+        }
+
+        @Override
+        double join(double length, double other) {
+            return Math.max(length, other);
+        }
+    };
+
+    /** Less is no gain: rounding must not make a search go round in circles. */
+    private static final double LEAST_GAIN_M = 1e-6;
+
+    /** Whether two paths are better at their new lengths than at their old ones, all others being as they are. */
+    abstract boolean better(double oldA, double oldB, double newA, double newB);
+
+    /** The objective over the paths of some boats and of one more. */
+    abstract double join(double length, double other);
+}

@@ -1,0 +1,56 @@
+package org.sami.crw.service.allocation;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.sami.crw.service.choice.Criterion;
+import org.sami.crw.service.choice.Merit;
+
+/**
+ * Sequential single-item auction with nearest-neighbour insertion (thesis 7.0.3). Locations are auctioned in the order in
+ * which they are given. A boat bids the length of its whole path if the location were added to those it has won: the
+ * nearest-neighbour path from its position. The lowest bid wins; of equal bids, that of the boat named first.
+ *
+ * <p>As a bid is the length of the whole path and not what the location adds to it, long paths lose and the work spreads.
+ *
+ * <p>Cost: L locations and B boats with k locations each take O(L B k²) steps at most; a bid looks only at the part of
+ * the path that the location changes, and stops where it has lost.
+ */
+public final class SequentialSingleItemAuction extends AllocationAlgorithm {
+    @Override
+    public String name() {
+        return "Sequential single-item auction";
+    }
+
+    @Override
+    public Map<Criterion, Merit> serves() {
+        return Map.of(Criterion.COMPUTATION_TIME, Merit.BEST, Criterion.EXECUTION_TIME, Merit.GOOD);
+    }
+
+    @Override
+    List<List<Integer>> shares(AllocationProblem problem, Legs legs) {
+        List<NearestNeighbourPath> paths = new ArrayList<>();
+        for (int boat = 0; boat < problem.boats().size(); boat++) {
+            paths.add(new NearestNeighbourPath(legs, boat));
+        }
+        for (int location = 0; location < problem.work().size(); location++) {
+            auction(location, problem, paths);
+        }
+        return paths.stream().map(NearestNeighbourPath::locations).toList();
+    }
+
+    private static void auction(int location, AllocationProblem problem, List<NearestNeighbourPath> paths) {
+        double best = Double.POSITIVE_INFINITY;
+        int winner = -1;
+        for (int boat = 0; boat < paths.size(); boat++) {
+            if (problem.boats().get(boat).canDo(problem.work().get(location))) {
+                double bid = paths.get(boat).lengthWith(location, best);
+                if (winner < 0 || bid < best) {
+                    best = bid;
+                    winner = boat;
+                }
+            }
+        }
+        paths.get(winner).add(location);
+    }
+}
