@@ -18,6 +18,7 @@ import org.sami.boat.server.log.LoggedCommand;
 import org.sami.boat.server.tcp.TcpBoatServer;
 import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.crw.sim.hull.Quay;
 import org.sami.crw.sim.hull.SimulatedHull;
 
 /**
@@ -46,6 +47,7 @@ public final class BoatOnTcp implements Closeable {
         LocalFrame frame = new LocalFrame(settings.at().latDeg(), settings.at().lonDeg());
         hull = new SimulatedHull(settings.hull(), frame, 0, 0, settings.seed());
         hull.setBatteryPercent(settings.batteryPercent());
+        hull.setQuay(Quay.atOrigin());
         List<LoggedCommand> earlier = new ArrayList<>();
         log = openLog(settings, earlier, listener);
         restored = earlier.size();

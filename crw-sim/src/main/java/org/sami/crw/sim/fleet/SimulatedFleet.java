@@ -10,10 +10,12 @@ import org.sami.boat.server.LocalFrame;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.sim.clock.VirtualScheduler;
+import org.sami.crw.sim.hull.Quay;
 
 /**
  * Boats {@code boat1} to {@code boatN} on one virtual clock: each with a hull, the boat server, two pipes and the base's
  * proxy. They lie on a line, 5 m apart, eastward from a base point, bows to the north, batteries full.
+ * The line is their {@link Quay}: who comes back to it and lies still gets a full battery.
  *
  * <p>{@link #start} has every boat ticked at 10 Hz of virtual time, in order, for as long as somebody drives the clock:
  *
@@ -79,6 +81,7 @@ public final class SimulatedFleet {
             String id = idOf(i);
             SimulatedBoat boat = new SimulatedBoat(
                     id, clock, config, frame, i * SPACING_M, 0, BoatSeeds.next(seeds), listeners.apply(id));
+            boat.hull().setQuay(new Quay(0, (boatCount - 1) * SPACING_M, 0, Quay.REACH_M));
             boats.add(boat);
             proxies.add(boat.proxy());
         }

@@ -1,5 +1,6 @@
 package org.sami.crw.sim.hull;
 
+import java.util.Optional;
 import java.util.SplittableRandom;
 import org.sami.boat.server.LocalFrame;
 import org.sami.boat.server.Vehicle;
@@ -31,6 +32,7 @@ public final class SimulatedHull implements Vehicle {
     private double batteryPercent = 100;
     private double distanceM;
     private int recharges;
+    private Optional<BatterySwap> swap = Optional.empty();
 
     /** A hull at rest with a full battery, its bow to the north, at a place on the plane of its world. */
     public SimulatedHull(HullConfig config, LocalFrame frame, double eastM, double northM, long seed) {
@@ -98,6 +100,11 @@ public final class SimulatedHull implements Vehicle {
         starboard = effort(starboardEffort);
     }
 
+    /** From now on there is a quay where its battery is swapped. */
+    public void setQuay(Quay quay) {
+        swap = Optional.of(new BatterySwap(quay));
+    }
+
     /** Somebody swaps or fills the battery. */
     public void recharge() {
         batteryPercent = 100;
@@ -116,6 +123,9 @@ public final class SimulatedHull implements Vehicle {
     public void step(double seconds) {
         if (!(seconds > 0)) {
             throw new IllegalArgumentException("a step of " + seconds + " s");
+        }
+        if (swap.isPresent() && swap.get().pass(seconds, eastM, northM, speedMps)) {
+            recharge();
         }
         double power = batteryPercent > 0 ? 1 : 0;
         double wantedMps = power * (port + starboard) / 2 * config.topSpeedMps();
