@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.crw.sim.run.RunSettings;
 import org.sami.crw.sim.run.Speed;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** The options that decide a run. */
@@ -93,6 +94,9 @@ final class RunOptions {
                     + "several times. 'crw plans' names a plan's interrupts.")
     private List<String> interrupts = new ArrayList<>();
 
+    @Mixin
+    private ConditionsOptions conditions;
+
     RunSettings settings(String plan, String mission) {
         within("--boats", boats, 1, RunSettings.Fleet.MOST_BOATS);
         within("--locations", locations, 1, RunSettings.Fleet.MOST_LOCATIONS);
@@ -101,7 +105,7 @@ final class RunOptions {
             return new RunSettings(
                     plan,
                     mission,
-                    new RunSettings.Fleet(boats, locations, areaM, seed),
+                    new RunSettings.Fleet(boats, locations, areaM, seed, conditions.conditions()),
                     speed,
                     Optional.ofNullable(limitMillis).map(OptionalLong::of).orElse(OptionalLong.empty()),
                     parameters,
