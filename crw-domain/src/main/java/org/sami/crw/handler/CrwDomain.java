@@ -42,6 +42,7 @@ public final class CrwDomain implements AutoCloseable {
         handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions));
         handlers.put(CompareDistanceHandler.TYPE, new CompareDistanceHandler(positions));
         handlers.put(DisplayMessageHandler.TYPE, new DisplayMessageHandler(messages));
+        handlers.put(UnknownRequestHandler.TYPE, new UnknownRequestHandler(messages));
         handlers.forEach((type, handler) -> registrations.add(host.register(type, handler, fleet)));
         registrations.add(host.addListener(new Withdrawals(motion, fleet)));
     }

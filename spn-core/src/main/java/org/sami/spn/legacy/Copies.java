@@ -92,7 +92,8 @@ final class Copies {
             explained.add(
                     v.place() ? CountedKind.PLACE_EVENTS : CountedKind.TRANSITION_EVENTS,
                     v.events().size());
-            v.events().forEach(e -> explained.add(CountedKind.MARKUPS, e.markups().size()));
+            v.events()
+                    .forEach(e -> explained.add(CountedKind.MARKUPS, e.markups().size()));
         }
         explained.add(CountedKind.VARIABLES, (int) variables(copy).distinct().count());
     }

@@ -114,7 +114,8 @@ final class CopyCheck {
 
     private static List<String> markups(LegacyPlan.Event e) {
         return e.markups().stream()
-                .map(m -> m.className() + m.options()
+                .map(m -> m.className()
+                        + m.options()
                         + m.parameters().entrySet().stream()
                                 .map(p -> p.getKey() + p.getValue().node())
                                 .collect(Collectors.joining()))
@@ -129,8 +130,7 @@ final class CopyCheck {
     }
 
     private boolean sameVariables(Map<String, String> a, Map<String, String> b) {
-        return a.keySet().equals(b.keySet())
-                && a.keySet().stream().allMatch(f -> sameVariable(a.get(f), b.get(f)));
+        return a.keySet().equals(b.keySet()) && a.keySet().stream().allMatch(f -> sameVariable(a.get(f), b.get(f)));
     }
 
     /** Each variable of the plan is one of the copy, everywhere the same, and no two are one; globals are themselves. */

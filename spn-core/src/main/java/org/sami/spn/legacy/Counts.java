@@ -123,7 +123,9 @@ public record Counts(Map<CountedKind, Integer> numbers) {
 
     private static void count(Transition transition, Tally tally) {
         tally.add(CountedKind.TRANSITION_EVENTS, transition.inputs().size());
-        transition.inputs().forEach(e -> tally.add(CountedKind.MARKUPS, e.markups().size()));
+        transition
+                .inputs()
+                .forEach(e -> tally.add(CountedKind.MARKUPS, e.markups().size()));
     }
 
     /** The variables that the events of a plan read, write or name. */

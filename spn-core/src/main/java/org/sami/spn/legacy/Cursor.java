@@ -66,7 +66,9 @@ final class Cursor {
     }
 
     String text(String member, String absent) {
-        return typed(member, JsonNode::isTextual, "text").map(JsonNode::textValue).orElse(absent);
+        return typed(member, JsonNode::isTextual, "text")
+                .map(JsonNode::textValue)
+                .orElse(absent);
     }
 
     boolean flag(String member) {
@@ -113,8 +115,7 @@ final class Cursor {
             if (e.node().isTextual()) {
                 texts.add(e.node().textValue());
             } else {
-                findings.error(
-                        LegacyCodes.WRONG_TYPE, e.pointer(), "Text is expected here, not " + describe(e.node()));
+                findings.error(LegacyCodes.WRONG_TYPE, e.pointer(), "Text is expected here, not " + describe(e.node()));
             }
         }
         return texts;
@@ -138,8 +139,7 @@ final class Cursor {
             if (e.node().isTextual()) {
                 texts.put(key, e.node().textValue());
             } else {
-                findings.error(
-                        LegacyCodes.WRONG_TYPE, e.pointer(), "Text is expected here, not " + describe(e.node()));
+                findings.error(LegacyCodes.WRONG_TYPE, e.pointer(), "Text is expected here, not " + describe(e.node()));
             }
         });
         return texts;
@@ -171,10 +171,7 @@ final class Cursor {
     private Optional<JsonNode> typed(String member, Predicate<JsonNode> right, String what) {
         Optional<JsonNode> found = node(member);
         if (found.isPresent() && !right.test(found.get())) {
-            error(
-                    LegacyCodes.WRONG_TYPE,
-                    member,
-                    capital(what) + " is expected here, not " + describe(found.get()));
+            error(LegacyCodes.WRONG_TYPE, member, capital(what) + " is expected here, not " + describe(found.get()));
             return Optional.empty();
         }
         return found;

@@ -70,11 +70,12 @@ final class EventConverter {
 
     /** Whether an event says that its transition waits for all. */
     boolean waitsForAll(LegacyPlan.Vertex transition) {
-        return transition.events().stream().anyMatch(e -> e.values().entrySet().stream()
-                .anyMatch(v -> LegacyTable.find(table.events(), e.className())
-                                .map(r -> r.field(v.getKey()).waitForAll())
-                                .orElse(false)
-                        && v.getValue().node().path("value").asBoolean(false)));
+        return transition.events().stream()
+                .anyMatch(e -> e.values().entrySet().stream()
+                        .anyMatch(v -> LegacyTable.find(table.events(), e.className())
+                                        .map(r -> r.field(v.getKey()).waitForAll())
+                                        .orElse(false)
+                                && v.getValue().node().path("value").asBoolean(false)));
     }
 
     private Optional<LegacyTable.EventRule> rule(LegacyPlan.Event e, Direction side) {
@@ -107,7 +108,9 @@ final class EventConverter {
                 LegacyCodes.UNKNOWN_EVENT,
                 Findings.at(e.pointer(), "class"),
                 "The event " + e.key() + " is of the class " + e.className() + ", which this system does not know; "
-                        + (event.isEmpty() ? "it is not imported" : "it is kept as " + event + " and nothing answers it"),
+                        + (event.isEmpty()
+                                ? "it is not imported"
+                                : "it is kept as " + event + " and nothing answers it"),
                 e.key());
         if (event.isEmpty()) {
             lose(e, side == Direction.OUTPUT);
@@ -117,7 +120,8 @@ final class EventConverter {
     }
 
     private boolean isUnknown(String event) {
-        return event.equals(table.unknown().output()) || event.equals(table.unknown().input());
+        return event.equals(table.unknown().output())
+                || event.equals(table.unknown().input());
     }
 
     private void lose(LegacyPlan.Event e, boolean onPlace) {
@@ -155,8 +159,7 @@ final class EventConverter {
                     .flatMap(f -> source(e, f, rule.field(name), name).map(s -> Map.entry(f, s)))
                     .ifPresent(entry -> fields.put(entry.getKey().name(), entry.getValue()));
         }
-        constants(type, rule)
-                .forEach((field, value) -> fields.putIfAbsent(field, new FieldSource.Fixed(value)));
+        constants(type, rule).forEach((field, value) -> fields.putIfAbsent(field, new FieldSource.Fixed(value)));
         for (FieldType field : type.fields()) {
             if (field.required()) {
                 fields.putIfAbsent(field.name(), new FieldSource.Asked(Optional.empty(), true));
@@ -201,15 +204,18 @@ final class EventConverter {
     private Map<String, Value> unknownFields(LegacyPlan.Event e) {
         Map<String, Value> fields = new LinkedHashMap<>();
         fields.put(table.unknown().classField(), new TextValue(e.className()));
-        fields.put(table.unknown().contentField(), new TextValue(e.whole().node().toString()));
+        fields.put(
+                table.unknown().contentField(), new TextValue(e.whole().node().toString()));
         return fields;
     }
 
     private Map<String, Value> constants(EventType type, LegacyTable.EventRule rule) {
         Map<String, Value> constants = new LinkedHashMap<>();
-        rule.set().forEach((name, json) -> type.field(name)
-                .flatMap(f -> ValueJson.read(json, f.type(), vocabulary.types()).result())
-                .ifPresent(v -> constants.put(name, v)));
+        rule.set()
+                .forEach((name, json) -> type.field(name)
+                        .flatMap(f -> ValueJson.read(json, f.type(), vocabulary.types())
+                                .result())
+                        .ifPresent(v -> constants.put(name, v)));
         return constants;
     }
 
@@ -249,8 +255,7 @@ final class EventConverter {
         }
     }
 
-    private Optional<FieldSource> source(
-            LegacyPlan.Event e, FieldType field, LegacyTable.FieldRule rule, String name) {
+    private Optional<FieldSource> source(LegacyPlan.Event e, FieldType field, LegacyTable.FieldRule rule, String name) {
         String variable = e.reads().get(name);
         if (variable != null && !variable.isEmpty()) {
             units.put(variable, rule.unitMillis());
@@ -260,8 +265,7 @@ final class EventConverter {
                             : new FieldSource.FromVariable(variable));
         }
         LegacyValue given = e.values().get(name);
-        Optional<Value> value =
-                given == null || given.isNull() ? Optional.empty() : converted(e, field, rule, given);
+        Optional<Value> value = given == null || given.isNull() ? Optional.empty() : converted(e, field, rule, given);
         if (value.isEmpty()) {
             return field.required() || e.editable().getOrDefault(name, false)
                     ? Optional.of(new FieldSource.Asked(Optional.empty(), true))

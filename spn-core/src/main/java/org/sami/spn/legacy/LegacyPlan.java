@@ -122,8 +122,7 @@ record LegacyPlan(
     }
 
     /** A markup with its chosen constants and its parameters. */
-    record Markup(
-            String pointer, String className, Map<String, String> options, Map<String, LegacyValue> parameters) {}
+    record Markup(String pointer, String className, Map<String, String> options, Map<String, LegacyValue> parameters) {}
 
     /**
      * A plan that a place runs.

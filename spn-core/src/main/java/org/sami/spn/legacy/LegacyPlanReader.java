@@ -41,8 +41,7 @@ final class LegacyPlanReader {
             "GreaterThanEqualTo", Quantity.AT_LEAST,
             "All", Quantity.ALL,
             "Number", Quantity.NUMBER);
-    private static final Map<String, Move> MOVES =
-            Map.of("Take", Move.TAKE, "Consume", Move.CONSUME, "Add", Move.ADD);
+    private static final Map<String, Move> MOVES = Map.of("Take", Move.TAKE, "Consume", Move.CONSUME, "Add", Move.ADD);
 
     private final Findings findings;
 
@@ -53,7 +52,8 @@ final class LegacyPlanReader {
     LegacyPlan plan(Cursor p) {
         List<LegacyPlan.Vertex> vertices =
                 p.objects("vertices").stream().map(this::vertex).toList();
-        List<LegacyPlan.Edge> edges = p.objects("edges").stream().map(this::edge).toList();
+        List<LegacyPlan.Edge> edges =
+                p.objects("edges").stream().map(this::edge).toList();
         LegacyPlan plan = new LegacyPlan(
                 p.pointer(),
                 p.text("id"),
@@ -125,7 +125,8 @@ final class LegacyPlanReader {
 
     private LegacyPlan.Event event(Cursor e) {
         Map<String, Boolean> editable = new LinkedHashMap<>();
-        e.map("editable").forEach((field, element) -> editable.put(field, element.node().asBoolean()));
+        e.map("editable")
+                .forEach((field, element) -> editable.put(field, element.node().asBoolean()));
         LegacyPlan.Event event = new LegacyPlan.Event(
                 new LegacyValue(e.pointer(), e.whole()),
                 e.text("key"),
@@ -165,8 +166,8 @@ final class LegacyPlanReader {
     }
 
     private LegacyPlan.Markup markup(Cursor m) {
-        LegacyPlan.Markup markup = new LegacyPlan.Markup(
-                m.pointer(), m.text("class"), m.textMap("options"), values(m, "parameters"));
+        LegacyPlan.Markup markup =
+                new LegacyPlan.Markup(m.pointer(), m.text("class"), m.textMap("options"), values(m, "parameters"));
         m.done();
         return markup;
     }
@@ -202,7 +203,8 @@ final class LegacyPlanReader {
             entry.error(LegacyCodes.MISSING, "", "The member \"" + member + "\" is missing");
             return "";
         }
-        for (JsonNode candidate : List.of(node, node.path("value"), node.path("name"), node.path("fields").path("name"))) {
+        for (JsonNode candidate : List.of(
+                node, node.path("value"), node.path("name"), node.path("fields").path("name"))) {
             if (candidate.isTextual()) {
                 return candidate.textValue();
             }

@@ -83,8 +83,7 @@ final class LegacyReader {
     }
 
     private LegacyProject project(Cursor root) {
-        String source =
-                root.object("source").map(s -> s.text("file", "")).orElse("");
+        String source = root.object("source").map(s -> s.text("file", "")).orElse("");
         root.skip("source", "project");
         List<LegacyProject.Global> globals =
                 root.objects("globalVariables").stream().map(this::global).toList();

@@ -37,8 +37,13 @@ public record LegacyTable(
         }
     }
 
-    /** A markup of this language for a markup class; parameters are named {@code parameter.member}. */
-    public record MarkupRule(String markup, Map<String, FieldRule> options) {
+    /**
+     * A markup of this language for a markup class.
+     *
+     * @param options by the name that the class gives them; parameters are named {@code parameter.member}
+     * @param set options where the class leaves them open, as JSON of plan files
+     */
+    public record MarkupRule(String markup, Map<String, FieldRule> options, Map<String, JsonNode> set) {
         FieldRule option(String name) {
             return options.getOrDefault(name, FieldRule.same(name));
         }

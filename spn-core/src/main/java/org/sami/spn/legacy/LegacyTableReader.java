@@ -8,7 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.spn.json.Reading;
-import org.sami.spn.json.TypeNames;
+import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventType;
@@ -66,11 +66,13 @@ public final class LegacyTableReader {
         Map<String, ValueType> types = new LinkedHashMap<>();
         root.textMap("types").forEach((name, type) -> type(root, type).ifPresent(t -> types.put(name, t)));
         Map<String, Map<String, String>> records = new LinkedHashMap<>();
-        root.map("records").keySet().forEach(name -> root.object("records")
-                .ifPresent(r -> records.put(name, r.textMap(name))));
+        root.map("records")
+                .keySet()
+                .forEach(name -> root.object("records").ifPresent(r -> records.put(name, r.textMap(name))));
         Map<String, String> taskClasses = root.textMap("taskClasses");
-        LegacyTable.Unknown unknown = root.object("unknown").map(this::unknown).orElse(LegacyTable.empty()
-                .unknown());
+        LegacyTable.Unknown unknown = root.object("unknown")
+                .map(this::unknown)
+                .orElse(LegacyTable.empty().unknown());
         return new LegacyTable(events, markups, types, records, taskClasses, unknown);
     }
 
@@ -132,14 +134,17 @@ public final class LegacyTableReader {
                 m.error(LegacyCodes.TABLE, "options", t.name() + " has no option " + rule.to(), t.name());
             }
         }));
-        return new LegacyTable.MarkupRule(name, options);
+        Map<String, JsonNode> set = new LinkedHashMap<>();
+        m.map("set").forEach((option, element) -> set.put(option, element.node()));
+        return new LegacyTable.MarkupRule(name, options, set);
     }
 
     private static Map<String, LegacyTable.FieldRule> rules(Cursor c, String member) {
         Map<String, LegacyTable.FieldRule> rules = new LinkedHashMap<>();
         c.object(member)
-                .ifPresent(all -> c.map(member).keySet().forEach(name -> all.object(name)
-                        .ifPresent(rule -> rules.put(name, rule(name, rule)))));
+                .ifPresent(all -> c.map(member)
+                        .keySet()
+                        .forEach(name -> all.object(name).ifPresent(rule -> rules.put(name, rule(name, rule)))));
         return rules;
     }
 

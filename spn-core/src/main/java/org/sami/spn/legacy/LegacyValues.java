@@ -53,8 +53,7 @@ final class LegacyValues {
             return ValueJson.read(renamed.get(), type, vocabulary.types()).result();
         }
         try {
-            return of(value, type, rule.unitMillis(), 0)
-                    .filter(v -> type.accepts(v, vocabulary.types()));
+            return of(value, type, rule.unitMillis(), 0).filter(v -> type.accepts(v, vocabulary.types()));
         } catch (IllegalArgumentException outOfRange) {
             return Optional.empty(); // a latitude of 100, an area of two points
         }
@@ -75,7 +74,8 @@ final class LegacyValues {
             return Optional.empty();
         }
         if (type instanceof ValueType.ListOf list) {
-            return items(value).flatMap(items -> all(items, list.element(), unitMillis, depth))
+            return items(value)
+                    .flatMap(items -> all(items, list.element(), unitMillis, depth))
                     .map(ListValue::new);
         }
         if (type instanceof ValueType.MapOf map) {
@@ -95,15 +95,16 @@ final class LegacyValues {
             case INTEGER -> number.filter(n -> n == Math.rint(n)).map(n -> new IntegerValue(n.longValue()));
             case REAL -> number.map(RealValue::new);
             case TEXT -> text.or(() -> name(value)).map(TextValue::new);
-            case DURATION -> number.filter(n -> n >= 0)
-                    .map(n -> new DurationValue(Math.round(n * unitMillis)));
+            case DURATION -> number.filter(n -> n >= 0).map(n -> new DurationValue(Math.round(n * unitMillis)));
             case PROXY -> name(value).or(() -> text).map(ProxyValue::new);
             case POINT -> point(value).map(p -> p);
             case PATH -> points(value).map(GeoPath::new);
             case AREA -> points(value).map(p -> new GeoArea(p, List.of()));
             case VARIABLE -> variable(value).map(VariableReference::new);
-            case PLAN -> Optional.of(value.node().path("plan").asText("")).filter(p -> !p.isEmpty())
-                    .map(PlanReference::new);
+            case PLAN ->
+                Optional.of(value.node().path("plan").asText(""))
+                        .filter(p -> !p.isEmpty())
+                        .map(PlanReference::new);
             case ANY -> natural(value, unitMillis);
             case TASK -> Optional.empty();
         };
@@ -132,9 +133,7 @@ final class LegacyValues {
     }
 
     private static Optional<String> variable(LegacyValue value) {
-        return name(value)
-                .filter(n -> !n.equals("@"))
-                .map(n -> n.startsWith("@") ? n : "@" + n);
+        return name(value).filter(n -> !n.equals("@")).map(n -> n.startsWith("@") ? n : "@" + n);
     }
 
     private static Optional<GeoPoint> point(LegacyValue value) {
@@ -196,7 +195,8 @@ final class LegacyValues {
         Map<Value, Value> entries = new LinkedHashMap<>();
         LegacyValue list = value.member("entries");
         for (JsonNode entry : list.node()) {
-            Optional<Value> key = of(new LegacyValue(list.pointer(), entry.path("key")), type.key(), unitMillis, depth + 1);
+            Optional<Value> key =
+                    of(new LegacyValue(list.pointer(), entry.path("key")), type.key(), unitMillis, depth + 1);
             Optional<Value> item =
                     of(new LegacyValue(list.pointer(), entry.path("value")), type.value(), unitMillis, depth + 1);
             if (key.isEmpty() || item.isEmpty()) {
@@ -215,8 +215,7 @@ final class LegacyValues {
         if (!(declared instanceof NamedType.RecordType type)) {
             return Optional.empty();
         }
-        Map<String, String> members =
-                table.records().getOrDefault(LegacyPlan.simpleName(value.className()), Map.of());
+        Map<String, String> members = table.records().getOrDefault(LegacyPlan.simpleName(value.className()), Map.of());
         Map<String, Value> fields = new LinkedHashMap<>();
         for (Map.Entry<String, ValueType> field : type.fields().entrySet()) {
             String member = members.getOrDefault(field.getKey(), field.getKey());
@@ -253,10 +252,11 @@ final class LegacyValues {
             case "area" -> Optional.of(ValueType.Simple.AREA);
             case "variable-name" -> Optional.of(ValueType.Simple.VARIABLE);
             case "plan-ref" -> Optional.of(ValueType.Simple.PLAN);
-            case "list" -> items(value)
-                    .filter(items -> !items.isEmpty())
-                    .flatMap(items -> naturalType(items.get(0)))
-                    .map(ValueType.ListOf::new);
+            case "list" ->
+                items(value)
+                        .filter(items -> !items.isEmpty())
+                        .flatMap(items -> naturalType(items.get(0)))
+                        .map(ValueType.ListOf::new);
             default -> Optional.empty();
         };
     }

@@ -1,10 +1,12 @@
 package org.sami.spn.legacy;
 
+import com.fasterxml.jackson.databind.node.TextNode;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.spn.json.ValueJson;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.FieldType;
@@ -20,11 +22,7 @@ final class MarkupConverter {
     private final Counts.Tally explained;
 
     MarkupConverter(
-            Vocabulary vocabulary,
-            LegacyTable table,
-            LegacyValues values,
-            Findings findings,
-            Counts.Tally explained) {
+            Vocabulary vocabulary, LegacyTable table, LegacyValues values, Findings findings, Counts.Tally explained) {
         this.vocabulary = vocabulary;
         this.table = table;
         this.values = values;
@@ -36,26 +34,40 @@ final class MarkupConverter {
         List<MarkupSpec> specs = new ArrayList<>();
         for (LegacyPlan.Markup m : event.markups()) {
             Optional<LegacyTable.MarkupRule> rule = rule(m);
-            if (rule.isPresent()) {
-                specs.add(convert(event, m, rule.get()));
+            Optional<MarkupSpec> spec = rule.map(r -> convert(event, m, r));
+            if (spec.isEmpty()) {
+                lose(event, m, "is not known here");
+            } else if (!missing(spec.get()).isEmpty()) {
+                lose(event, m, "does not say " + missing(spec.get()));
             } else {
-                explained.add(CountedKind.MARKUPS, 1);
-                findings.warning(
-                        LegacyCodes.UNKNOWN_MARKUP,
-                        Findings.at(m.pointer(), "class"),
-                        "The markup " + m.className() + " of " + event.key()
-                                + " is not known here; it is not imported",
-                        event.key());
+                specs.add(spec.get());
             }
         }
         return specs;
+    }
+
+    private void lose(LegacyPlan.Event event, LegacyPlan.Markup m, String why) {
+        explained.add(CountedKind.MARKUPS, 1);
+        findings.warning(
+                LegacyCodes.UNKNOWN_MARKUP,
+                m.pointer(),
+                "The markup " + m.className() + " of " + event.key() + " " + why + "; it is not imported",
+                event.key());
+    }
+
+    /** Options that the markup must have and does not. */
+    private List<String> missing(MarkupSpec spec) {
+        return vocabulary.markup(spec.type()).orElseThrow().options().stream()
+                .filter(o -> o.required() && spec.option(o.name()).isEmpty())
+                .map(FieldType::name)
+                .toList();
     }
 
     private Optional<LegacyTable.MarkupRule> rule(LegacyPlan.Markup m) {
         return LegacyTable.find(table.markups(), m.className())
                 .or(() -> vocabulary
                         .markup(LegacyPlan.simpleName(m.className()))
-                        .map(t -> new LegacyTable.MarkupRule(t.name(), Map.of())));
+                        .map(t -> new LegacyTable.MarkupRule(t.name(), Map.of(), Map.of())));
     }
 
     private MarkupSpec convert(LegacyPlan.Event event, LegacyPlan.Markup m, LegacyTable.MarkupRule rule) {
@@ -77,22 +89,32 @@ final class MarkupConverter {
                         event.key());
             }
         });
+        rule.set()
+                .forEach((name, json) -> type.options().stream()
+                        .filter(o -> o.name().equals(name))
+                        .findFirst()
+                        .flatMap(o -> ValueJson.read(json, o.type(), vocabulary.types())
+                                .result())
+                        .ifPresent(v -> options.putIfAbsent(name, v)));
         return new MarkupSpec(type.name(), options);
     }
 
     /** Chosen constants by their name, and what parameters hold by {@code parameter.member}. */
     private static Map<String, LegacyValue> given(LegacyPlan.Markup m) {
         Map<String, LegacyValue> given = new LinkedHashMap<>();
-        m.options().forEach((name, constant) -> given.put(
-                name,
-                new LegacyValue(
-                        Findings.at(Findings.at(m.pointer(), "options"), name),
-                        com.fasterxml.jackson.databind.node.TextNode.valueOf(constant))));
-        m.parameters().forEach((name, value) -> value.node().properties().forEach(member -> {
-            if (!member.getKey().equals("type") && !member.getKey().equals("class") && !member.getValue().isNull()) {
-                given.put(name + "." + member.getKey(), value.member(member.getKey()));
-            }
-        }));
+        m.options()
+                .forEach((name, constant) -> given.put(
+                        name,
+                        new LegacyValue(
+                                Findings.at(Findings.at(m.pointer(), "options"), name), TextNode.valueOf(constant))));
+        m.parameters()
+                .forEach((name, value) -> value.node().properties().forEach(member -> {
+                    if (!member.getKey().equals("type")
+                            && !member.getKey().equals("class")
+                            && !member.getValue().isNull()) {
+                        given.put(name + "." + member.getKey(), value.member(member.getKey()));
+                    }
+                }));
         return given;
     }
 }

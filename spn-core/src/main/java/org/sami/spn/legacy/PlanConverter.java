@@ -51,14 +51,12 @@ final class PlanConverter {
     Plan convert(LegacyPlan plan) {
         tellAbout(plan);
         List<String> notes = new ArrayList<>();
-        List<Place> places =
-                plan.places().stream().map(v -> place(v, notes)).toList();
+        List<Place> places = plan.places().stream().map(v -> place(v, notes)).toList();
         List<Transition> transitions =
                 plan.transitions().stream().map(v -> transition(v, notes)).toList();
         Map<String, LayoutPoint> layout = new LinkedHashMap<>();
         plan.vertices().forEach(v -> layout.put(v.key(), new LayoutPoint(v.x(), v.y())));
-        plan.edges()
-                .forEach(e -> e.mockup().ifPresent(m -> notes.add("Mock-up of edge " + e.key() + ": " + m.node())));
+        plan.edges().forEach(e -> e.mockup().ifPresent(m -> notes.add("Mock-up of edge " + e.key() + ": " + m.node())));
         return new Plan(
                 plan.id(),
                 plan.name(),
@@ -100,7 +98,8 @@ final class PlanConverter {
                     LegacyCodes.MODE,
                     plan.pointer(),
                     title + " has " + hidden + " hidden recovery elements, which are recovery elements here, and "
-                            + mockup + " of a mock-up, which are nominal; what the mock-up says in words is kept as notes",
+                            + mockup
+                            + " of a mock-up, which are nominal; what the mock-up says in words is kept as notes",
                     plan.id());
         }
     }
@@ -188,12 +187,13 @@ final class PlanConverter {
         Map<String, OutEdge> edges = new LinkedHashMap<>();
         for (LegacyPlan.Edge e : ordered(plan, false)) {
             List<OutRequirement> own = requirements.out(e);
-            edges.merge(e.from() + " " + e.to(), new OutEdge(e.key(), e.from(), e.to(), mode(e.mode()), own), (a, b) -> {
-                tellParallel(e, a.id(), CountedKind.OUT_EDGES);
-                List<OutRequirement> both = new ArrayList<>(a.requirements());
-                both.addAll(b.requirements());
-                return new OutEdge(a.id(), a.transition(), a.place(), a.mode(), both);
-            });
+            edges.merge(
+                    e.from() + " " + e.to(), new OutEdge(e.key(), e.from(), e.to(), mode(e.mode()), own), (a, b) -> {
+                        tellParallel(e, a.id(), CountedKind.OUT_EDGES);
+                        List<OutRequirement> both = new ArrayList<>(a.requirements());
+                        both.addAll(b.requirements());
+                        return new OutEdge(a.id(), a.transition(), a.place(), a.mode(), both);
+                    });
         }
         return List.copyOf(edges.values());
     }
@@ -203,7 +203,8 @@ final class PlanConverter {
         findings.warning(
                 LegacyCodes.PARALLEL_EDGE,
                 e.pointer(),
-                "The edge " + e.key() + " joins what " + other + " joins already; its requirements are added to that one",
+                "The edge " + e.key() + " joins what " + other
+                        + " joins already; its requirements are added to that one",
                 e.key());
     }
 
@@ -211,7 +212,8 @@ final class PlanConverter {
         List<TaskSpec> tasks = new ArrayList<>();
         for (LegacyPlan.Task task : plan.tasks()) {
             String simple = LegacyPlan.simpleName(task.className());
-            String taskClass = LegacyTable.find(table.taskClasses(), task.className()).orElse(simple);
+            String taskClass =
+                    LegacyTable.find(table.taskClasses(), task.className()).orElse(simple);
             if (vocabulary.taskClasses().containsKey(taskClass)) {
                 tasks.add(new TaskSpec(task.name(), taskClass, Map.of()));
             } else {

@@ -86,9 +86,8 @@ final class RequirementConverter {
             case ALL -> all(edge, kind, r);
             case LESS_THAN -> lessThan(edge, kind, r);
             case AT_LEAST -> atLeast(edge, kind, r);
-            case NUMBER -> r.quantity() < 1
-                    ? zero(kind, r)
-                    : new InRequirement(kind, Match.EXACTLY, r.quantity(), task(r));
+            case NUMBER ->
+                r.quantity() < 1 ? zero(kind, r) : new InRequirement(kind, Match.EXACTLY, r.quantity(), task(r));
         };
     }
 
@@ -149,8 +148,11 @@ final class RequirementConverter {
             return OutRequirement.ALL;
         }
         if (match != Quantity.NUMBER) {
-            warn(edge, r, "an edge to a place moves a number of tokens, or all; it is written as "
-                    + Math.max(0, r.quantity()));
+            warn(
+                    edge,
+                    r,
+                    "an edge to a place moves a number of tokens, or all; it is written as "
+                            + Math.max(0, r.quantity()));
         }
         return match == Quantity.NONE ? 0 : Math.max(0, r.quantity());
     }

@@ -66,8 +66,7 @@ final class VariableDeclarations {
         LegacyTable.FieldRule rule =
                 new LegacyTable.FieldRule("", units.getOrDefault(g.name(), 1.0), Map.of(), false, "");
         for (Optional<ValueType> type : List.of(used, own)) {
-            Optional<Value> value =
-                    type.flatMap(t -> g.value().flatMap(v -> values.convert(v, t, rule)));
+            Optional<Value> value = type.flatMap(t -> g.value().flatMap(v -> values.convert(v, t, rule)));
             if (value.isPresent() || (type.isPresent() && g.value().isEmpty())) {
                 return new VariableSpec(g.name(), type.get(), value);
             }
@@ -133,9 +132,7 @@ final class VariableDeclarations {
     }
 
     private static List<SubMissionSpec> subMissions(Plan plan) {
-        return plan.places().stream()
-                .flatMap(p -> p.subMissions().stream())
-                .toList();
+        return plan.places().stream().flatMap(p -> p.subMissions().stream()).toList();
     }
 
     /** What the plan's own fields say, those that write first; then what any plan's say of the name. */
@@ -156,23 +153,50 @@ final class VariableDeclarations {
                     plan.id(),
                     name);
         }
-        if (!types.isEmpty()) {
-            return types.get(0);
+        tellIfOnlyNamed(plan, name);
+        return types.isEmpty()
+                ? namesake(plan, name).map(n -> typeOf(all, n)).orElse(ValueType.Simple.ANY)
+                : types.get(0);
+    }
+
+    /** A name that a redefinition asks for, and that no field of the plan or of what it runs reads or writes. */
+    private void tellIfOnlyNamed(Plan plan, String name) {
+        if (family(plan, new LinkedHashSet<>()).stream()
+                .flatMap(p -> uses(p).stream())
+                .anyMatch(u -> u.variable().equals(name))) {
+            return;
         }
-        Optional<String> namesake = all.stream()
-                .map(Use::variable)
-                .filter(v -> v.endsWith("." + name.substring(1)))
-                .findFirst();
+        Optional<String> namesake = namesake(plan, name);
         findings.warning(
                 namesake.isPresent() ? LegacyCodes.PREFIX : LegacyCodes.VARIABLE,
                 pointer(plan),
                 "The plan " + plan.id() + " (" + plan.name() + ") names the variable " + name
-                        + ", which no field reads or writes"
-                        + namesake.map(n -> "; its prefix is missing: " + n + " is meant").orElse("")
-                        + ". It is imported as it stands",
+                        + ", which no field of it reads or writes"
+                        + namesake.map(n -> "; its prefix is missing, " + n + " is meant")
+                                .orElse("")
+                        + ". It is imported as it stands: giving it a value changes nothing",
                 plan.id(),
                 name);
-        return namesake.map(n -> typeOf(all, n)).orElse(ValueType.Simple.ANY);
+    }
+
+    /** The variable of the plan that has the same name behind a prefix. */
+    private Optional<String> namesake(Plan plan, String name) {
+        return uses(plan).stream()
+                .map(Use::variable)
+                .filter(v -> v.endsWith("." + name.substring(1)))
+                .findFirst();
+    }
+
+    /** The plan, and what it runs. */
+    private List<Plan> family(Plan plan, Set<String> seen) {
+        List<Plan> family = new ArrayList<>();
+        if (seen.add(plan.id())) {
+            family.add(plan);
+            for (SubMissionSpec s : subMissions(plan)) {
+                plans.stream().filter(p -> p.id().equals(s.plan())).forEach(p -> family.addAll(family(p, seen)));
+            }
+        }
+        return family;
     }
 
     private static ValueType typeOf(List<Use> uses, String name) {
@@ -208,11 +232,12 @@ final class VariableDeclarations {
         }
         for (Transition t : plan.transitions()) {
             t.inputs()
-                    .forEach(e -> e.writes()
-                            .forEach((field, v) -> uses.add(new Use(v, fieldType(e.type(), field), true))));
+                    .forEach(e ->
+                            e.writes().forEach((field, v) -> uses.add(new Use(v, fieldType(e.type(), field), true))));
         }
         Map<String, String> mapped = new LinkedHashMap<>();
-        subMissions(plan).forEach(s -> s.variables().forEach((child, parent) -> mapped.put(parent, s.plan() + " " + child)));
+        subMissions(plan)
+                .forEach(s -> s.variables().forEach((child, parent) -> mapped.put(parent, s.plan() + " " + child)));
         mapped.forEach((parent, child) -> {
             String planId = child.substring(0, child.indexOf(' '));
             plans.stream()
