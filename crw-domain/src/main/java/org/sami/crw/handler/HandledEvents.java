@@ -1,0 +1,26 @@
+package org.sami.crw.handler;
+
+import java.util.List;
+import java.util.Set;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.spn.engine.Engine;
+import org.sami.spn.host.EngineHost;
+import org.sami.spn.model.Project;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/** Which output events the domain has handlers for, asked of the domain itself. */
+public final class HandledEvents {
+    private HandledEvents() {}
+
+    /** The names of the output events that a run's handlers do; decisions and the engine's own events are not among them. */
+    public static Set<String> of(Vocabulary vocabulary) {
+        Engine engine =
+                new Engine(vocabulary, new Project("none", "", vocabulary.domain(), List.of(), List.of(), List.of()));
+        try (EngineHost host = EngineHost.builder(engine, engine.newState())
+                        .executor(Runnable::run)
+                        .build();
+                CrwDomain domain = CrwDomain.install(host, new ProxyRegistry(), Runnable::run, message -> {})) {
+            return domain.handledTypes();
+        }
+    }
+}
