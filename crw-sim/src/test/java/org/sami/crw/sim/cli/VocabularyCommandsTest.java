@@ -62,7 +62,11 @@ class VocabularyCommandsTest {
 
         assertThat(markups).hasSize(18);
         assertThat(markups.get("Sort").get("aliases").toString()).contains("SortOptions");
-        assertThat(markups.get("Optimize").get("options").get(0).get("constants").toString())
+        assertThat(markups.get("Optimize")
+                        .get("options")
+                        .get(0)
+                        .get("constants")
+                        .toString())
                 .contains("EXECUTION_TIME");
         assertThat(Ran.crw("markups", "optimize").out()).contains("criteria (COMPUTATION_TIME or ");
     }
@@ -94,9 +98,7 @@ class VocabularyCommandsTest {
     }
 
     private Path plan(String event) throws Exception {
-        return Files.writeString(
-                folder.resolve("plan.json"),
-                """
+        return Files.writeString(folder.resolve("plan.json"), """
                 {"formatVersion": 1, "id": "p", "name": "P", "domain": "crw", "plans": [{"id": "p",
                  "places": [{"id": "a", "start": true, "outputs": [{"id": "e", "type": "%s"}]}],
                  "transitions": [], "inEdges": [], "outEdges": []}]}
