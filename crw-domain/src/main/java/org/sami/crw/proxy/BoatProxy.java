@@ -119,6 +119,11 @@ public final class BoatProxy {
         return link.isCommanding();
     }
 
+    /** Whether no mission wants anything of the boat and it has answered all that was asked, so that nothing is under way. */
+    public boolean isAtRest() {
+        return driver.queue().size() == 0 && driver.run().isEmpty() && !driver.isStopping();
+    }
+
     /** How many frames could not be read. */
     public long unreadableFrames() {
         return link.unreadable();
@@ -151,8 +156,6 @@ public final class BoatProxy {
      */
     public void retire(String reason) {
         driver.failAll(reason);
-        unconfirmedRestart = false;
-        announcements.add(l -> l.onRetired(boatId));
         settle();
     }
 
@@ -205,22 +208,8 @@ public final class BoatProxy {
 
     /** The operator allows a boat that has started anew to be moved again. */
     public void confirmRestart() {
-        if (unconfirmedRestart) {
-            unconfirmedRestart = false;
-            announce(BoatListener::onRestartAllowed);
-        }
+        unconfirmedRestart = false;
         settle();
-    }
-
-    /**
-     * Says which start of the boat's server was known last, from before this proxy. If it is another one that answers now, the boat
-     * has started anew.
-     */
-    public void knownBoot(String bootId) {
-        if (!link.bootId().isEmpty() && !link.bootId().equals(bootId) && !unconfirmedRestart) {
-            restarted();
-            settle();
-        }
     }
 
     /**
@@ -399,14 +388,12 @@ public final class BoatProxy {
             linkChanged();
         }
         if (restarted) {
-            restarted();
+            driver.abandon();
+            unconfirmedRestart = driver.queue().current().isPresent();
+            if (unconfirmedRestart) {
+                announce(BoatListener::onRestarted);
+            }
         }
-    }
-
-    private void restarted() {
-        driver.abandon();
-        unconfirmedRestart = true;
-        announce(BoatListener::onRestarted);
     }
 
     private void telemetry(Telemetry telemetry) {

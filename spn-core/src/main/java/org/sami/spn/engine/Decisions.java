@@ -108,38 +108,6 @@ final class Decisions {
                 ""));
     }
 
-    /** The domain asks; nothing happens where it does already. */
-    void ask(Input.AskOperator asked) {
-        if (open(asked.kind(), asked.about()).isPresent()) {
-            return;
-        }
-        Decision decision = new Decision(
-                ++rules.state.lastDecision,
-                Ids.NONE,
-                Ids.NONE,
-                asked.kind(),
-                asked.prompt(),
-                new Question.Approve(),
-                Optional.empty(),
-                OptionalLong.empty(),
-                asked.priority(),
-                List.of());
-        add(new OpenDecision(decision, OpenDecision.Purpose.DOMAIN, null, null, null, asked.about()));
-    }
-
-    /** The domain needs no answer any longer. */
-    void withdraw(Input.WithdrawQuestion withdrawn) {
-        open(withdrawn.kind(), withdrawn.about()).ifPresent(this::close);
-    }
-
-    private Optional<OpenDecision> open(String kind, String about) {
-        return rules.state.decisions.values().stream()
-                .filter(open -> open.purpose == OpenDecision.Purpose.DOMAIN
-                        && open.decision.type().equals(kind)
-                        && open.subject.equals(about))
-                .findFirst();
-    }
-
     private Decision own(Mission m, String type, String prompt, Question question, Optional<Answer> automatic) {
         return new Decision(
                 ++rules.state.lastDecision,
@@ -156,9 +124,7 @@ final class Decisions {
 
     private void add(OpenDecision open) {
         rules.state.decisions.put(open.decision.id(), open);
-        if (open.mission != null) {
-            open.mission.addDecision(open);
-        }
+        open.mission.addDecision(open);
         rules.emit(new Effect.DecisionOpened(open.decision));
     }
 
@@ -233,10 +199,7 @@ final class Decisions {
                 rules.missionStart.begin(open.mission);
             }
             case INTERRUPT_CHOICE ->
-                rules.presses.chosen(open.mission, open.subject, ((Answer.Proxies) answer).proxies());
-            case DOMAIN ->
-                rules.emit(
-                        new Effect.QuestionAnswered(open.decision.type(), open.subject, ((Answer.YesNo) answer).yes()));
+                rules.presses.chosen(open.mission, open.interrupt, ((Answer.Proxies) answer).proxies());
             case ABORTED_CHILD -> rules.subMissions.decided(open.instance, ((Answer.YesNo) answer).yes());
         }
     }
@@ -304,9 +267,7 @@ final class Decisions {
 
     private void remove(OpenDecision open) {
         rules.state.decisions.remove(open.decision.id());
-        if (open.mission != null) {
-            open.mission.decisions.remove(open.decision.id());
-        }
+        open.mission.decisions.remove(open.decision.id());
         if (open.deadline != null) {
             rules.timers.cancel(open.deadline);
         }

@@ -1,7 +1,6 @@
 package org.sami.spn.json;
 
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.spn.model.FieldSource;
@@ -75,8 +74,13 @@ final class EventSpecReader {
     }
 
     private String guess(String name, Direction side) {
-        List<String> alike = NearMatches.ofEvents(parts.vocabulary(), side, name);
-        return alike.isEmpty() ? "" : "; is " + String.join(" or ", alike) + " meant?";
+        return parts.vocabulary().events().values().stream()
+                .filter(e -> e.direction() == side)
+                .map(EventType::name)
+                .filter(n -> Spelling.alike(n, name))
+                .findFirst()
+                .map(n -> "; is " + n + " meant?")
+                .orElse("");
     }
 
     private Map<String, String> writes(Members m, Optional<EventType> type) {

@@ -7,14 +7,18 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalLong;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.resume.EarlierProcesses;
 import org.sami.crw.sim.resume.ResumedJournal;
 import org.sami.crw.sim.resume.RunRecord;
 import org.sami.crw.sim.resume.WrittenJournal;
+import org.sami.crw.sim.run.BoatAddress;
 import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.Parameters;
@@ -23,6 +27,11 @@ import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.crw.sim.run.RunPlan;
 import org.sami.crw.sim.run.RunSettings;
+import org.sami.crw.sim.tcp.SessionJournal;
+import org.sami.crw.sim.tcp.SessionStart;
+import org.sami.crw.sim.tcp.TcpRun;
+import org.sami.crw.sim.tcp.UnknownBoatException;
+import org.sami.spn.journal.JournalReader;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
@@ -40,8 +49,26 @@ final class Execution {
     private final PrintWriter err;
     private final DomainLibrary library;
     private final OutputOptions output;
+    private final long connectWithinMillis;
 
+    /** What is run, watched by somebody, with what is to be said at once. */
+    @FunctionalInterface
+    private interface Mission {
+        RunReport run(RunObserver observer, Consumer<String> lines) throws IOException;
+    }
+
+    /** Of runs in this process alone. */
     Execution(CommandLine command, DomainLibrary library, OutputOptions output) {
+        this(command, library, output, 0);
+    }
+
+    /**
+     * Of all runs.
+     *
+     * @param connectWithinMillis how long boats behind TCP may take to answer
+     */
+    Execution(CommandLine command, DomainLibrary library, OutputOptions output, long connectWithinMillis) {
+        this.connectWithinMillis = connectWithinMillis;
         out = command.getOut();
         err = command.getErr();
         this.library = library;
@@ -65,8 +92,20 @@ final class Execution {
         }
         checkSettings(runPlan, settings);
         output.prepare();
+        RunRecord record = new RunRecord(
+                settings,
+                source.source(),
+                new ProjectWriter(library.vocabulary()).text(project),
+                library.files().texts());
+        checkJournal(journal);
+        return settings.isConnected()
+                ? runConnected(runPlan, record, answers.orThrow(), journal)
+                : runInProcess(runPlan, record, answers.orThrow(), journal);
+    }
+
+    private static void checkJournal(Path journal) {
         if (journal == null) {
-            return run(new InProcessRun(runPlan, settings, answers.orThrow(), RunJournal.none()), settings, journal);
+            return;
         }
         if (Files.exists(journal)) {
             throw new UsageFault("--journal: " + journal + " is there already; go on with it by 'crw resume " + journal
@@ -76,16 +115,48 @@ final class Execution {
         if (folder == null || !Files.isDirectory(folder)) {
             throw new UsageFault("--journal: there is no folder " + folder);
         }
-        RunRecord record = new RunRecord(
-                settings,
-                source.source(),
-                new ProjectWriter(library.vocabulary()).text(project),
-                library.files().texts());
-        try (WrittenJournal written = WrittenJournal.create(journal, record)) {
-            err.println("journal " + journal + "; if this process dies: crw resume " + journal);
-            err.flush();
-            return run(new InProcessRun(runPlan, settings, answers.orThrow(), written), settings, journal);
+    }
+
+    private int runInProcess(RunPlan plan, RunRecord record, AnswersFile answers, Path journal) throws IOException {
+        RunSettings settings = record.settings();
+        if (journal == null) {
+            return run(inProcess(plan, settings, answers, RunJournal.none()), settings, journal);
         }
+        try (WrittenJournal written = WrittenJournal.create(journal, record)) {
+            tellJournal(journal);
+            return run(inProcess(plan, settings, answers, written), settings, journal);
+        }
+    }
+
+    private int runConnected(RunPlan plan, RunRecord record, AnswersFile answers, Path journal) throws IOException {
+        RunSettings settings = record.settings();
+        try (SessionJournal session =
+                journal == null ? SessionJournal.none() : SessionJournal.create(journal, record)) {
+            if (journal != null) {
+                tellJournal(journal);
+            }
+            return run(connected(plan, settings, answers, session), settings, journal);
+        }
+    }
+
+    private void tellJournal(Path journal) {
+        tell("journal " + journal + "; if this process dies: crw resume " + journal);
+    }
+
+    private static Mission inProcess(RunPlan plan, RunSettings settings, AnswersFile answers, RunJournal journal) {
+        InProcessRun run = new InProcessRun(plan, settings, answers, journal);
+        return (observer, lines) -> run.run(Pacer.of(settings.speed()), observer);
+    }
+
+    private Mission connected(RunPlan plan, RunSettings settings, AnswersFile answers, SessionJournal journal) {
+        SessionStart start = SessionStart.ofThisProcess(connectWithinMillis);
+        return (observer, lines) -> {
+            try {
+                return new TcpRun(plan, settings, answers, journal, start, lines).run(observer);
+            } catch (UnknownBoatException e) {
+                throw new UsageFault("--interrupt: " + e.getMessage());
+            }
+        };
     }
 
     private static void checkSettings(RunPlan plan, RunSettings settings) {
@@ -95,8 +166,12 @@ final class Execution {
             throw new UsageFault("--set: " + e.getMessage());
         }
         try {
-            new PlanInterrupts(plan.vocabulary(), plan.project(), plan.plan())
-                    .read(settings.interrupts(), settings.fleet().boatNames());
+            PlanInterrupts interrupts = new PlanInterrupts(plan.vocabulary(), plan.project(), plan.plan());
+            if (settings.isConnected()) {
+                interrupts.check(settings.interrupts()); // who the boats are is known when they have answered
+            } else {
+                interrupts.read(settings.interrupts(), settings.fleet().boatNames());
+            }
         } catch (IllegalArgumentException e) {
             throw new UsageFault("--interrupt: " + e.getMessage());
         }
@@ -119,47 +194,79 @@ final class Execution {
             throw new UsageFault("there is no journal " + journal);
         }
         output.prepare();
+        return isConnected(journal) ? resumeConnected(journal, change) : resumeInProcess(journal, change);
+    }
+
+    private static boolean isConnected(Path journal) throws IOException {
+        try (JournalReader reader = JournalReader.open(journal)) {
+            return RunRecord.of(reader.header()).settings().isConnected();
+        }
+    }
+
+    private int resumeInProcess(Path journal, UnaryOperator<RunSettings> change) throws IOException {
         try (ResumedJournal resumed = ResumedJournal.open(journal)) {
-            RunRecord record = resumed.record();
-            Vocabulary vocabulary = VocabularyReader.read(new VocabularyFiles(record.vocabulary()))
-                    .orThrow();
-            Project project =
-                    new ProjectReader(vocabulary).read(record.project()).orThrow();
-            RunSettings settings = change.apply(beyondItsLimit(record.settings(), resumed));
-            Plan plan = project.plan(settings.plan())
-                    .orElseThrow(() -> new IOException("the journal has no plan " + settings.plan()));
-            tellDifferences(resumed, record);
-            InProcessRun run = new InProcessRun(
-                    new RunPlan(vocabulary, project, plan),
-                    settings,
-                    answers(settings, vocabulary).orThrow(),
-                    resumed);
-            int code = run(run, settings, journal);
-            boolean over = code == RunOutcome.ENDED.exitCode() || code == RunOutcome.ABORTED.exitCode();
-            if (over && resumed.added() == 0) {
-                err.println("this run was over already; nothing was added to its journal");
-                err.flush();
-            }
+            RunPlan plan = plan(resumed.record());
+            RunSettings settings = change.apply(beyondItsLimit(resumed));
+            tellDifferences(resumed);
+            tell("going through " + resumed.resumedFrom().orElse(0) + " journal entries again, then going on");
+            AnswersFile answers = answers(settings, plan.vocabulary()).orThrow();
+            int code = run(inProcess(plan, settings, answers, resumed), settings, journal);
+            tellIfOver(code, resumed.added());
             return code;
         }
     }
 
+    private int resumeConnected(Path journal, UnaryOperator<RunSettings> change) throws IOException {
+        try (SessionJournal resumed = SessionJournal.open(journal)) {
+            RunPlan plan = plan(resumed.record());
+            RunSettings settings = change.apply(beyondItsLimit(resumed));
+            tellDifferences(resumed);
+            tell("going on after journal entry " + resumed.resumedFrom().orElse(0));
+            AnswersFile answers = answers(settings, plan.vocabulary()).orThrow();
+            int code = run(connected(plan, settings, answers, resumed), settings, journal);
+            tellIfOver(code, resumed.added());
+            return code;
+        }
+    }
+
+    private static RunPlan plan(RunRecord record) throws IOException {
+        Vocabulary vocabulary =
+                VocabularyReader.read(new VocabularyFiles(record.vocabulary())).orThrow();
+        Project project = new ProjectReader(vocabulary).read(record.project()).orThrow();
+        String id = record.settings().plan();
+        return new RunPlan(
+                vocabulary,
+                project,
+                project.plan(id).orElseThrow(() -> new IOException("the journal has no plan " + id)));
+    }
+
+    private void tellIfOver(int code, long added) {
+        boolean over = code == RunOutcome.ENDED.exitCode() || code == RunOutcome.ABORTED.exitCode();
+        if (over && added == 0) {
+            tell("this run was over already; nothing was added to its journal");
+        }
+    }
+
     /** A run that stopped at its {@code --for} is over with it: whoever takes it up wants more of it. */
-    private RunSettings beyondItsLimit(RunSettings recorded, ResumedJournal resumed) {
+    private static RunSettings beyondItsLimit(EarlierProcesses resumed) {
+        RunSettings recorded = resumed.record().settings();
         boolean reached = recorded.limitMillis().isPresent()
                 && resumed.cameToMillis() >= recorded.limitMillis().getAsLong();
         return reached ? recorded.withLimit(OptionalLong.empty()) : recorded;
     }
 
-    private void tellDifferences(ResumedJournal resumed, RunRecord record) {
+    private void tellDifferences(EarlierProcesses resumed) {
         if (!resumed.damage().isEmpty()) {
-            err.println("crw: " + resumed.damage());
+            tell("crw: " + resumed.damage());
         }
-        for (String changed :
-                resumed.differences(currentProject(record), library.files().texts())) {
-            err.println("crw: " + changed + " differs now from what this run began with; the run's own is used");
+        for (String changed : resumed.differences(
+                currentProject(resumed.record()), library.files().texts())) {
+            tell("crw: " + changed + " differs now from what this run began with; the run's own is used");
         }
-        err.println("going through " + resumed.resumedFrom().orElse(0) + " journal entries again, then going on");
+    }
+
+    private void tell(String line) {
+        err.println(line);
         err.flush();
     }
 
@@ -174,7 +281,7 @@ final class Execution {
         }
     }
 
-    private int run(InProcessRun run, RunSettings settings, Path journal) throws IOException {
+    private int run(Mission mission, RunSettings settings, Path journal) throws IOException {
         RunSettings.Fleet fleet = settings.fleet();
         err.printf(
                 Locale.ROOT,
@@ -185,11 +292,19 @@ final class Execution {
                 fleet.areaM(),
                 fleet.seed(),
                 settings.speed());
+        if (settings.isConnected()) {
+            err.println("boats at "
+                    + settings.connect().stream().map(BoatAddress::toString).collect(Collectors.joining(", ")));
+        }
         err.flush();
         ProgressDisplay progress = new ProgressDisplay(err, Terminal.onStandardError(), System::nanoTime);
         RunReport report;
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
-            report = run.run(Pacer.of(settings.speed()), new RunObserver(progress, stop));
+            report = mission.run(new RunObserver(progress, stop), line -> {
+                progress.end();
+                err.println(line);
+                err.flush();
+            });
             progress.end();
             boolean stopped = Thread.interrupted(); // files could not be written otherwise
             output.tell(report, out, err);

@@ -1,7 +1,11 @@
 package org.sami.crw.sim.cli;
 
 import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalLong;
 import java.util.concurrent.Callable;
+import org.sami.crw.sim.run.BoatAddress;
+import org.sami.crw.sim.run.RunSettings;
 import org.sami.crw.sim.run.Speed;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -50,14 +54,41 @@ final class ResumeCommand implements Callable<Integer> {
                     + "holds, unless the run came to it already: then it goes on to its end.")
     private Long limitMillis;
 
+    @Option(
+            names = "--connect",
+            paramLabel = "HOST:PORT,...",
+            description =
+                    "Where the boats' servers listen now, if not where the run found them. For runs with --connect only.")
+    private String connect;
+
+    @Option(
+            names = "--connect-within",
+            paramLabel = "SECONDS",
+            defaultValue = "30",
+            converter = SecondsConverter.class,
+            description = "How long such boats may take to answer (default ${DEFAULT-VALUE}). The run goes on without "
+                    + "those that do not, until they are there; not without all.")
+    private long connectWithinMillis;
+
     @Mixin
     private OutputOptions output;
 
     @Override
     public Integer call() throws Exception {
-        return new Execution(spec.commandLine(), PlanSource.library(), output).resume(journal, settings -> {
-            var other = speed == null ? settings : settings.withSpeed(speed);
-            return limitMillis == null ? other : other.withLimit(java.util.OptionalLong.of(limitMillis));
-        });
+        return new Execution(spec.commandLine(), PlanSource.library(), output, connectWithinMillis)
+                .resume(journal, this::changed);
+    }
+
+    private RunSettings changed(RunSettings recorded) {
+        List<BoatAddress> addresses = RunOptions.addressesOf(connect);
+        if (!addresses.isEmpty() && !recorded.isConnected()) {
+            throw new UsageFault("--connect: the boats of this run are in its own process");
+        }
+        if (recorded.isConnected() && speed != null && !speed.equals(Speed.REAL)) {
+            throw new UsageFault("--speed: boats that are connected run at speed 1, not " + speed);
+        }
+        RunSettings other = addresses.isEmpty() ? recorded : recorded.connectedTo(addresses);
+        other = speed == null ? other : other.withSpeed(speed);
+        return limitMillis == null ? other : other.withLimit(OptionalLong.of(limitMillis));
     }
 }

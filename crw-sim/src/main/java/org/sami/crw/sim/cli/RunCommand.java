@@ -27,13 +27,14 @@ import picocli.CommandLine.Spec;
             "1:the plan or the answers file has errors; nothing was run",
             "2:wrong usage, or a file that cannot be read",
             "3:the mission was aborted",
-            "4:the mission or the program failed",
+            "4:the mission or the program failed, or boats do not answer (--connect)",
             "5:the mission was still running when the run was stopped (--for, Ctrl-C)"
         },
         footerHeading = "%nExamples:%n",
         footer = {
             "  crw run clv",
             "  crw run clv --boats 5 --locations 30 --speed max --report out",
+            "  crw run clv --connect 127.0.0.1:5001,127.0.0.1:5002 --area 60 --locations 6",
             "  crw run station-keep --set watch-time.duration=60s --speed max",
             "  crw run my-project.json --plan search --journal search.journal --json"
         })
@@ -77,6 +78,7 @@ final class RunCommand implements Callable<Integer> {
         }
         Plan plan = source.choose(planName);
         RunSettings settings = options.settings(plan.id(), plan.title());
-        return new Execution(spec.commandLine(), library, output).runNew(source, plan, settings, journal);
+        return new Execution(spec.commandLine(), library, output, options.connectWithinMillis())
+                .runNew(source, plan, settings, journal);
     }
 }

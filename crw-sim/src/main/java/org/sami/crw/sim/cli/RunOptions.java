@@ -9,19 +9,37 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
+import org.sami.crw.sim.run.BoatAddress;
 import org.sami.crw.sim.run.RunSettings;
 import org.sami.crw.sim.run.Speed;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** The options that decide a run. */
 final class RunOptions {
+    private static final int DEFAULT_BOATS = 3;
+    private static final Speed DEFAULT_SPEED = new Speed(20);
+
     @Option(
             names = "--boats",
             paramLabel = "N",
-            defaultValue = "3",
-            description = "How many boats, named boat1, boat2, ...; 1 to 250 (default ${DEFAULT-VALUE}).")
-    private int boats;
+            description = "How many boats, named boat1, boat2, ...; 1 to 250 (default 3).")
+    private Integer boats;
+
+    @Option(
+            names = "--connect",
+            paramLabel = "HOST:PORT,...",
+            description =
+                    "Instead of boats in this process those whose servers listen there, over TCP and in real time "
+                            + "('crw boat'). The area lies around them.")
+    private String connect;
+
+    @Option(
+            names = "--connect-within",
+            paramLabel = "SECONDS",
+            defaultValue = "30",
+            converter = SecondsConverter.class,
+            description = "How long such boats may take to answer at the start (default ${DEFAULT-VALUE}).")
+    private long connectWithinMillis;
 
     @Option(
             names = "--locations",
@@ -48,10 +66,9 @@ final class RunOptions {
     @Option(
             names = "--speed",
             paramLabel = "X|max",
-            defaultValue = "20",
             converter = SpeedConverter.class,
             description = "Simulated seconds in one second; 1 is real time, max waits for nothing "
-                    + "(default ${DEFAULT-VALUE}).")
+                    + "(default 20; with --connect 1, and nothing else).")
     private Speed speed;
 
     @Option(
@@ -94,27 +111,56 @@ final class RunOptions {
                     + "several times. 'crw plans' names a plan's interrupts.")
     private List<String> interrupts = new ArrayList<>();
 
-    @Mixin
-    private ConditionsOptions conditions;
-
     RunSettings settings(String plan, String mission) {
-        within("--boats", boats, 1, RunSettings.Fleet.MOST_BOATS);
+        List<BoatAddress> addresses = addresses(connect);
+        int count = addresses.isEmpty() ? Optional.ofNullable(boats).orElse(DEFAULT_BOATS) : addresses.size();
+        within("--boats", count, 1, RunSettings.Fleet.MOST_BOATS);
         within("--locations", locations, 1, RunSettings.Fleet.MOST_LOCATIONS);
         within("--area", areaM, RunSettings.Fleet.SHORTEST_AREA_M, RunSettings.Fleet.LONGEST_AREA_M);
         try {
             return new RunSettings(
                     plan,
                     mission,
-                    new RunSettings.Fleet(boats, locations, areaM, seed, conditions.conditions()),
-                    speed,
+                    new RunSettings.Fleet(count, locations, areaM, seed),
+                    Optional.ofNullable(speed).orElse(addresses.isEmpty() ? DEFAULT_SPEED : Speed.REAL),
                     Optional.ofNullable(limitMillis).map(OptionalLong::of).orElse(OptionalLong.empty()),
                     parameters,
                     answerAfterMillis,
                     answersText(),
-                    List.of(),
+                    addresses,
                     interrupts);
         } catch (IllegalArgumentException e) {
             throw new UsageFault(e.getMessage());
+        }
+    }
+
+    /** How long boats behind TCP may take to answer at the start. */
+    long connectWithinMillis() {
+        return connectWithinMillis;
+    }
+
+    private List<BoatAddress> addresses(String text) {
+        List<BoatAddress> addresses = addressesOf(text);
+        if (!addresses.isEmpty() && boats != null) {
+            throw new UsageFault("--boats and --connect exclude each other: the boats are those that are connected");
+        }
+        if (!addresses.isEmpty() && speed != null && !speed.equals(Speed.REAL)) {
+            throw new UsageFault("--speed: boats that are connected run at speed 1, not " + speed);
+        }
+        return addresses;
+    }
+
+    /** Reads {@code --connect}; none for an option that was not given. */
+    static List<BoatAddress> addressesOf(String text) {
+        if (text == null) {
+            return List.of();
+        }
+        try {
+            List<BoatAddress> addresses = BoatAddress.parseAll(text);
+            within("--connect: the number of boats", addresses.size(), 1, RunSettings.Fleet.MOST_BOATS);
+            return addresses;
+        } catch (IllegalArgumentException e) {
+            throw new UsageFault("--connect: " + e.getMessage());
         }
     }
 

@@ -19,7 +19,7 @@ import org.sami.spn.journal.WorldMark;
  * The journal of a run that is taken up: as far as it goes, what the run produces is compared with it, and from then on
  * written to it. The run does not notice.
  */
-public final class ResumedJournal implements RunJournal, AutoCloseable {
+public final class ResumedJournal implements RunJournal, EarlierProcesses, AutoCloseable {
     private static final int WORDS_LENGTH = 160;
 
     private final SqliteJournal journal;
@@ -57,22 +57,22 @@ public final class ResumedJournal implements RunJournal, AutoCloseable {
         }
     }
 
-    /** What the run is a function of. */
+    @Override
     public RunRecord record() {
         return RunRecord.of(journal.header());
     }
 
-    /** Names of documents that are not now as they were when the run began. */
+    @Override
     public List<String> differences(String project, Map<String, String> vocabulary) {
         return journal.header().differences(record().source(), project, vocabulary);
     }
 
-    /** What was wrong with the file, in a sentence; empty text where nothing was. */
+    @Override
     public String damage() {
         return journal.recovery().damage().orElse("");
     }
 
-    /** The simulated time to which earlier processes came, as far as the journal knows. */
+    @Override
     public long cameToMillis() {
         long lastEntry = past.isEmpty() ? 0 : past.get(past.size() - 1).atMillis();
         return marks.values().stream().mapToLong(MarkText::atMillis).reduce(lastEntry, Math::max);

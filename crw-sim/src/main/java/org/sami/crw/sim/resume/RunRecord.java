@@ -18,6 +18,7 @@ import org.sami.spn.journal.JournalHeader;
 public record RunRecord(RunSettings settings, String source, String project, Map<String, String> vocabulary) {
     private static final String KIND = "kind";
     private static final String IN_PROCESS = "in-process";
+    private static final String TCP = "tcp";
     private static final String SOURCE = "source";
 
     public RunRecord {
@@ -27,9 +28,10 @@ public record RunRecord(RunSettings settings, String source, String project, Map
         vocabulary = Collections.unmodifiableMap(new LinkedHashMap<>(vocabulary));
     }
 
-    JournalHeader toHeader() {
+    /** The header of a run's journal. */
+    public JournalHeader toHeader() {
         Map<String, String> map = new TreeMap<>(settings.toMap());
-        map.put(KIND, IN_PROCESS);
+        map.put(KIND, settings.isConnected() ? TCP : IN_PROCESS);
         map.put(SOURCE, source);
         return JournalHeader.of(project, vocabulary, map);
     }
@@ -37,12 +39,12 @@ public record RunRecord(RunSettings settings, String source, String project, Map
     /**
      * Reads a header.
      *
-     * @throws IllegalArgumentException if it is not that of a run in process
+     * @throws IllegalArgumentException if it is not that of a run
      */
-    static RunRecord of(JournalHeader header) {
+    public static RunRecord of(JournalHeader header) {
         Map<String, String> map = header.settings();
-        if (!IN_PROCESS.equals(map.get(KIND))) {
-            throw new IllegalArgumentException("it is not the journal of a run in process");
+        if (!IN_PROCESS.equals(map.get(KIND)) && !TCP.equals(map.get(KIND))) {
+            throw new IllegalArgumentException("it is not the journal of a run");
         }
         return new RunRecord(
                 RunSettings.fromMap(map), map.getOrDefault(SOURCE, ""), header.project(), header.vocabulary());

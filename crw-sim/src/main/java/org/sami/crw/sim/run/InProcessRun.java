@@ -102,8 +102,7 @@ public final class InProcessRun {
                         tracks.results(now(), boats, this::link),
                         visits.locations(),
                         interrupts.results(),
-                        base.messages())
-                .withReadings(base.readings().readings());
+                        base.messages());
     }
 
     private LinkResult link(String boat) {

@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.sami.crw.handler.EventNames;
 import org.sami.crw.sim.clock.Scheduler;
 import org.sami.crw.sim.report.InterruptResult;
@@ -38,7 +39,7 @@ public final class InterruptStation implements HostListener {
     private final Scheduler clock;
     private final List<InterruptPress> presses = new ArrayList<>();
     private final Set<String> critical = new LinkedHashSet<>();
-    private EngineHost host;
+    private Consumer<Input> door = input -> {}; // while the past of a run is gone through, it was pressed already
     private Optional<Long> mission = Optional.empty();
     private boolean over;
 
@@ -53,9 +54,18 @@ public final class InterruptStation implements HostListener {
         }
     }
 
-    /** Tells it where the buttons are; before the mission starts. */
+    /**
+     * Tells it where the buttons are; before the mission starts, or when the past of the run has been gone through. What should have
+     * been pressed there and was not is pressed then.
+     */
     public void connect(EngineHost pressed) {
-        host = pressed;
+        door = pressed::post;
+        for (InterruptPress press : presses) {
+            if (press.state == State.POSTED) {
+                press.state = State.DUE_AGAIN;
+                clock.after(0, () -> press(press));
+            }
+        }
     }
 
     @Override
@@ -98,7 +108,7 @@ public final class InterruptStation implements HostListener {
     private void press(InterruptPress press) {
         if (!over && (press.state == State.AHEAD || press.state == State.DUE_AGAIN)) {
             press.state = State.POSTED;
-            host.post(press.input());
+            door.accept(press.input());
         }
     }
 

@@ -1,9 +1,12 @@
 package org.sami.crw.sim.run;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.sim.clock.Scheduler;
 import org.sami.spn.engine.EngineView;
@@ -25,8 +28,8 @@ public final class OperatorStation implements HostListener {
     private final Map<Long, String> planOfMission = new TreeMap<>();
     private final Map<Long, Decision> open = new TreeMap<>();
     private final List<String> troubles = new ArrayList<>();
-    private EngineHost host;
-    private int thinking;
+    private final Set<Long> thinkingOf = new HashSet<>();
+    private Consumer<Input> door = input -> {}; // while the past of a run is gone through, it has been answered already
 
     /**
      * An operator who has not been asked yet.
@@ -39,9 +42,13 @@ public final class OperatorStation implements HostListener {
         this.answerAfterMillis = answerAfterMillis;
     }
 
-    /** Tells it whom to answer; before the first decision. */
+    /**
+     * Tells it whom to answer; before the first decision, or when the past of the run has been gone through. What was answered there
+     * and is open all the same is answered once more.
+     */
     public void connect(EngineHost answered) {
-        host = answered;
+        door = answered::post;
+        open().stream().filter(decision -> !thinkingOf.contains(decision.id())).forEach(this::asked);
     }
 
     @Override
@@ -59,9 +66,9 @@ public final class OperatorStation implements HostListener {
 
     private void asked(Decision decision) {
         open.put(decision.id(), decision);
-        thinking++;
+        thinkingOf.add(decision.id());
         clock.after(answerAfterMillis, () -> {
-            thinking--;
+            thinkingOf.remove(decision.id());
             if (open.containsKey(decision.id())) {
                 answer(decision);
             }
@@ -76,12 +83,12 @@ public final class OperatorStation implements HostListener {
                             ? finding.message()
                             : "answers file, " + finding.pointer() + ": " + finding.message());
         }
-        answer.result().ifPresent(a -> host.post(new Input.AnswerDecision(decision.id(), a, Answerer.OPERATOR)));
+        answer.result().ifPresent(a -> door.accept(new Input.AnswerDecision(decision.id(), a, Answerer.OPERATOR)));
     }
 
     /** Whether an answer will be given without anything else happening. */
     public boolean isThinking() {
-        return thinking > 0;
+        return !thinkingOf.isEmpty();
     }
 
     /** Questions that nobody has answered yet, in order. */

@@ -132,6 +132,15 @@ public final class PlanInterrupts {
         return planned;
     }
 
+    /**
+     * Finds out whether what a user said makes sense, as far as can be said before the boats are known.
+     *
+     * @throws IllegalArgumentException naming the first that makes no sense, and why
+     */
+    public void check(List<String> texts) {
+        texts.forEach(text -> read(text, List.of()));
+    }
+
     private PlannedInterrupt read(String text, List<String> boats) {
         int at = text.lastIndexOf('@');
         if (at < 1) {
@@ -172,7 +181,7 @@ public final class PlanInterrupts {
     }
 
     private static String boat(String text, String named, List<String> boats) {
-        if (boats.contains(named)) {
+        if (boats.contains(named) || boats.isEmpty()) { // without boats everybody may be one
             return named;
         }
         if (named.matches("\\d{1,9}")) {

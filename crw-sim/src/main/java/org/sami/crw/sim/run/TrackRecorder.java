@@ -15,14 +15,17 @@ public final class TrackRecorder {
 
     private final Map<String, List<TrackPoint>> tracks = new LinkedHashMap<>();
 
-    /** Looks where the boats are; to be called once a second. */
-    public void look(long nowMillis, List<BoatState> boats) {
+    /** Looks where the boats are; to be called once a second. Returns those of which a point was noted down. */
+    public List<BoatState> look(long nowMillis, List<BoatState> boats) {
+        List<BoatState> noted = new ArrayList<>();
         for (BoatState boat : boats) {
             List<TrackPoint> track = tracks.computeIfAbsent(boat.id(), id -> new ArrayList<>());
             if (track.isEmpty() || moved(track.get(track.size() - 1), boat) > STILL_M) {
                 track.add(point(nowMillis, boat));
+                noted.add(boat);
             }
         }
+        return noted;
     }
 
     private static double moved(TrackPoint from, BoatState to) {

@@ -2,6 +2,7 @@ package org.sami.crw.sim.run;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.crw.sim.report.LocationResult;
 
@@ -24,51 +25,61 @@ public final class VisitRecorder {
         }
     }
 
-    /** Looks where the boats are. */
-    public void look(long nowMillis, List<BoatState> boats) {
+    /** Looks where the boats are. Returns the locations that were visited just now. */
+    public List<LocationResult> look(long nowMillis, List<BoatState> boats) {
         if (visited == locations.size()) {
-            return;
+            return List.of();
         }
+        List<LocationResult> news = new ArrayList<>();
         for (int i = 0; i < locations.size(); i++) {
             LocationResult location = locations.get(i);
-            if (!location.visited()) {
-                look(nowMillis, i, location, boats);
+            Optional<String> visitor = location.visited() ? Optional.empty() : visitor(location, boats);
+            if (visitor.isPresent()) {
+                news.add(visited(i, nowMillis, visitor.get()));
             }
         }
+        return news;
     }
 
-    private void look(long nowMillis, int index, LocationResult location, List<BoatState> boats) {
+    private static Optional<String> visitor(LocationResult location, List<BoatState> boats) {
         for (BoatState boat : boats) {
             if (Math.hypot(boat.eastM() - location.eastM(), boat.northM() - location.northM()) <= RADIUS_M) {
-                visited(index, nowMillis, boat.id());
-                return;
+                return Optional.of(boat.id());
             }
         }
+        return Optional.empty();
     }
 
-    /** Takes a boat's word that it was at a location; a point that is none of the locations is passed over. */
-    public void visited(double latDeg, double lonDeg, long atMillis, String boatId) {
+    /**
+     * Takes a boat's word that it was at a location; a point that is none of the locations, or was visited already, changes
+     * nothing.
+     *
+     * @return whether that is news
+     */
+    public boolean visited(double latDeg, double lonDeg, long atMillis, String boatId) {
         for (int i = 0; i < locations.size(); i++) {
             LocationResult location = locations.get(i);
             if (location.latDeg() == latDeg && location.lonDeg() == lonDeg && !location.visited()) {
                 visited(i, atMillis, boatId);
+                return true;
             }
         }
+        return false;
     }
 
-    private void visited(int index, long atMillis, String boatId) {
+    private LocationResult visited(int index, long atMillis, String boatId) {
         LocationResult location = locations.get(index);
-        locations.set(
-                index,
-                new LocationResult(
-                        location.number(),
-                        location.latDeg(),
-                        location.lonDeg(),
-                        location.eastM(),
-                        location.northM(),
-                        OptionalLong.of(atMillis),
-                        boatId));
+        LocationResult now = new LocationResult(
+                location.number(),
+                location.latDeg(),
+                location.lonDeg(),
+                location.eastM(),
+                location.northM(),
+                OptionalLong.of(atMillis),
+                boatId);
+        locations.set(index, now);
         visited++;
+        return now;
     }
 
     /** How many locations have been visited. */

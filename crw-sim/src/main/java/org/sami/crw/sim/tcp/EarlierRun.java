@@ -1,0 +1,101 @@
+package org.sami.crw.sim.tcp;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.sami.boat.server.LocalFrame;
+import org.sami.crw.sim.report.LinkResult;
+import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.sim.run.TrackRecorder;
+import org.sami.crw.sim.run.VisitRecorder;
+import org.sami.spn.journal.TelemetryRow;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * What earlier processes of a run wrote beside the inputs. How links went and what was told is taken up at once; tracks and visits
+ * when the area and its locations are known ({@link #takeUp}).
+ */
+final class EarlierRun implements SessionNotes.Reader {
+    private final BoatDesk desk;
+    private final Notices notices;
+    private final List<Pose> poses = new ArrayList<>();
+    private final List<Visit> visits = new ArrayList<>();
+    private Optional<SessionArea> area = Optional.empty();
+
+    private record Pose(long atMillis, String boat, BoatDesk.Told told, double distanceM) {}
+
+    private record Visit(long atMillis, String boat, GeoPoint location) {}
+
+    EarlierRun(List<TelemetryRow> rows, BoatDesk desk, Notices notices) throws IOException {
+        this.desk = desk;
+        this.notices = notices;
+        SessionNotes.read(rows, this);
+    }
+
+    /** The area, if the boats had answered. */
+    Optional<SessionArea> area() {
+        return area;
+    }
+
+    /**
+     * Puts in where boats were and what they visited.
+     *
+     * @param plane around the area's centre
+     * @param recorder knows the locations
+     */
+    void takeUp(LocalFrame plane, TrackRecorder tracks, VisitRecorder recorder) {
+        for (Pose pose : poses) {
+            desk.restored(pose.boat, pose.told, pose.distanceM);
+            tracks.look(pose.atMillis, desk.state(pose.boat, plane));
+        }
+        for (Visit visit : visits) {
+            recorder.visited(visit.location.latDeg(), visit.location.lonDeg(), visit.atMillis, visit.boat);
+        }
+    }
+
+    @Override
+    public void begun() {
+        desk.begunAnew();
+    }
+
+    @Override
+    public void area(SessionArea found) {
+        area = Optional.of(found);
+    }
+
+    @Override
+    public void pose(long atMillis, String boat, BoatDesk.Told told, double distanceM) {
+        poses.add(new Pose(atMillis, boat, told, distanceM));
+    }
+
+    @Override
+    public void visited(long atMillis, String boat, GeoPoint location) {
+        visits.add(new Visit(atMillis, boat, location));
+    }
+
+    @Override
+    public void linked(String boat, String bootId) {
+        desk.linked(boat, bootId);
+    }
+
+    @Override
+    public void lost(String boat) {
+        desk.lost(boat);
+    }
+
+    @Override
+    public void address(String boat, String address) {
+        desk.isAt(boat, address);
+    }
+
+    @Override
+    public void uploads(String boat, LinkResult.Uploads uploads) {
+        desk.uploaded(boat, uploads);
+    }
+
+    @Override
+    public void message(NoteResult note) {
+        notices.restored(note);
+    }
+}

@@ -1,0 +1,125 @@
+package org.sami.crw.sim.tcp;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.LongSupplier;
+import org.sami.crw.proxy.BatteryState;
+import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatListeners;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.BoatStatus;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.tcp.BaseListener;
+import org.sami.crw.proxy.tcp.LinkAlarm;
+import org.sami.spn.value.GeoPoint;
+
+/** Hears everything of the boats and their links: passes it to the domain, and keeps what the run's report tells. */
+final class FleetEar implements BaseListener, BoatListener {
+    /** Who wants to know that a boat was at points of its path. */
+    interface Arrivals {
+        /** A boat says that these points are behind it; called on the base's thread. */
+        void at(String boat, List<GeoPoint> points);
+    }
+
+    private final BoatDesk desk;
+    private final SessionNotes notes;
+    private final Notices notices;
+    private final LongSupplier nowMillis;
+    private final Map<String, Integer> reported = new HashMap<>();
+    private volatile Arrivals arrivals = (boat, points) -> {};
+    private Optional<BoatListener> domain = Optional.empty();
+
+    FleetEar(BoatDesk desk, SessionNotes notes, Notices notices, LongSupplier nowMillis) {
+        this.desk = desk;
+        this.notes = notes;
+        this.notices = notices;
+        this.nowMillis = nowMillis;
+    }
+
+    /** From now on the domain hears of boats; before the first is connected. */
+    void passTo(BoatListener domainListener) {
+        domain = Optional.of(domainListener);
+    }
+
+    /** From now on somebody hears of arrivals. From any thread. */
+    void tellArrivals(Arrivals ear) {
+        arrivals = ear;
+    }
+
+    @Override
+    public BoatListener found(String boatId) {
+        return new BoatListeners(this, domain.orElseThrow());
+    }
+
+    @Override
+    public void onAlarm(LinkAlarm alarm) {
+        notices.ofLink(nowMillis.getAsLong(), "ALARM: " + alarm.text());
+    }
+
+    @Override
+    public void onFailure(String what, RuntimeException cause) {
+        notices.ofLink(nowMillis.getAsLong(), "fault in " + what + ": " + cause);
+    }
+
+    @Override
+    public void onStatus(BoatStatus status) {
+        status.pose()
+                .ifPresent(pose -> desk.told(
+                        status.boatId(),
+                        new BoatDesk.Told(
+                                pose.position(),
+                                pose.headingRad(),
+                                pose.speedMps(),
+                                status.battery().map(BatteryState::percent).orElse(100.0),
+                                pose.boatTimeMs())));
+    }
+
+    @Override
+    public void onLinkChange(BoatStatus status) {
+        if (status.link() == LinkState.LINKED) {
+            desk.linked(status.boatId(), status.bootId());
+            notes.linked(status.boatId(), status.bootId());
+        } else if (status.link() == LinkState.LOST) {
+            desk.lost(status.boatId());
+            notes.lost(status.boatId());
+        }
+    }
+
+    @Override
+    public void onProgress(String boatId, BoatCommand command, int visitedCount) {
+        if (command instanceof FollowPath path) {
+            int before = Math.max(path.startIndex(), reported.getOrDefault(command.commandId(), 0));
+            if (visitedCount > before) {
+                reported.put(command.commandId(), visitedCount);
+                arrivals.at(boatId, path.points().subList(before, visitedCount));
+            }
+        }
+    }
+
+    @Override
+    public void onCommanding(String boatId, boolean commands) {
+        if (!commands) {
+            notices.ofLink(nowMillis.getAsLong(), "this base no longer commands " + boatId);
+        }
+    }
+
+    @Override
+    public void onCommandAsked(String boatId, String clientId) {
+        notices.ofLink(nowMillis.getAsLong(), clientId + " asks for the command of " + boatId + "; it is not granted");
+    }
+
+    @Override
+    public void onRefused(String boatId, String reason) {
+        notices.ofLink(nowMillis.getAsLong(), boatId + " refuses this base: " + reason);
+    }
+
+    /** Tells a proxy what is known of its boat already. */
+    @Override
+    public void onBoat(BoatProxy proxy) {
+        // an earlier process may have known another start of its server
+    }
+}

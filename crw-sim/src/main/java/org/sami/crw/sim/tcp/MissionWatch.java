@@ -1,0 +1,267 @@
+package org.sami.crw.sim.tcp;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.sami.boat.server.LocalFrame;
+import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.decision.OperatorDefaults;
+import org.sami.crw.decision.SimulatedOperator;
+import org.sami.crw.sim.clock.CatchUpScheduler;
+import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.BoatState;
+import org.sami.crw.sim.run.InterruptStation;
+import org.sami.crw.sim.run.LocationListener;
+import org.sami.crw.sim.run.OperatorStation;
+import org.sami.crw.sim.run.PlanInterrupts;
+import org.sami.crw.sim.run.PlannedInterrupt;
+import org.sami.crw.sim.run.ReportBuilder;
+import org.sami.crw.sim.run.RunPlan;
+import org.sami.crw.sim.run.RunProgress;
+import org.sami.crw.sim.run.RunRecorder;
+import org.sami.crw.sim.run.RunSettings;
+import org.sami.crw.sim.run.StallWatch;
+import org.sami.crw.sim.run.TrackRecorder;
+import org.sami.crw.sim.run.VisitRecorder;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.host.HostStatus;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Outcome;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.Value;
+
+/** Starts the run's mission, watches it and its boats, and knows when it is over. For the engine's thread, but where said. */
+final class MissionWatch {
+    private static final long LOOK_MS = 200;
+    private static final long TRACK_MS = 1000;
+    private static final long STALL_MS = 10_000;
+
+    private final RunPlan plan;
+    private final RunSettings settings;
+    private final Map<String, Value> parameters;
+    private final SessionJournal journal;
+    private final TcpStation station;
+    private final LocalFrame plane;
+    private final CatchUpScheduler clock = new CatchUpScheduler();
+    private final OperatorStation operator;
+    private final InterruptStation interrupts;
+    private final RunRecorder recorder;
+    private final VisitRecorder visits = new VisitRecorder();
+    private final TrackRecorder tracks = new TrackRecorder();
+    private final StallWatch stall;
+    private final LocationListener locations;
+    private Optional<String> fault = Optional.empty();
+    private boolean started;
+    private volatile boolean stopAsked;
+    private volatile RunProgress progress;
+
+    /**
+     * A watch over a mission that has not begun, or not gone on.
+     *
+     * @param area in which the locations lie, and the boats
+     * @throws UnknownBoatException if an interrupt names another boat
+     */
+    MissionWatch(
+            RunPlan plan,
+            RunSettings settings,
+            Map<String, Value> parameters,
+            AnswersFile answers,
+            SessionJournal journal,
+            TcpStation station,
+            SessionArea area)
+            throws UnknownBoatException {
+        this.plan = plan;
+        this.settings = settings;
+        this.parameters = parameters;
+        this.journal = journal;
+        this.station = station;
+        GeoPoint centre = area.centre();
+        plane = new LocalFrame(centre.latDeg(), centre.lonDeg());
+        RunSettings.Fleet fleet = settings.fleet();
+        OperatorDefaults defaults = new OperatorDefaults(centre, fleet.areaM(), fleet.locations(), fleet.seed());
+        operator = new OperatorStation(
+                new SimulatedOperator(plan.vocabulary(), defaults, answers), clock, settings.answerAfterMillis());
+        interrupts = new InterruptStation(planned(plan, settings, area), clock);
+        recorder = new RunRecorder(plan.project());
+        locations = new LocationListener(visits, plane);
+        stall = new StallWatch(station.host(), operator, interrupts, recorder);
+        progress = progress();
+    }
+
+    private static List<PlannedInterrupt> planned(RunPlan plan, RunSettings settings, SessionArea area)
+            throws UnknownBoatException {
+        try {
+            return new PlanInterrupts(plan.vocabulary(), plan.project(), plan.plan())
+                    .read(settings.interrupts(), area.boats());
+        } catch (IllegalArgumentException e) {
+            throw new UnknownBoatException(e.getMessage());
+        }
+    }
+
+    /** Takes in what happened in earlier processes; before anything happens in this one. */
+    void catchUp(EarlierRun earlier) throws IOException {
+        journal.replay(station.engine(), (index, atMillis, input, effects, view) -> {
+            clock.advanceTo(atMillis);
+            for (HostListener listener : listeners()) {
+                listener.onStep(index, atMillis, input, effects, view);
+            }
+        });
+        clock.advanceTo(journal.cameToMillis());
+        earlier.takeUp(plane, tracks, visits);
+        started = recorder.root().isPresent();
+    }
+
+    private List<HostListener> listeners() {
+        return List.of(recorder, operator, locations, interrupts);
+    }
+
+    /** Whether the mission began in an earlier process. */
+    boolean wasStarted() {
+        return started;
+    }
+
+    /** Whether the mission was over in an earlier process. */
+    boolean wasOver() {
+        return recorder.outcome().isPresent();
+    }
+
+    /** Begins; from now on everything happens on the engine's thread. */
+    void begin() {
+        listeners().forEach(station.host()::addListener);
+        clock.goLive(station.loop());
+        operator.connect(station.host());
+        interrupts.connect(station.host());
+        station.ear()
+                .tellArrivals((boat, points) -> station.loop().execute(() -> points.forEach(at -> arrived(boat, at))));
+        station.host().resume();
+        station.loop().every(LOOK_MS, this::look);
+        station.loop().every(TRACK_MS, this::track);
+        station.loop().every(STALL_MS, this::stall);
+    }
+
+    /** Somebody wants the run to stop. From any thread. */
+    void stop() {
+        stopAsked = true;
+    }
+
+    /** How far it is. From any thread. */
+    RunProgress latest() {
+        return progress;
+    }
+
+    private List<BoatState> boats() {
+        return station.desk().states(plane);
+    }
+
+    private void look() {
+        for (LocationResult news : visits.look(now(), boats())) {
+            station.notes().visited(now(), news.visitedBy(), GeoPoint.of(news.latDeg(), news.lonDeg()));
+        }
+        progress = progress();
+    }
+
+    private void arrived(String boat, GeoPoint at) {
+        if (visits.visited(at.latDeg(), at.lonDeg(), now(), boat)) {
+            station.notes().visited(now(), boat, at);
+        }
+    }
+
+    private void track() {
+        station.lookAfterBoats();
+        for (BoatState noted : tracks.look(now(), boats())) {
+            station.desk()
+                    .last(noted.id())
+                    .ifPresent(told -> station.notes().pose(now(), noted.id(), told, noted.distanceM()));
+        }
+    }
+
+    /** Where a link is lost something can still happen: it can come back. */
+    private void stall() {
+        if (station.desk().lost().isEmpty()) {
+            stall.look(now(), boats()).ifPresent(this::fail);
+        }
+    }
+
+    /** Whether and how it is over; asked again and again. */
+    Optional<RunOutcome> outcome() {
+        startWhenAllHaveJoined();
+        HostStatus status = station.host().status();
+        if (status.kind() == HostStatus.Kind.FAILED) {
+            fail(status.reason());
+        }
+        recorder.failure().ifPresent(this::fail);
+        if (fault.isPresent()) {
+            return Optional.of(RunOutcome.FAILED);
+        }
+        if (recorder.outcome().isPresent()) {
+            return Optional.of(over(recorder.outcome().get()));
+        }
+        return stopAsked || now() >= settings.stopMillis() ? Optional.of(RunOutcome.RUNNING) : Optional.empty();
+    }
+
+    private void startWhenAllHaveJoined() {
+        if (!started && recorder.boatsJoined() >= settings.fleet().boats()) {
+            started = true;
+            station.host().post(new Input.StartMission(plan.plan().id(), settings.mission(), parameters));
+        }
+    }
+
+    private RunOutcome over(Outcome outcome) {
+        return switch (outcome) {
+            case ENDED, COMPLETED -> RunOutcome.ENDED;
+            case ABORTED -> RunOutcome.ABORTED;
+            case HALTED -> {
+                fail("the mission was halted: it fired without end (livelock)");
+                yield RunOutcome.FAILED;
+            }
+        };
+    }
+
+    /** Ends the run for a fault; the first one counts. */
+    void fail(String reason) {
+        if (fault.isEmpty()) {
+            fault = Optional.of(reason);
+        }
+    }
+
+    private long now() {
+        return station.loop().nowMs();
+    }
+
+    private RunProgress progress() {
+        double least =
+                boats().stream().mapToDouble(BoatState::batteryPercent).min().orElse(100);
+        return new RunProgress(
+                "running",
+                now(),
+                visits.visited(),
+                visits.count(),
+                recorder.openDecisions(),
+                recorder.firings().size(),
+                least);
+    }
+
+    /** The report; when everything has ended. */
+    RunReport report(RunOutcome outcome, long atMillis, double wallSeconds) {
+        List<BoatState> boats = boats();
+        String why = outcome == RunOutcome.ENDED || fault.isEmpty()
+                ? fault.orElse("")
+                : fault.get()
+                        + boats.stream()
+                                .map(boat ->
+                                        "; " + station.desk().link(boat.id()).why())
+                                .collect(Collectors.joining());
+        return new ReportBuilder(plan, settings, recorder, journal.resumedFrom())
+                .build(
+                        new ReportBuilder.End(outcome, why, atMillis, wallSeconds),
+                        boats,
+                        tracks.results(atMillis, boats, station.desk()::link),
+                        visits.locations(),
+                        interrupts.results(),
+                        station.notices().all());
+    }
+}

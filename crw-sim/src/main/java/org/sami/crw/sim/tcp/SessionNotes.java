@@ -1,0 +1,201 @@
+package org.sami.crw.sim.tcp;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalLong;
+import java.util.function.LongSupplier;
+import org.sami.crw.sim.report.LinkResult;
+import org.sami.crw.sim.report.NoteResult;
+import org.sami.spn.journal.TelemetryRow;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * What a run writes beside the engine's inputs, so that the report of a run that is taken up is whole: poses, visits, how links
+ * went, messages. Rows of the journal's telemetry table. Safe for use by several threads.
+ */
+final class SessionNotes {
+    private static final System.Logger LOG = System.getLogger(SessionNotes.class.getName());
+    private static final ObjectMapper JSON = new ObjectMapper();
+    private static final String POSE = "pose";
+    private static final String VISITED = "visited";
+    private static final String LINKED = "linked";
+    private static final String LOST = "lost";
+    private static final String ADDRESS = "address";
+    private static final String UPLOADS = "uploads";
+    private static final String MESSAGE = "message";
+    private static final String BEGUN = "begun";
+    private static final String AREA = "area";
+
+    private final SessionJournal journal;
+    private final LongSupplier nowMillis;
+    private boolean broken;
+
+    SessionNotes(SessionJournal journal, LongSupplier nowMillis) {
+        this.journal = journal;
+        this.nowMillis = nowMillis;
+    }
+
+    /** A process begins or goes on. */
+    void begun() {
+        add(nowMillis.getAsLong(), "", BEGUN, JSON.createObjectNode());
+    }
+
+    /** The boats have answered for the first time. */
+    void area(SessionArea area) {
+        ObjectNode json = point(area.centre());
+        area.boats().forEach(json.putArray("boats")::add);
+        add(nowMillis.getAsLong(), "", AREA, json);
+    }
+
+    void pose(long atMillis, String boat, BoatDesk.Told told, double distanceM) {
+        ObjectNode json = point(told.position());
+        json.put("headingRad", told.headingRad())
+                .put("speedMps", told.speedMps())
+                .put("batteryPercent", told.batteryPercent())
+                .put("boatTimeMs", told.boatTimeMs())
+                .put("distanceM", distanceM);
+        add(atMillis, boat, POSE, json);
+    }
+
+    void visited(long atMillis, String boat, GeoPoint location) {
+        add(atMillis, boat, VISITED, point(location));
+    }
+
+    void linked(String boat, String bootId) {
+        add(nowMillis.getAsLong(), boat, LINKED, JSON.createObjectNode().put("bootId", bootId));
+    }
+
+    void lost(String boat) {
+        add(nowMillis.getAsLong(), boat, LOST, JSON.createObjectNode());
+    }
+
+    void address(String boat, String address) {
+        add(nowMillis.getAsLong(), boat, ADDRESS, JSON.createObjectNode().put("address", address));
+    }
+
+    void uploads(String boat, LinkResult.Uploads uploads) {
+        add(
+                nowMillis.getAsLong(),
+                boat,
+                UPLOADS,
+                JSON.createObjectNode()
+                        .put("sent", uploads.sent())
+                        .put("acknowledged", uploads.acknowledged())
+                        .put("readBackEqual", uploads.readBackEqual()));
+    }
+
+    void message(NoteResult note) {
+        add(
+                note.atMillis(),
+                "",
+                MESSAGE,
+                JSON.createObjectNode()
+                        .put("kind", note.kind())
+                        .put("mission", note.mission())
+                        .put("text", note.message()));
+    }
+
+    private static ObjectNode point(GeoPoint point) {
+        return JSON.createObjectNode().put("latDeg", point.latDeg()).put("lonDeg", point.lonDeg());
+    }
+
+    /** The report would lack it; the mission does not: a table that cannot be written stops nobody, and is told once. */
+    private synchronized void add(long atMillis, String boat, String kind, ObjectNode json) {
+        try {
+            if (!broken) {
+                journal.addTelemetry(new TelemetryRow(atMillis, boat, kind, json.toString()));
+            }
+        } catch (IOException e) {
+            broken = true;
+            LOG.log(System.Logger.Level.WARNING, "telemetry is no longer kept: " + e.getMessage());
+        }
+    }
+
+    /** Who wants to know what earlier processes wrote. */
+    interface Reader {
+        void begun();
+
+        void area(SessionArea area);
+
+        void pose(long atMillis, String boat, BoatDesk.Told told, double distanceM);
+
+        void visited(long atMillis, String boat, GeoPoint location);
+
+        void linked(String boat, String bootId);
+
+        void lost(String boat);
+
+        void address(String boat, String address);
+
+        void uploads(String boat, LinkResult.Uploads uploads);
+
+        void message(NoteResult note);
+    }
+
+    /**
+     * Reads what earlier processes wrote, in order.
+     *
+     * @return the time of the last row
+     * @throws IOException if a row makes no sense
+     */
+    static OptionalLong read(List<TelemetryRow> rows, Reader reader) throws IOException {
+        OptionalLong last = OptionalLong.empty();
+        for (TelemetryRow row : rows) {
+            read(row, JSON.readTree(row.json()), reader);
+            last = OptionalLong.of(Math.max(row.atMillis(), last.orElse(0)));
+        }
+        return last;
+    }
+
+    private static void read(TelemetryRow row, JsonNode json, Reader reader) {
+        String boat = row.proxy();
+        switch (row.kind()) {
+            case POSE ->
+                reader.pose(
+                        row.atMillis(), boat, told(json), json.path("distanceM").asDouble());
+            case VISITED -> reader.visited(row.atMillis(), boat, point(json));
+            case LINKED -> reader.linked(boat, json.path("bootId").asText());
+            case LOST -> reader.lost(boat);
+            case ADDRESS -> reader.address(boat, json.path("address").asText());
+            case UPLOADS ->
+                reader.uploads(
+                        boat,
+                        new LinkResult.Uploads(
+                                json.path("sent").asInt(),
+                                json.path("acknowledged").asInt(),
+                                json.path("readBackEqual").asInt()));
+            case MESSAGE ->
+                reader.message(new NoteResult(
+                        row.atMillis(),
+                        json.path("kind").asText(),
+                        json.path("mission").asLong(),
+                        json.path("text").asText()));
+            case BEGUN -> reader.begun();
+            case AREA -> reader.area(area(json));
+            default -> LOG.log(System.Logger.Level.DEBUG, "a reading of another kind: {0}", row.kind());
+        }
+    }
+
+    private static SessionArea area(JsonNode json) {
+        List<String> boats = new ArrayList<>();
+        json.path("boats").forEach(boat -> boats.add(boat.asText()));
+        return new SessionArea(point(json), boats);
+    }
+
+    private static BoatDesk.Told told(JsonNode json) {
+        return new BoatDesk.Told(
+                point(json),
+                json.path("headingRad").asDouble(),
+                json.path("speedMps").asDouble(),
+                json.path("batteryPercent").asDouble(),
+                json.path("boatTimeMs").asLong());
+    }
+
+    private static GeoPoint point(JsonNode json) {
+        return GeoPoint.of(json.path("latDeg").asDouble(), json.path("lonDeg").asDouble());
+    }
+}
