@@ -1,5 +1,6 @@
 package org.sami.bench;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.SerializationFeature;
 import com.fasterxml.jackson.databind.node.ArrayNode;
@@ -42,9 +43,20 @@ public final class BenchmarkMain {
         add("engine.memory", json.createObjectNode().put("boats", 10), bytes, "bytes/mission", 0);
         print();
         Path file = Path.of(System.getProperty("benchmarks.file", "build/benchmarks.json"));
+        keepWhatOthersMeasured(file);
         Files.createDirectories(file.toAbsolutePath().getParent());
         Files.writeString(file, json.writeValueAsString(results) + "\n");
         System.out.println("Written to " + file);
+    }
+
+    private void keepWhatOthersMeasured(Path file) throws IOException {
+        if (Files.exists(file)) {
+            for (JsonNode entry : json.readTree(file.toFile())) {
+                if (!entry.path("name").asText().startsWith("engine.")) {
+                    results.add(entry);
+                }
+            }
+        }
     }
 
     private static Options options(boolean quick) {

@@ -40,6 +40,12 @@ final class AnswerForm {
         }
     }
 
+    /** Checks an answer to a question that is no plan's. */
+    static void checkYesNo(JsonNode answer, String pointer, List<Finding> findings) {
+        only(answer, pointer, List.of(YES, SILENT), findings)
+                .ifPresent(member -> checkMember(answer.get(member), pointer + "/" + member, member, findings));
+    }
+
     /** Checks an answer to what is asked at the start. */
     static void checkStart(JsonNode answer, String pointer, List<Finding> findings) {
         only(answer, pointer, List.of(VALUE), findings);

@@ -111,6 +111,10 @@ public final class AnswersFileReader {
 
     private void checkEvent(String event, JsonNode answer, String pointer) {
         Optional<EventType> type = vocabulary.event(event);
+        if (DomainQuestion.of(event).isPresent()) {
+            AnswerForm.checkYesNo(answer, pointer + "/answer", findings);
+            return;
+        }
         if (type.isEmpty()) {
             add("E-UNKNOWN-EVENT", pointer + "/event", "There is no event \"" + event + "\"");
             return;

@@ -4,8 +4,8 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
-import org.sami.boat.link.BatteryLevel;
 import org.sami.crw.decision.MessageSink;
 import org.sami.crw.decision.OperatorMessage;
 import org.sami.crw.proxy.BatteryState;
@@ -28,7 +28,8 @@ final class BoatNews implements BoatListener {
     private final EngineHost host;
     private final MessageSink messages;
     private final Set<String> joined = new HashSet<>();
-    private final Map<String, BatteryLevel> levels = new HashMap<>();
+    private final Set<String> observed = new HashSet<>();
+    private final Map<String, String> levels = new HashMap<>();
 
     BoatNews(EngineHost host, MessageSink messages) {
         this.host = host;
@@ -57,9 +58,15 @@ final class BoatNews implements BoatListener {
 
     @Override
     public void onBattery(String boatId, BatteryState battery) {
-        if (levels.put(boatId, battery.level()) != battery.level()) {
-            host.post(new Input.Received(Occurrence.news(
-                    nameOf(battery.level()), List.of(boatId), Map.of("percent", new RealValue(battery.percent())))));
+        String level = battery.level().name();
+        Optional<String> before = Optional.ofNullable(levels.put(boatId, level));
+        if (!before.or(() -> SessionMemory.BATTERY.of(boatId, host)).equals(Optional.of(level))) {
+            host.post(List.of(
+                    SessionMemory.BATTERY.remember(boatId, level),
+                    new Input.Received(Occurrence.news(
+                            EventNames.of(battery.level()),
+                            List.of(boatId),
+                            Map.of("percent", new RealValue(battery.percent()))))));
         }
     }
 
@@ -71,12 +78,19 @@ final class BoatNews implements BoatListener {
                 status.boatId() + " has started anew; it does not move until it is allowed to");
     }
 
-    private static String nameOf(BatteryLevel level) {
-        return switch (level) {
-            case NOMINAL -> EventNames.BATTERY_NOMINAL;
-            case LOW -> EventNames.BATTERY_LOW;
-            case CRITICAL -> EventNames.BATTERY_CRITICAL;
-        };
+    @Override
+    public void onCommanding(String boatId, boolean commands) {
+        if (!commands) {
+            observed.add(boatId);
+            tell(boatId, Priority.HIGH, "Another base commands " + boatId + " now; its commands wait");
+        } else if (observed.remove(boatId)) {
+            tell(boatId, Priority.LOW, "This base commands " + boatId + " again");
+        }
+    }
+
+    @Override
+    public void onRefused(String boatId, String reason) {
+        tell(boatId, Priority.HIGH, boatId + " refuses: " + reason);
     }
 
     private void tell(String boat, Priority priority, String text) {

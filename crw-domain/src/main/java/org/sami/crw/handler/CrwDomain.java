@@ -31,7 +31,8 @@ public final class CrwDomain implements AutoCloseable {
     private CrwDomain(
             EngineHost host, ProxyRegistry boats, Executor fleet, MessageSink messages, CrwServices services) {
         MotionCommands motion = new MotionCommands(boats, messages);
-        boatListener = new BoatListeners(motion, new BoatNews(host, messages));
+        BoatQuestions questions = new BoatQuestions(host, boats, fleet);
+        boatListener = new BoatListeners(motion, questions, new BoatNews(host, messages));
         BoatPositions positions =
                 boat -> boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
         handlers.put(ExecutePathHandler.TYPE, new ExecutePathHandler(motion));
@@ -42,8 +43,10 @@ public final class CrwDomain implements AutoCloseable {
         handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions));
         handlers.put(CompareDistanceHandler.TYPE, new CompareDistanceHandler(positions));
         handlers.put(DisplayMessageHandler.TYPE, new DisplayMessageHandler(messages));
+        handlers.put(UnknownRequestHandler.TYPE, new UnknownRequestHandler(messages));
         handlers.forEach((type, handler) -> registrations.add(host.register(type, handler, fleet)));
         registrations.add(host.addListener(new Withdrawals(motion, fleet)));
+        registrations.add(host.addListener(questions));
     }
 
     /**

@@ -1,5 +1,7 @@
 package org.sami.crw.handler;
 
+import org.sami.boat.link.BatteryLevel;
+
 /** The input events that this package answers with, as the domain's vocabulary names them. */
 public final class EventNames {
     static final String PATH_COMPLETED = "ProxyPathCompleted";
@@ -19,4 +21,13 @@ public final class EventNames {
     public static final String BATTERY_CRITICAL = "BatteryCritical";
 
     private EventNames() {}
+
+    /** The event that says that a battery is of a class. */
+    static String of(BatteryLevel level) {
+        return switch (level) {
+            case NOMINAL -> BATTERY_NOMINAL;
+            case LOW -> BATTERY_LOW;
+            case CRITICAL -> BATTERY_CRITICAL;
+        };
+    }
 }

@@ -28,10 +28,16 @@ public interface BoatListener {
     default void onBattery(String boatId, BatteryState battery) {}
 
     /**
-     * The boat's server has started anew while commands are queued. It has forgotten all; nothing moves it until {@link
-     * BoatProxy#confirmRestart} says that it may.
+     * The boat's server has started anew. It has forgotten all; nothing moves it until {@link BoatProxy#confirmRestart} says that
+     * it may.
      */
     default void onRestarted(BoatStatus status) {}
+
+    /** A boat that had started anew may be moved again. */
+    default void onRestartAllowed(BoatStatus status) {}
+
+    /** The base has given the boat up. */
+    default void onRetired(String boatId) {}
 
     /** This base commands the boat from now on, or does so no longer. */
     default void onCommanding(String boatId, boolean commands) {}

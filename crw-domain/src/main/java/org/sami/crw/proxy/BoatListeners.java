@@ -53,6 +53,16 @@ public final class BoatListeners implements BoatListener {
     }
 
     @Override
+    public void onRestartAllowed(BoatStatus status) {
+        each(listener -> listener.onRestartAllowed(status));
+    }
+
+    @Override
+    public void onRetired(String boatId) {
+        each(listener -> listener.onRetired(boatId));
+    }
+
+    @Override
     public void onCommanding(String boatId, boolean commands) {
         each(listener -> listener.onCommanding(boatId, commands));
     }

@@ -156,6 +156,8 @@ public final class BoatProxy {
      */
     public void retire(String reason) {
         driver.failAll(reason);
+        unconfirmedRestart = false;
+        announcements.add(l -> l.onRetired(boatId));
         settle();
     }
 
@@ -208,8 +210,22 @@ public final class BoatProxy {
 
     /** The operator allows a boat that has started anew to be moved again. */
     public void confirmRestart() {
-        unconfirmedRestart = false;
+        if (unconfirmedRestart) {
+            unconfirmedRestart = false;
+            announce(BoatListener::onRestartAllowed);
+        }
         settle();
+    }
+
+    /**
+     * Says which start of the boat's server was known last, from before this proxy. If it is another one that answers now, the boat
+     * has started anew.
+     */
+    public void knownBoot(String bootId) {
+        if (!link.bootId().isEmpty() && !link.bootId().equals(bootId) && !unconfirmedRestart) {
+            restarted();
+            settle();
+        }
     }
 
     /**
@@ -388,12 +404,14 @@ public final class BoatProxy {
             linkChanged();
         }
         if (restarted) {
-            driver.abandon();
-            unconfirmedRestart = driver.queue().current().isPresent();
-            if (unconfirmedRestart) {
-                announce(BoatListener::onRestarted);
-            }
+            restarted();
         }
+    }
+
+    private void restarted() {
+        driver.abandon();
+        unconfirmedRestart = true;
+        announce(BoatListener::onRestarted);
     }
 
     private void telemetry(Telemetry telemetry) {

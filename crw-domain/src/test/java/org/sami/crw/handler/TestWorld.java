@@ -41,6 +41,7 @@ final class TestWorld implements HostClock {
     final CrwDomain domain;
     private final Map<String, TestHull> hulls = new LinkedHashMap<>();
     private final Map<String, BoatServer> servers = new LinkedHashMap<>();
+    private final Map<String, ServerSession> sessions = new LinkedHashMap<>();
     private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
     private final AtomicLong clock = new AtomicLong();
     private volatile Wake wake = Wake.NEVER;
@@ -63,19 +64,25 @@ final class TestWorld implements HostClock {
     /** A boat so many metres from home. */
     TestHull addBoat(String id, double eastM, double northM) {
         TestHull hull = new TestHull(Geodesy.offset(HOME, eastM, northM));
-        BoatServer server = new BoatServer(
-                ServerConfig.of(id, id + "-boot1").fullThrustSpeedMps(3).build(), hull);
-        ServerSession[] session = new ServerSession[1];
-        BoatProxy proxy = new BoatProxy(
-                id,
-                frame -> send(() -> session[0].receive(frame, nowMillis())),
-                domain.boatListener(),
-                ProxyConfig.DEFAULT.withTelemetryHz(5));
-        session[0] = server.connect(frame -> send(() -> proxy.receive(frame, nowMillis())));
-        boats.add(proxy);
         hulls.put(id, hull);
-        servers.put(id, server);
+        boats.add(new BoatProxy(
+                id,
+                frame -> send(() -> sessions.get(id).receive(frame, nowMillis())),
+                domain.boatListener(),
+                ProxyConfig.DEFAULT.withTelemetryHz(5)));
+        startServer(id, id + "-boot1");
         return hull;
+    }
+
+    /** The boat's server starts, with nothing of what an earlier one knew. */
+    void startServer(String id, String bootId) {
+        BoatProxy proxy = boats.find(id).orElseThrow();
+        BoatServer server =
+                new BoatServer(ServerConfig.of(id, bootId).fullThrustSpeedMps(3).build(), hulls.get(id));
+        servers.put(id, server);
+        sessions.put(id, server.connect(frame -> send(() -> proxy.receive(frame, nowMillis()))));
+        proxy.closed(nowMillis());
+        proxy.opened(nowMillis());
     }
 
     private void send(Runnable delivery) {

@@ -78,6 +78,15 @@ public final class PlanChecks {
         return check(project, vocabulary, withDescendants(project, planId), CHECKS);
     }
 
+    /**
+     * Warnings of output events that nothing would handle in a program, in the order of the document.
+     *
+     * @param handled the output events that the program has handlers for, by name
+     */
+    public static List<Finding> checkHandled(Project project, Vocabulary vocabulary, Set<String> handled) {
+        return check(project, vocabulary, project.plans(), List.of(new HandledOutputs(handled)));
+    }
+
     private static List<Finding> check(
             Project project, Vocabulary vocabulary, List<Plan> plans, List<PlanCheck> checks) {
         List<Finding> findings = new ArrayList<>();

@@ -108,6 +108,38 @@ final class Decisions {
                 ""));
     }
 
+    /** The domain asks; nothing happens where it does already. */
+    void ask(Input.AskOperator asked) {
+        if (open(asked.kind(), asked.about()).isPresent()) {
+            return;
+        }
+        Decision decision = new Decision(
+                ++rules.state.lastDecision,
+                Ids.NONE,
+                Ids.NONE,
+                asked.kind(),
+                asked.prompt(),
+                new Question.Approve(),
+                Optional.empty(),
+                OptionalLong.empty(),
+                asked.priority(),
+                List.of());
+        add(new OpenDecision(decision, OpenDecision.Purpose.DOMAIN, null, null, null, asked.about()));
+    }
+
+    /** The domain needs no answer any longer. */
+    void withdraw(Input.WithdrawQuestion withdrawn) {
+        open(withdrawn.kind(), withdrawn.about()).ifPresent(this::close);
+    }
+
+    private Optional<OpenDecision> open(String kind, String about) {
+        return rules.state.decisions.values().stream()
+                .filter(open -> open.purpose == OpenDecision.Purpose.DOMAIN
+                        && open.decision.type().equals(kind)
+                        && open.subject.equals(about))
+                .findFirst();
+    }
+
     private Decision own(Mission m, String type, String prompt, Question question, Optional<Answer> automatic) {
         return new Decision(
                 ++rules.state.lastDecision,
@@ -124,7 +156,9 @@ final class Decisions {
 
     private void add(OpenDecision open) {
         rules.state.decisions.put(open.decision.id(), open);
-        open.mission.addDecision(open);
+        if (open.mission != null) {
+            open.mission.addDecision(open);
+        }
         rules.emit(new Effect.DecisionOpened(open.decision));
     }
 
@@ -199,7 +233,10 @@ final class Decisions {
                 rules.missionStart.begin(open.mission);
             }
             case INTERRUPT_CHOICE ->
-                rules.presses.chosen(open.mission, open.interrupt, ((Answer.Proxies) answer).proxies());
+                rules.presses.chosen(open.mission, open.subject, ((Answer.Proxies) answer).proxies());
+            case DOMAIN ->
+                rules.emit(
+                        new Effect.QuestionAnswered(open.decision.type(), open.subject, ((Answer.YesNo) answer).yes()));
             case ABORTED_CHILD -> rules.subMissions.decided(open.instance, ((Answer.YesNo) answer).yes());
         }
     }
@@ -267,7 +304,9 @@ final class Decisions {
 
     private void remove(OpenDecision open) {
         rules.state.decisions.remove(open.decision.id());
-        open.mission.decisions.remove(open.decision.id());
+        if (open.mission != null) {
+            open.mission.decisions.remove(open.decision.id());
+        }
         if (open.deadline != null) {
             rules.timers.cancel(open.deadline);
         }

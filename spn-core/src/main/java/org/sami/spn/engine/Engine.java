@@ -106,7 +106,7 @@ public final class Engine {
             refused = rules.missionStart.start(start);
         } else if (input instanceof Input.AnswerDecision answer) {
             OpenDecision open = rules.state.decisions.get(answer.decision());
-            mission = open == null ? Ids.NONE : open.mission.id;
+            mission = open == null ? Ids.NONE : open.decision.mission();
             refused = rules.decisions.answer(answer);
         } else if (input instanceof Input.Interrupt press) {
             rules.presses.interrupt(press);
@@ -133,6 +133,10 @@ public final class Engine {
                             + failed.reason());
         } else if (input instanceof Input.Remember remember) {
             refused = remember(rules, remember);
+        } else if (input instanceof Input.AskOperator asked) {
+            rules.decisions.ask(asked);
+        } else if (input instanceof Input.WithdrawQuestion withdrawn) {
+            rules.decisions.withdraw(withdrawn);
         }
         if (refused.isPresent()) {
             rules.note(NoteKind.REJECTED_INPUT, mission, refused.get());
@@ -173,6 +177,10 @@ public final class Engine {
     }
 
     private static Optional<String> remember(Rules rules, Input.Remember remember) {
+        if (remember.mission() == Ids.NONE) {
+            rules.state.memory.put(remember.key(), remember.value());
+            return Optional.empty();
+        }
         Mission m = rules.state.missions.get(remember.mission());
         if (m == null) {
             return Optional.of(

@@ -34,6 +34,8 @@ public final class EngineState {
     final Map<Long, OpenDecision> decisions = new LinkedHashMap<>();
     final TreeSet<Timer> timers = new TreeSet<>();
     final Map<String, Value> globals = new LinkedHashMap<>();
+    /** What handlers remember for the session, whatever missions run. */
+    final Map<String, Value> memory = new LinkedHashMap<>();
     /** How many unwanted occurrences of coalesced types were counted instead of noted. */
     final Map<String, Long> unwanted = new LinkedHashMap<>();
 

@@ -41,7 +41,7 @@ public interface EngineView {
     /** Whether some attentive transition waits for an input event of this type now (DESIGN: telemetry is not input). */
     boolean awaits(String inputEvent);
 
-    /** What handlers remembered for a mission ({@code Input.Remember}). */
+    /** What handlers remembered for a mission, or with {@code Ids.NONE} for the session ({@code Input.Remember}). */
     Optional<Value> memory(long mission, String key);
 
     /** Activations whose visits have not ended, in order of id. */

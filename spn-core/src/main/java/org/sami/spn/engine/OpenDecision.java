@@ -9,27 +9,29 @@ final class OpenDecision {
         ACTIVATION,
         PARAMETERS,
         INTERRUPT_CHOICE,
-        ABORTED_CHILD
+        ABORTED_CHILD,
+        DOMAIN
     }
 
     final Decision decision;
     final Purpose purpose;
+    /** The mission that asks; null where the domain does. */
     final Mission mission;
     /** The asking activation; for an interrupt's choice the first that offers it; else null. */
     final Sent sent;
     /** The aborted child, else null. */
     final Instance instance;
-    /** The interrupt whose robots are chosen, else empty text. */
-    final String interrupt;
+    /** The interrupt whose robots are chosen, or whom the domain's question is about, else empty text. */
+    final String subject;
 
     Timer deadline;
 
-    OpenDecision(Decision decision, Purpose purpose, Mission mission, Sent sent, Instance instance, String interrupt) {
+    OpenDecision(Decision decision, Purpose purpose, Mission mission, Sent sent, Instance instance, String subject) {
         this.decision = decision;
         this.purpose = purpose;
         this.mission = mission;
         this.sent = sent;
         this.instance = instance;
-        this.interrupt = interrupt;
+        this.subject = subject;
     }
 }

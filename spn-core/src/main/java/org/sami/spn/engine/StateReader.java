@@ -29,8 +29,9 @@ final class StateReader {
             throw new IllegalArgumentException("This is not an engine's state");
         }
         int version = in.integer();
-        if (version != StateWriter.VERSION) {
-            throw new IllegalArgumentException("The state is of version " + version + ", not " + StateWriter.VERSION);
+        if (version < 1 || version > StateWriter.VERSION) {
+            throw new IllegalArgumentException(
+                    "The state is of version " + version + ", not of 1 to " + StateWriter.VERSION);
         }
         state = new EngineState(project);
         state.now = in.number();
@@ -44,6 +45,9 @@ final class StateReader {
         state.proxies.addAll(in.texts());
         state.globals.clear();
         state.globals.putAll(in.values());
+        if (version > 1) {
+            state.memory.putAll(in.values()); // before, there was none
+        }
         for (int i = in.integer(); i > 0; i--) {
             state.unwanted.put(in.text(), in.number());
         }
@@ -240,7 +244,9 @@ final class StateReader {
         Instance instance = in.flag() ? instanceReference(m) : null;
         OpenDecision d = new OpenDecision(decision, purpose, m, asking, instance, in.text());
         state.decisions.put(decision.id(), d);
-        m.addDecision(d);
+        if (purpose != OpenDecision.Purpose.DOMAIN) {
+            m.addDecision(d);
+        }
         if (asking != null && purpose == OpenDecision.Purpose.ACTIVATION) {
             asking.decision = d;
         }

@@ -140,6 +140,9 @@ final class StateView implements EngineView {
 
     @Override
     public Optional<Value> memory(long mission, String key) {
+        if (mission == Ids.NONE) {
+            return Optional.ofNullable(state.memory.get(key));
+        }
         Mission m = state.missions.get(mission);
         return m == null ? Optional.empty() : Optional.ofNullable(m.memory.get(key));
     }

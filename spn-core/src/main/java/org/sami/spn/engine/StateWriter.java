@@ -12,7 +12,7 @@ final class StateWriter {
     /** First bytes of every encoded state: "SPNS". */
     static final int MAGIC = 0x53504e53;
     /** Version of the form. */
-    static final int VERSION = 1;
+    static final int VERSION = 2;
 
     private final ProtocolWriter out = new ProtocolWriter();
 
@@ -26,6 +26,7 @@ final class StateWriter {
         }
         out.texts(s.proxies);
         out.values(s.globals);
+        out.values(s.memory);
         out.integer(s.unwanted.size());
         s.unwanted.forEach((type, n) -> {
             out.text(type);
@@ -208,12 +209,12 @@ final class StateWriter {
     private void decision(OpenDecision d) {
         out.decision(d.decision);
         out.text(d.purpose.name());
-        out.number(d.mission.id);
+        out.number(d.mission == null ? Ids.NONE : d.mission.id);
         out.number(d.sent == null ? Ids.NONE : d.sent.activation.id());
         out.flag(d.instance != null);
         if (d.instance != null) {
             instanceReference(d.instance);
         }
-        out.text(d.interrupt);
+        out.text(d.subject);
     }
 }

@@ -61,6 +61,11 @@ final class EffectWriter {
                     .put("kind", Words.of(e.kind()))
                     .put("mission", e.mission())
                     .put("message", e.message());
+        } else if (effect instanceof Effect.QuestionAnswered e) {
+            node.put("effect", "question-answered")
+                    .put("kind", e.kind())
+                    .put("about", e.about())
+                    .put("yes", e.yes());
         } else {
             throw new IllegalArgumentException("An effect of an unknown kind: " + effect);
         }

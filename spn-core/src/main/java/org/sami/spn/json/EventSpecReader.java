@@ -1,6 +1,7 @@
 package org.sami.spn.json;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.spn.model.FieldSource;
@@ -74,13 +75,8 @@ final class EventSpecReader {
     }
 
     private String guess(String name, Direction side) {
-        return parts.vocabulary().events().values().stream()
-                .filter(e -> e.direction() == side)
-                .map(EventType::name)
-                .filter(n -> Spelling.alike(n, name))
-                .findFirst()
-                .map(n -> "; is " + n + " meant?")
-                .orElse("");
+        List<String> alike = NearMatches.ofEvents(parts.vocabulary(), side, name);
+        return alike.isEmpty() ? "" : "; is " + String.join(" or ", alike) + " meant?";
     }
 
     private Map<String, String> writes(Members m, Optional<EventType> type) {

@@ -11,6 +11,7 @@ import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
@@ -52,6 +53,10 @@ final class InputReader {
             case "add-tasks" -> Optional.of(new Input.AddTasks(m.whole("mission"), tasks(m)));
             case "handler-failed" -> Optional.of(new Input.HandlerFailed(m.whole("activation"), m.text("reason", "")));
             case "remember" -> value(m).map(v -> new Input.Remember(m.whole("mission"), m.text("key", ""), v));
+            case "ask-operator" ->
+                m.word("priority", Priority.class)
+                        .map(p -> new Input.AskOperator(m.text("kind"), m.text("about", ""), m.text("prompt", ""), p));
+            case "withdraw-question" -> Optional.of(new Input.WithdrawQuestion(m.text("kind"), m.text("about", "")));
             default -> {
                 m.problem(Codes.UNKNOWN_WORD, "input", "\"" + kind + "\" is no kind of input");
                 yield Optional.empty();

@@ -70,6 +70,14 @@ final class InputWriter {
         } else if (input instanceof Input.Remember i) {
             node.put("input", "remember").put("mission", i.mission()).put("key", i.key());
             node.set("value", TaggedValues.write(i.value()));
+        } else if (input instanceof Input.AskOperator i) {
+            node.put("input", "ask-operator")
+                    .put("kind", i.kind())
+                    .put("about", i.about())
+                    .put("prompt", i.prompt())
+                    .put("priority", Words.of(i.priority()));
+        } else if (input instanceof Input.WithdrawQuestion i) {
+            node.put("input", "withdraw-question").put("kind", i.kind()).put("about", i.about());
         } else {
             throw new IllegalArgumentException("An input of an unknown kind: " + input);
         }

@@ -9,14 +9,22 @@ final class Spelling {
     private Spelling() {}
 
     static boolean alike(String a, String b) {
-        String x = a.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "");
-        String y = b.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "");
+        String x = plain(a);
+        String y = plain(b);
         return Math.abs(x.length() - y.length()) <= MOST_EDITS
-                && distance(x, y) <= Math.min(MOST_EDITS, Math.max(1, x.length() / 4));
+                && levenshtein(x, y) <= Math.min(MOST_EDITS, Math.max(1, x.length() / 4));
     }
 
-    /** Levenshtein's distance. */
-    private static int distance(String a, String b) {
+    /** By how many letters two words differ, whatever their case. */
+    static int distance(String a, String b) {
+        return levenshtein(plain(a), plain(b));
+    }
+
+    private static String plain(String word) {
+        return word.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "");
+    }
+
+    private static int levenshtein(String a, String b) {
         int[] row = new int[b.length() + 1];
         for (int j = 0; j <= b.length(); j++) {
             row[j] = j;

@@ -9,10 +9,12 @@ import org.sami.spn.model.MarkupSpec;
 /**
  * A question to the operator, answered once, by the operator or by autonomy (DESIGN, How data flows).
  *
+ * @param mission the mission that asks, or {@link Ids#NONE} where the domain asks ({@link Input.AskOperator})
  * @param activation the activation that asks, or {@link Ids#NONE} for the parameters of a mission that starts, the
  *     choice of an interrupt's proxies and what the engine itself asks
  * @param type the output event type that asks; where the engine itself asks, {@link #INTERRUPT} and the interrupt's name,
- *     {@link #ABORTED} and the place's id, or empty text for the parameters of a mission that starts
+ *     {@link #ABORTED} and the place's id, or empty text for the parameters of a mission that starts; where the domain
+ *     asks, the kind of its question
  * @param prompt one sentence for the operator
  * @param automatic what autonomy would answer; empty where it has no sensible answer
  * @param deadlineMillis when autonomy answers, on the session's clock; empty = never

@@ -39,6 +39,14 @@ public sealed interface Effect {
     /** A question is no longer open; without an answer, its visit or mission ended. */
     record DecisionClosed(long decision, Optional<Answer> answer, Optional<Answerer> by) implements Effect {}
 
+    /** The operator has answered what the domain asked ({@link Input.AskOperator}). */
+    record QuestionAnswered(String kind, String about, boolean yes) implements Effect {
+        public QuestionAnswered {
+            Objects.requireNonNull(kind, "kind");
+            Objects.requireNonNull(about, "about");
+        }
+    }
+
     /**
      * What was commanded for a mission is withdrawn from its robots.
      *

@@ -107,6 +107,31 @@ public sealed interface Input {
         }
     }
 
+    /**
+     * The domain asks the operator for a yes or a no, outside of any plan; autonomy does not answer. Asked again while it is
+     * open, it changes nothing.
+     *
+     * @param kind names what is asked, such as {@code BoatRestarted}; becomes the decision's type
+     * @param about whom it is about; there is one open question of a kind about each
+     * @param prompt one sentence for the operator
+     */
+    record AskOperator(String kind, String about, String prompt, Priority priority) implements Input {
+        public AskOperator {
+            Objects.requireNonNull(kind, "kind");
+            Objects.requireNonNull(about, "about");
+            Objects.requireNonNull(prompt, "prompt");
+            Objects.requireNonNull(priority, "priority");
+        }
+    }
+
+    /** The domain needs no answer any longer; a question that is not open changes nothing. */
+    record WithdrawQuestion(String kind, String about) implements Input {
+        public WithdrawQuestion {
+            Objects.requireNonNull(kind, "kind");
+            Objects.requireNonNull(about, "about");
+        }
+    }
+
     /** A handler could not do what an activation asked. The question stays open; the failure is noted. */
     record HandlerFailed(long activation, String reason) implements Input {
         public HandlerFailed {
@@ -114,7 +139,10 @@ public sealed interface Input {
         }
     }
 
-    /** Handlers' own memory of a mission, such as progress along a path; kept until the mission ends. */
+    /**
+     * Handlers' own memory of a mission, such as progress along a path, kept until the mission ends; with {@link Ids#NONE} that
+     * of the session, such as which start of a robot's server was met last.
+     */
     record Remember(long mission, String key, Value value) implements Input {
         public Remember {
             Objects.requireNonNull(key, "key");

@@ -41,6 +41,7 @@ import org.sami.spn.value.VariableReference;
 class PlanChecksTest {
     private static final Path SOURCES = Path.of("src/main/java/org/sami/spn/analysis");
     private static final Path DOCUMENT = Path.of("../docs/plan-checks.md");
+    private static final String ONLY_WITH_A_PROGRAM = "W-NO-HANDLER";
     private static final int LEAST_CODES = 30;
     private static final FieldSource SPEED = new FieldSource.Fixed(new RealValue(1));
     private static final ValueType REAL = ValueType.Simple.REAL;
@@ -379,8 +380,25 @@ class PlanChecksTest {
         }
 
         assertThat(codes).hasSizeGreaterThan(LEAST_CODES);
-        assertThat(new TreeSet<>(cases().stream().map(Case::code).toList())).isEqualTo(codes);
+        Set<String> tried = new TreeSet<>(cases().stream().map(Case::code).toList());
+        tried.add(ONLY_WITH_A_PROGRAM);
+        assertThat(tried).isEqualTo(codes);
         assertThat(documented).isEqualTo(codes);
+    }
+
+    @Test
+    void outputEventThatTheProgramHasNoHandlerForIsNamed() {
+        Project project = project(drive().build());
+
+        assertThat(PlanChecks.checkHandled(project, CheckWords.WORDS, Set.of("Drive")))
+                .isEmpty();
+        assertThat(PlanChecks.checkHandled(project, CheckWords.WORDS, Set.of("Other")))
+                .singleElement()
+                .satisfies(finding -> {
+                    assertThat(finding.code()).isEqualTo(ONLY_WITH_A_PROGRAM);
+                    assertThat(finding.isError()).isFalse();
+                    assertThat(finding.message()).contains("Drive");
+                });
     }
 
     @Test

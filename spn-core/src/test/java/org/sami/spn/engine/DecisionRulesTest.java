@@ -10,9 +10,11 @@ import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
+import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.Session;
 import org.sami.spn.value.DurationValue;
@@ -262,5 +264,43 @@ class DecisionRulesTest {
         assertThat(s.view().memory(m, "k")).isEmpty();
         s.step(new Input.Remember(m, "k", new IntegerValue(1)));
         assertThat(s.notes()).containsExactly(NoteKind.REJECTED_INPUT);
+    }
+
+    @Test
+    void theDomainAsksWithoutAPlanAndIsToldTheAnswer() {
+        Session s = approve();
+        s.step(new Input.AskOperator("Restarted", "b1", "May b1 move?", Priority.CRITICAL));
+        s.step(new Input.AskOperator("Restarted", "b1", "May b1 move?", Priority.CRITICAL));
+        s.step(new Input.AskOperator("Restarted", "b2", "May b2 move?", Priority.CRITICAL));
+
+        assertThat(s.view().decisions()).extracting(Decision::prompt).containsExactly("May b1 move?", "May b2 move?");
+        Decision first = s.view().decisions().get(0);
+        assertThat(first.type()).isEqualTo("Restarted");
+        assertThat(first.automatic()).isEmpty();
+        s.step(new Input.AnswerDecision(first.id(), new Answer.Option(0), Answerer.OPERATOR));
+        assertThat(s.notes()).containsExactly(NoteKind.REJECTED_INPUT);
+        s.step(new Input.AnswerDecision(first.id(), new Answer.YesNo(false), Answerer.OPERATOR));
+
+        assertThat(s.last()).contains(new Effect.QuestionAnswered("Restarted", "b1", false));
+        assertThat(s.view().decisions()).hasSize(1);
+    }
+
+    @Test
+    void whatTheDomainAskedOutlivesMissionsAndASnapshotAndCanBeWithdrawn() {
+        Session s = approve();
+        long m = s.start("net");
+        s.step(new Input.AskOperator("Restarted", "b1", "May b1 move?", Priority.CRITICAL));
+        s.step(new Input.AbortMission(m));
+        EngineState read = StateCodec.decode(StateCodec.encode(s.state()), s.engine());
+
+        assertThat(s.engine().view(read).decisions())
+                .isEqualTo(s.view().decisions())
+                .hasSize(1);
+        List<Effect> effects = s.engine().step(read, 1, new Input.WithdrawQuestion("Restarted", "b1"));
+        assertThat(effects)
+                .containsExactly(new Effect.DecisionClosed(
+                        s.view().decisions().get(0).id(), Optional.empty(), Optional.empty()));
+        assertThat(s.engine().step(read, 1, new Input.WithdrawQuestion("Restarted", "b1")))
+                .isEmpty();
     }
 }

@@ -20,6 +20,7 @@ import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Question;
@@ -229,6 +230,32 @@ class StateCodecTest {
 
         EngineState decoded = StateCodec.decode(StateCodec.encode(state), engine);
         assertThat(engine.view(decoded).memory(1, "all")).contains(new ListValue(values));
+    }
+
+    @Test
+    void whatIsRememberedForTheSessionOutlivesItsMissions() {
+        EngineState state = engine.newState();
+        engine.step(state, 0, new Input.StartMission("main", "m", Map.of()));
+        engine.step(state, 0, new Input.Remember(Ids.NONE, "boot/A", new TextValue("b1")));
+        engine.step(state, 0, new Input.AbortMission(1));
+
+        EngineState decoded = StateCodec.decode(StateCodec.encode(state), engine);
+        assertThat(engine.view(decoded).memory(Ids.NONE, "boot/A")).contains(new TextValue("b1"));
+        assertThat(engine.view(decoded).memory(1, "boot/A")).isEmpty();
+    }
+
+    @Test
+    void stateOfTheFirstVersionIsStillRead() {
+        EngineState state = engine.newState();
+        engine.step(state, 7, new Input.StartMission("main", "m", Map.of()));
+        byte[] second = StateCodec.encode(state);
+        int memoryAt = 4 + 4 + 8 * 8 + 4 + 4; // magic, version, counters; no robots, no globals
+        byte[] first = new byte[second.length - 4];
+        System.arraycopy(second, 0, first, 0, memoryAt);
+        System.arraycopy(second, memoryAt + 4, first, memoryAt, first.length - memoryAt);
+        first[7] = 1;
+
+        assertThat(StateCodec.encode(StateCodec.decode(first, engine))).isEqualTo(second);
     }
 
     @Test

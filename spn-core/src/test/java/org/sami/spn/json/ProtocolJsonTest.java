@@ -66,7 +66,9 @@ class ProtocolJsonTest {
                 new Input.AllocateTasks(allocation),
                 new Input.AddTasks(2, List.of(new TaskSpec("T1", "Camera", values))),
                 new Input.HandlerFailed(7, "no such robot"),
-                new Input.Remember(1, "progress", new TextValue("half")));
+                new Input.Remember(1, "progress", new TextValue("half")),
+                new Input.AskOperator("BoatRestarted", "b1", "May it move?", Priority.CRITICAL),
+                new Input.WithdrawQuestion("BoatRestarted", "b1"));
     }
 
     @Test
@@ -147,6 +149,7 @@ class ProtocolJsonTest {
                 new Effect.DecisionOpened(decision),
                 new Effect.DecisionClosed(1, Optional.empty(), Optional.empty()),
                 new Effect.CommandsWithdrawn(1, List.of("b1")),
+                new Effect.QuestionAnswered("BoatRestarted", "b1", true),
                 new Effect.VariableWritten(0, "@x", new RealValue(2)),
                 new Effect.Noted(NoteKind.LATE, 1, "late"),
                 new Effect.MissionEnded(1, Outcome.ENDED));

@@ -220,7 +220,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
             addTasks(add);
         } else if (input instanceof Input.HandlerFailed failed) {
             world.note(NoteKind.HANDLER_FAILED, Ids.NONE, failed.reason());
-        } else if (input instanceof Input.Remember remember) {
+        } else if (input instanceof Input.Remember remember && remember.mission() != Ids.NONE) {
             world.mission(remember.mission())
                     .ifPresentOrElse(
                             m -> m.memory.put(remember.key(), remember.value()),

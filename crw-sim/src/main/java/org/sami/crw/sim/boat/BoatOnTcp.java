@@ -18,6 +18,7 @@ import org.sami.boat.server.log.LoggedCommand;
 import org.sami.boat.server.tcp.TcpBoatServer;
 import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.crw.sim.hull.Instruments;
 import org.sami.crw.sim.hull.Quay;
 import org.sami.crw.sim.hull.SimulatedHull;
 
@@ -31,7 +32,10 @@ import org.sami.crw.sim.hull.SimulatedHull;
 public final class BoatOnTcp implements Closeable {
     private static final double LONGEST_STEP_S = 1; // after the machine was suspended the hull goes on where it was
 
+    private static final long INSTRUMENTS = 0x67707320L;
+
     private final SimulatedHull hull;
+    private final Instruments instruments;
     private final String bootId = UUID.randomUUID().toString();
     private final Optional<CommandLogFile> log;
     private final int restored;
@@ -45,7 +49,8 @@ public final class BoatOnTcp implements Closeable {
      */
     public BoatOnTcp(BoatSettings settings, SteadyClock clock, TcpServerListener listener) throws IOException {
         LocalFrame frame = new LocalFrame(settings.at().latDeg(), settings.at().lonDeg());
-        hull = new SimulatedHull(settings.hull(), frame, 0, 0, settings.seed());
+        hull = new SimulatedHull(settings.hull(), settings.conditions(), frame, 0, 0, settings.seed());
+        instruments = new Instruments(hull, settings.conditions(), settings.seed() ^ INSTRUMENTS, settings.fieldSeed());
         hull.setBatteryPercent(settings.batteryPercent());
         hull.setQuay(Quay.atOrigin());
         List<LoggedCommand> earlier = new ArrayList<>();
@@ -54,7 +59,7 @@ public final class BoatOnTcp implements Closeable {
         try {
             BoatServer boat = new BoatServer(
                     settings.server(bootId),
-                    hull,
+                    instruments,
                     log.map(ServerLog.class::cast).orElse(ServerLog.NONE));
             earlier.forEach(entry -> boat.restore(entry.command(), entry.answer()));
             server = new TcpBoatServer(
@@ -98,6 +103,7 @@ public final class BoatOnTcp implements Closeable {
         lastMs = nowMs;
         if (seconds > 0) {
             hull.step(seconds);
+            instruments.step(seconds);
         }
     }
 

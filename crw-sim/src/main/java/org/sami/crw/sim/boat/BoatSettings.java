@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.boat.server.ServerConfig;
+import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.HullConfig;
 import org.sami.spn.value.GeoPoint;
 
@@ -16,6 +17,8 @@ import org.sami.spn.value.GeoPoint;
  * @param at where the hull lies at the start
  * @param seed of all that is random about the hull
  * @param batteryPercent charge at the start
+ * @param conditions on its water
+ * @param fieldSeed of what there is to be measured; equal for all boats of one water
  * @param logFolder where its log is kept, and taken up again after a restart; none if empty
  */
 public record BoatSettings(
@@ -25,6 +28,8 @@ public record BoatSettings(
         long seed,
         double batteryPercent,
         HullConfig hull,
+        Conditions conditions,
+        long fieldSeed,
         Optional<Path> logFolder) {
 
     /** Refuses a name that cannot name a file, and a charge that is none. */
@@ -36,6 +41,7 @@ public record BoatSettings(
         Objects.requireNonNull(address, "address");
         Objects.requireNonNull(at, "at");
         Objects.requireNonNull(hull, "hull");
+        Objects.requireNonNull(conditions, "conditions");
         Objects.requireNonNull(logFolder, "logFolder");
         if (!(batteryPercent >= 0 && batteryPercent <= 100)) {
             throw new IllegalArgumentException("a charge of " + batteryPercent + " %");
@@ -44,17 +50,23 @@ public record BoatSettings(
 
     /** A boat of the fleet with a full battery, without a log. */
     public static BoatSettings of(String name, InetSocketAddress address, GeoPoint at, long seed) {
-        return new BoatSettings(name, address, at, seed, 100, HullConfig.DEFAULT, Optional.empty());
+        return new BoatSettings(name, address, at, seed, 100, HullConfig.DEFAULT, Conditions.CALM, 1, Optional.empty());
     }
 
     /** The same with a log in a folder. */
     public BoatSettings loggingTo(Path folder) {
-        return new BoatSettings(name, address, at, seed, batteryPercent, hull, Optional.of(folder));
+        return new BoatSettings(
+                name, address, at, seed, batteryPercent, hull, conditions, fieldSeed, Optional.of(folder));
     }
 
     /** The same with another charge at the start. */
     public BoatSettings withBatteryPercent(double percent) {
-        return new BoatSettings(name, address, at, seed, percent, hull, logFolder);
+        return new BoatSettings(name, address, at, seed, percent, hull, conditions, fieldSeed, logFolder);
+    }
+
+    /** The same on other water. */
+    public BoatSettings on(Conditions water) {
+        return new BoatSettings(name, address, at, seed, batteryPercent, hull, water, fieldSeed, logFolder);
     }
 
     /** The file of the boat's log. */

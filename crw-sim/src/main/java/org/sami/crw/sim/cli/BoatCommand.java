@@ -15,6 +15,7 @@ import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.crw.sim.hull.HullConfig;
 import org.sami.spn.value.GeoPoint;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -37,10 +38,12 @@ import picocli.CommandLine.Spec;
         footerHeading = "%nExamples:%n",
         footer = {
             "  crw boat --port 5001 --name anna --at 45.4,10.9",
-            "  crw boat --port 5001 --name anna --at 45.4,10.9 --log boats   go on with its log after a restart"
+            "  crw boat --port 5001 --name anna --at 45.4,10.9 --log boats   go on with its log after a restart",
+            "  crw boat --port 5001 --name anna --at 45.4,10.9 --gps-noise 1 --current 0.3@90 --sensor temperature"
         })
 final class BoatCommand implements Callable<Integer> {
     private static final int MAX_PORT = 65_535;
+    private static final double MOST_TOP_SPEED_MPS = 20;
 
     @Spec
     private CommandSpec spec;
@@ -80,6 +83,24 @@ final class BoatCommand implements Callable<Integer> {
             defaultValue = "100",
             description = "Charge at the start (default ${DEFAULT-VALUE}).")
     private double batteryPercent;
+
+    @Option(
+            names = "--top-speed",
+            paramLabel = "MPS",
+            defaultValue = "3.2",
+            description = "Speed at full thrust in still water (default ${DEFAULT-VALUE}).")
+    private double topSpeedMps;
+
+    @Mixin
+    private ConditionsOptions conditions;
+
+    @Option(
+            names = "--field-seed",
+            paramLabel = "S",
+            defaultValue = "1",
+            description = "What there is to be measured; boats with the same one measure the same water "
+                    + "(default ${DEFAULT-VALUE}).")
+    private long fieldSeed;
 
     @Option(
             names = "--log",
@@ -127,11 +148,21 @@ final class BoatCommand implements Callable<Integer> {
                     at,
                     seed,
                     batteryPercent,
-                    HullConfig.DEFAULT,
+                    hull(),
+                    conditions.conditions(),
+                    fieldSeed,
                     Optional.ofNullable(log));
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage());
         }
+    }
+
+    private HullConfig hull() {
+        if (!(topSpeedMps <= MOST_TOP_SPEED_MPS)) {
+            throw new IllegalArgumentException(
+                    "the top speed is at most " + MOST_TOP_SPEED_MPS + " m/s, not " + topSpeedMps);
+        }
+        return HullConfig.DEFAULT.withTopSpeedMps(topSpeedMps);
     }
 
     /** Says on standard error who comes and goes. */

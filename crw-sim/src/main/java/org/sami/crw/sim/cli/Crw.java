@@ -16,6 +16,8 @@ import picocli.CommandLine.Spec;
         subcommands = {
             PlansCommand.class,
             CheckCommand.class,
+            EventsCommand.class,
+            MarkupsCommand.class,
             RunCommand.class,
             ResumeCommand.class,
             JournalCommand.class,
@@ -39,6 +41,7 @@ import picocli.CommandLine.Spec;
             "  crw plans              which plans there are",
             "  crw run clv --boats 5 --locations 30 --speed max --report out",
             "  crw check my-plan.json",
+            "  crw events             what a plan may say",
             "",
             "'crw help COMMAND' tells more about one of them."
         })
@@ -49,7 +52,8 @@ public final class Crw implements Runnable {
     @Override
     public void run() {
         throw new ParameterException(
-                spec.commandLine(), "Which command? One of plans, check, run, resume, journal, demo, boat, log.");
+                spec.commandLine(),
+                "Which command? One of plans, check, events, markups, run, resume, journal, demo, boat, log.");
     }
 
     /** The command line, ready to be executed in any process. */

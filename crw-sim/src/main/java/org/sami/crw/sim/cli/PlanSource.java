@@ -9,6 +9,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.sami.crw.handler.HandledEvents;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.DomainLibrary;
@@ -63,7 +64,10 @@ record PlanSource(String source, Optional<Project> project, Optional<Plan> plan,
 
     private static List<Finding> checked(DomainLibrary library, Optional<Project> project, List<Finding> read) {
         List<Finding> all = new ArrayList<>(read);
-        project.ifPresent(p -> all.addAll(PlanChecks.check(p, library.vocabulary())));
+        project.ifPresent(p -> {
+            all.addAll(PlanChecks.check(p, library.vocabulary()));
+            all.addAll(PlanChecks.checkHandled(p, library.vocabulary(), HandledEvents.of(library.vocabulary())));
+        });
         return all;
     }
 

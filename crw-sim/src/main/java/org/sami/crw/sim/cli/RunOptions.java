@@ -12,6 +12,7 @@ import java.util.OptionalLong;
 import org.sami.crw.sim.run.BoatAddress;
 import org.sami.crw.sim.run.RunSettings;
 import org.sami.crw.sim.run.Speed;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** The options that decide a run. */
@@ -111,6 +112,9 @@ final class RunOptions {
                     + "several times. 'crw plans' names a plan's interrupts.")
     private List<String> interrupts = new ArrayList<>();
 
+    @Mixin
+    private ConditionsOptions conditions;
+
     RunSettings settings(String plan, String mission) {
         List<BoatAddress> addresses = addresses(connect);
         int count = addresses.isEmpty() ? Optional.ofNullable(boats).orElse(DEFAULT_BOATS) : addresses.size();
@@ -121,7 +125,7 @@ final class RunOptions {
             return new RunSettings(
                     plan,
                     mission,
-                    new RunSettings.Fleet(count, locations, areaM, seed),
+                    new RunSettings.Fleet(count, locations, areaM, seed, conditions.conditions()),
                     Optional.ofNullable(speed).orElse(addresses.isEmpty() ? DEFAULT_SPEED : Speed.REAL),
                     Optional.ofNullable(limitMillis).map(OptionalLong::of).orElse(OptionalLong.empty()),
                     parameters,

@@ -4,17 +4,20 @@ import java.util.Objects;
 import java.util.function.UnaryOperator;
 import org.sami.boat.server.ServerConfig;
 import org.sami.crw.proxy.ProxyConfig;
+import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.HullConfig;
 import org.sami.crw.sim.link.PipeConfig;
 
 /**
  * What is set for the boats of a simulated fleet; the same for all.
  *
+ * @param conditions on the water; the seed of what there is to be measured is the fleet's
  * @param server changes the boat servers' defaults
  * @param trackEveryMs virtual time between two points of the recorded tracks
  */
 public record FleetConfig(
         HullConfig hull,
+        Conditions conditions,
         PipeConfig pipe,
         ProxyConfig proxy,
         UnaryOperator<ServerConfig.Builder> server,
@@ -22,11 +25,17 @@ public record FleetConfig(
 
     /** The defaults of all parts; tracks at 1 Hz. */
     public static final FleetConfig DEFAULT = new FleetConfig(
-            HullConfig.DEFAULT, PipeConfig.DEFAULT, ProxyConfig.DEFAULT, UnaryOperator.identity(), 1000);
+            HullConfig.DEFAULT,
+            Conditions.CALM,
+            PipeConfig.DEFAULT,
+            ProxyConfig.DEFAULT,
+            UnaryOperator.identity(),
+            1000);
 
     /** Refuses tracks without a period. */
     public FleetConfig {
         Objects.requireNonNull(hull, "hull");
+        Objects.requireNonNull(conditions, "conditions");
         Objects.requireNonNull(pipe, "pipe");
         Objects.requireNonNull(proxy, "proxy");
         Objects.requireNonNull(server, "server");
@@ -37,21 +46,26 @@ public record FleetConfig(
 
     /** The same with other hulls. */
     public FleetConfig withHull(HullConfig newHull) {
-        return new FleetConfig(newHull, pipe, proxy, server, trackEveryMs);
+        return new FleetConfig(newHull, conditions, pipe, proxy, server, trackEveryMs);
+    }
+
+    /** The same on other water. */
+    public FleetConfig withConditions(Conditions newConditions) {
+        return new FleetConfig(hull, newConditions, pipe, proxy, server, trackEveryMs);
     }
 
     /** The same with other links. */
     public FleetConfig withPipe(PipeConfig newPipe) {
-        return new FleetConfig(hull, newPipe, proxy, server, trackEveryMs);
+        return new FleetConfig(hull, conditions, newPipe, proxy, server, trackEveryMs);
     }
 
     /** The same with another base side. */
     public FleetConfig withProxy(ProxyConfig newProxy) {
-        return new FleetConfig(hull, pipe, newProxy, server, trackEveryMs);
+        return new FleetConfig(hull, conditions, pipe, newProxy, server, trackEveryMs);
     }
 
     /** The same with other boat servers. */
     public FleetConfig withServer(UnaryOperator<ServerConfig.Builder> newServer) {
-        return new FleetConfig(hull, pipe, proxy, newServer, trackEveryMs);
+        return new FleetConfig(hull, conditions, pipe, proxy, newServer, trackEveryMs);
     }
 }

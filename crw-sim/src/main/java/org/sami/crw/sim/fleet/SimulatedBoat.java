@@ -10,6 +10,7 @@ import org.sami.boat.server.ServerSession;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.sim.clock.VirtualScheduler;
+import org.sami.crw.sim.hull.Instruments;
 import org.sami.crw.sim.hull.SimulatedHull;
 import org.sami.crw.sim.link.InMemoryPipe;
 import org.sami.spn.value.GeoPoint;
@@ -21,6 +22,7 @@ import org.sami.spn.value.GeoPoint;
 public final class SimulatedBoat {
     private final String id;
     private final SimulatedHull hull;
+    private final Instruments instruments;
     private final BoatServer server;
     private final BoatProxy proxy;
     private final InMemoryPipe toBoat;
@@ -37,15 +39,17 @@ public final class SimulatedBoat {
             double eastM,
             double northM,
             BoatSeeds seeds,
+            long fieldSeed,
             BoatListener listener) {
         this.id = id;
         trackEveryMs = config.trackEveryMs();
-        hull = new SimulatedHull(config.hull(), frame, eastM, northM, seeds.hull());
+        hull = new SimulatedHull(config.hull(), config.conditions(), frame, eastM, northM, seeds.hull());
+        instruments = new Instruments(hull, config.conditions(), seeds.instruments(), fieldSeed);
         ServerConfig.Builder defaults = ServerConfig.of(id, id + "-boot1")
                 .fullThrustSpeedMps(config.hull().topSpeedMps());
         server = new BoatServer(
                 config.server().apply(defaults).build(),
-                hull,
+                instruments,
                 (nowMs, command, answer) ->
                         executed.add(new ExecutedCommand(nowMs, command.commandId(), command, answer)));
         toBoat = new InMemoryPipe(clock, config.pipe(), seeds.toBoat());
@@ -122,6 +126,7 @@ public final class SimulatedBoat {
         }
         server.tick(nowMs);
         hull.step(seconds);
+        instruments.step(seconds);
         proxy.tick(nowMs);
     }
 }

@@ -80,7 +80,7 @@ public final class SimulatedFleet {
         for (int i = 0; i < boatCount; i++) {
             String id = idOf(i);
             SimulatedBoat boat = new SimulatedBoat(
-                    id, clock, config, frame, i * SPACING_M, 0, BoatSeeds.next(seeds), listeners.apply(id));
+                    id, clock, config, frame, i * SPACING_M, 0, BoatSeeds.next(seeds), seed, listeners.apply(id));
             boat.hull().setQuay(new Quay(0, (boatCount - 1) * SPACING_M, 0, Quay.REACH_M));
             boats.add(boat);
             proxies.add(boat.proxy());

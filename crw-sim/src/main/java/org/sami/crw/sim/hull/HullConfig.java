@@ -36,6 +36,12 @@ public record HullConfig(
                 topSpeedMps, maxAccelerationMps2, maxTurnRateRadPerS, maxTurnAccelerationRadPerS2, percentPerM);
     }
 
+    /** The same hull with other motors. */
+    public HullConfig withTopSpeedMps(double mps) {
+        return new HullConfig(
+                mps, maxAccelerationMps2, maxTurnRateRadPerS, maxTurnAccelerationRadPerS2, batteryPercentPerM);
+    }
+
     private static void positive(String name, double value) {
         if (!(value > 0 && Double.isFinite(value))) {
             throw new IllegalArgumentException("the " + name + " of a hull is positive, not " + value);

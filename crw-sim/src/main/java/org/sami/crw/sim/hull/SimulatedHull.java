@@ -11,21 +11,25 @@ import org.sami.boat.server.Vehicle;
  * world share.
  *
  * <p>The battery drains with the distance driven, {@code b(t + τ) = b(t) - K d(τ) (1 + R)} with {@code R} drawn from
- * {@code U(-0.1, 0.1)} for each step (thesis 7.1.1), and never below zero; an empty one leaves the motors without effect.
+ * {@code U(-0.1, 0.1)} for each step (thesis 7.1.1), and never below zero; an empty one leaves the motors without effect. The
+ * distance is that through the water: holding out against a current costs as much as driving.
  * Equal seeds and equal efforts give equal tracks to the last bit.
  */
 public final class SimulatedHull implements Vehicle {
     private static final double BATTERY_SPREAD = 0.1;
+    private static final long GUST_SEED =
+            0x6775737473L; // gusts are drawn apart, so that calm water is as it always was
 
     private final HullConfig config;
     private final LocalFrame frame;
     private final SplittableRandom random;
+    private final Weather weather;
     private double eastM;
     private double northM;
     private double latDeg;
     private double lonDeg;
     private double headingRad;
-    private double speedMps;
+    private double speedMps; // through the water
     private double turnRateRadPerS;
     private double port;
     private double starboard;
@@ -34,13 +38,20 @@ public final class SimulatedHull implements Vehicle {
     private int recharges;
     private Optional<BatterySwap> swap = Optional.empty();
 
-    /** A hull at rest with a full battery, its bow to the north, at a place on the plane of its world. */
+    /** A hull in calm water, at rest with a full battery, its bow to the north, at a place on the plane of its world. */
     public SimulatedHull(HullConfig config, LocalFrame frame, double eastM, double northM, long seed) {
+        this(config, Conditions.CALM, frame, eastM, northM, seed);
+    }
+
+    /** A hull at rest with a full battery, its bow to the north, at a place on the plane of its world. */
+    public SimulatedHull(
+            HullConfig config, Conditions conditions, LocalFrame frame, double eastM, double northM, long seed) {
         this.config = config;
         this.frame = frame;
         this.eastM = eastM;
         this.northM = northM;
         random = new SplittableRandom(seed);
+        weather = new Weather(conditions, new SplittableRandom(seed ^ GUST_SEED));
         locate();
     }
 
@@ -59,9 +70,15 @@ public final class SimulatedHull implements Vehicle {
         return headingRad;
     }
 
+    /** Speed over ground along the heading: through the water, and what current and wind add to it. */
     @Override
     public double speedMps() {
-        return speedMps;
+        if (weather.isCalm()) {
+            return speedMps;
+        }
+        return speedMps
+                + weather.eastMps() * StrictMath.sin(headingRad)
+                + weather.northMps() * StrictMath.cos(headingRad);
     }
 
     @Override
@@ -84,7 +101,7 @@ public final class SimulatedHull implements Vehicle {
         return turnRateRadPerS;
     }
 
-    /** Metres driven since the start, ahead and astern. */
+    /** Metres driven through the water since the start, ahead and astern. */
     public double distanceM() {
         return distanceM;
     }
@@ -127,6 +144,22 @@ public final class SimulatedHull implements Vehicle {
         if (swap.isPresent() && swap.get().pass(seconds, eastM, northM, speedMps)) {
             recharge();
         }
+        drift(seconds);
+        drive(seconds);
+    }
+
+    /** What current and wind do; it costs no charge. */
+    private void drift(double seconds) {
+        if (!weather.isCalm()) {
+            weather.step(seconds);
+            eastM += weather.eastMps() * seconds;
+            northM += weather.northMps() * seconds;
+            locate();
+        }
+    }
+
+    /** What the motors do. */
+    private void drive(double seconds) {
         double power = batteryPercent > 0 ? 1 : 0;
         double wantedMps = power * (port + starboard) / 2 * config.topSpeedMps();
         double wantedTurn = power * (port - starboard) / 2 * config.maxTurnRateRadPerS();

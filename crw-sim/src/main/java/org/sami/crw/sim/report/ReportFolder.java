@@ -9,8 +9,8 @@ import java.util.Objects;
 
 /**
  * Writes a report's files into a folder: {@code report.json}, {@code boats.csv}, {@code locations.csv},
- * {@code firings.csv}, {@code tracks.csv}, {@code decisions.csv}, {@code interrupts.csv} and {@code map.png}. Files of those names are replaced;
- * each appears whole or not at all.
+ * {@code firings.csv}, {@code tracks.csv}, {@code readings.csv}, {@code decisions.csv}, {@code interrupts.csv} and
+ * {@code map.png}. Files of those names are replaced; each appears whole or not at all.
  */
 public final class ReportFolder {
     private final Path folder;
@@ -28,6 +28,7 @@ public final class ReportFolder {
         text("locations.csv", ReportTables.locations(report).toString());
         text("firings.csv", ReportTables.firings(report).toString());
         text("tracks.csv", ReportTables.tracks(report).toString());
+        text("readings.csv", ReportTables.readings(report).toString());
         text("decisions.csv", ReportTables.decisions(report).toString());
         text("interrupts.csv", ReportTables.interrupts(report).toString());
         bytes("map.png", new MapPicture(report).png());

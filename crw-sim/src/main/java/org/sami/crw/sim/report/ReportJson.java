@@ -50,6 +50,7 @@ public final class ReportJson {
         json.set("interrupts", interrupts(report));
         json.set("decisions", decisions(report));
         json.set("notes", notes(report));
+        json.set("readings", readings(report));
         if (result.resumedFrom().isPresent()) {
             json.put("resumedFrom", result.resumedFrom().getAsLong());
         } else {
@@ -134,6 +135,21 @@ public final class ReportJson {
                     .put("kind", note.kind())
                     .put("mission", note.mission())
                     .put("message", note.message());
+        }
+        return array;
+    }
+
+    private static ArrayNode readings(RunReport report) {
+        ArrayNode array = NODES.arrayNode();
+        for (ReadingSummary channel : ReadingSummary.of(report.readings())) {
+            array.addObject()
+                    .put("sensor", channel.sensor())
+                    .put("channel", channel.channel())
+                    .put("unit", channel.unit())
+                    .put("count", channel.count())
+                    .put("least", decimal(channel.least(), 6))
+                    .put("mean", decimal(channel.mean(), 6))
+                    .put("most", decimal(channel.most(), 6));
         }
         return array;
     }

@@ -78,6 +78,28 @@ final class ReportTables {
         return table;
     }
 
+    /** A reading of several values has a row for each, with its number from 1. */
+    static CsvTable readings(RunReport report) {
+        CsvTable table =
+                new CsvTable("boat", "at_s", "sensor", "channel", "number", "value", "unit", "lat_deg", "lon_deg");
+        for (ReadingResult reading : report.readings()) {
+            int number = 1;
+            for (double value : reading.values()) {
+                table.row(
+                        reading.boat(),
+                        seconds(reading.atMillis()),
+                        reading.sensor(),
+                        reading.channel(),
+                        number++,
+                        fixed(value, 6),
+                        reading.unit(),
+                        fixed(reading.latDeg(), 7),
+                        fixed(reading.lonDeg(), 7));
+            }
+        }
+        return table;
+    }
+
     static CsvTable decisions(RunReport report) {
         CsvTable table = new CsvTable(
                 "decision",

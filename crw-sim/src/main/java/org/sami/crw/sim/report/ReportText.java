@@ -16,6 +16,7 @@ public final class ReportText {
         summary(text, report);
         boats(text, report);
         interrupts(text, report);
+        readings(text, report);
         notes(text, report);
         return text.toString();
     }
@@ -98,6 +99,25 @@ public final class ReportText {
                         interrupt.takenAtMillis().getAsLong() / 1000.0)
                 : ", never taken";
         return first + more + taken;
+    }
+
+    private static void readings(StringBuilder text, RunReport report) {
+        if (report.readings().isEmpty()) {
+            return;
+        }
+        line(text, "");
+        line(text, "  %-20s%10s%12s%12s%12s   %s", "readings", "count", "least", "mean", "most", "unit");
+        for (ReadingSummary channel : ReadingSummary.of(report.readings())) {
+            line(
+                    text,
+                    "  %-20s%10d%12.2f%12.2f%12.2f   %s",
+                    channel.sensor() + " " + channel.channel(),
+                    channel.count(),
+                    channel.least(),
+                    channel.mean(),
+                    channel.most(),
+                    channel.unit());
+        }
     }
 
     /** News that no transition wanted is counted, the rest is shown. */

@@ -12,7 +12,8 @@ public record RunReport(
         List<DecisionResult> decisions,
         List<FiringResult> firings,
         List<InterruptResult> interrupts,
-        List<NoteResult> notes) {
+        List<NoteResult> notes,
+        List<ReadingResult> readings) {
     public RunReport {
         Objects.requireNonNull(header, "header");
         Objects.requireNonNull(result, "result");
@@ -22,6 +23,25 @@ public record RunReport(
         firings = List.copyOf(firings);
         interrupts = List.copyOf(interrupts);
         notes = List.copyOf(notes);
+        readings = List.copyOf(readings);
+    }
+
+    /** A report of boats that measured nothing. */
+    public RunReport(
+            RunHeader header,
+            RunResult result,
+            List<BoatResult> boats,
+            List<LocationResult> locations,
+            List<DecisionResult> decisions,
+            List<FiringResult> firings,
+            List<InterruptResult> interrupts,
+            List<NoteResult> notes) {
+        this(header, result, boats, locations, decisions, firings, interrupts, notes, List.of());
+    }
+
+    /** The same with what the boats measured. */
+    public RunReport withReadings(List<ReadingResult> measured) {
+        return new RunReport(header, result, boats, locations, decisions, firings, interrupts, notes, measured);
     }
 
     /** How many of the locations a boat has visited. */

@@ -7,6 +7,7 @@ import java.util.concurrent.Executor;
 import org.sami.crw.decision.OperatorMessage;
 import org.sami.crw.handler.CrwDomain;
 import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatListeners;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.spn.engine.Engine;
@@ -20,11 +21,14 @@ final class BaseStation {
     private static final long NEVER_SLOW_MILLIS = 3_600_000;
 
     private final EngineHost host;
+    private final HostClock clock;
     private final ProxyRegistry boats = new ProxyRegistry();
     private final CrwDomain domain;
+    private final ReadingRecorder readings;
     private final List<NoteResult> messages = new ArrayList<>();
 
     BaseStation(RunPlan plan, InputJournal journal, HostClock clock, Executor executor) {
+        this.clock = clock;
         Engine engine = new Engine(plan.vocabulary(), plan.project());
         host = EngineHost.builder(engine, engine.newState())
                 .journal(journal)
@@ -33,6 +37,7 @@ final class BaseStation {
                 .slowListenerMillis(NEVER_SLOW_MILLIS)
                 .build();
         domain = CrwDomain.install(host, boats, executor, this::tell);
+        readings = new ReadingRecorder(clock);
     }
 
     private void tell(OperatorMessage message) {
@@ -49,7 +54,7 @@ final class BaseStation {
 
     /** What the base hears of each boat. */
     BoatListener boatListener() {
-        return domain.boatListener();
+        return new BoatListeners(domain.boatListener(), readings);
     }
 
     /** From now on the base has these boats. */
@@ -57,8 +62,15 @@ final class BaseStation {
         fleet.all().forEach(boats::add);
     }
 
-    /** What plans and the domain told the operator, oldest first. */
+    /** What the boats' sensors measured. */
+    ReadingRecorder readings() {
+        return readings;
+    }
+
+    /** What plans and the domain told the operator, oldest first, and at last what was not noted down. */
     List<NoteResult> messages() {
-        return messages;
+        List<NoteResult> all = new ArrayList<>(messages);
+        all.addAll(readings.notes(clock.nowMillis()));
+        return all;
     }
 }

@@ -102,7 +102,8 @@ public final class InProcessRun {
                         tracks.results(now(), boats, this::link),
                         visits.locations(),
                         interrupts.results(),
-                        base.messages());
+                        base.messages())
+                .withReadings(base.readings().readings());
     }
 
     private LinkResult link(String boat) {

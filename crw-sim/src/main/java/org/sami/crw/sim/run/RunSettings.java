@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.sami.crw.sim.fleet.SimulatedFleet;
+import org.sami.crw.sim.hull.Conditions;
 
 /**
  * Everything that decides a run, beside its plans and its vocabulary. A run in process is a function of these; of the speed only
@@ -49,8 +50,9 @@ public record RunSettings(
      * The boats and what they are sent to.
      *
      * @param areaM side of the square in which locations lie, in metres
+     * @param conditions on the water of boats in this process; others have their own
      */
-    public record Fleet(int boats, int locations, double areaM, long seed) {
+    public record Fleet(int boats, int locations, double areaM, long seed, Conditions conditions) {
         /** The greatest number of boats (DESIGN, Numbers to design for). */
         public static final int MOST_BOATS = 250;
 
@@ -70,6 +72,17 @@ public record RunSettings(
             if (!(areaM >= SHORTEST_AREA_M && areaM <= LONGEST_AREA_M)) {
                 throw new IllegalArgumentException("the area's side is 10 to 20000 m, not " + areaM);
             }
+            Objects.requireNonNull(conditions, "conditions");
+        }
+
+        /** A fleet in calm water. */
+        public Fleet(int boats, int locations, double areaM, long seed) {
+            this(boats, locations, areaM, seed, Conditions.CALM);
+        }
+
+        /** The same fleet on other water. */
+        public Fleet on(Conditions water) {
+            return new Fleet(boats, locations, areaM, seed, water);
         }
 
         /** The names of the boats, in order. */
@@ -101,6 +114,10 @@ public record RunSettings(
             throw new IllegalArgumentException("boats behind TCP run at speed 1, not " + speed + "; " + connect.size()
                     + " addresses for " + fleet.boats() + " boats");
         }
+        if (!connect.isEmpty() && !fleet.conditions().equals(Conditions.CALM)) {
+            throw new IllegalArgumentException(
+                    "boats behind TCP have their own water and sensors: see crw boat --help");
+        }
     }
 
     /** A run on boats in this process, in which nobody presses an interrupt. */
@@ -121,7 +138,7 @@ public record RunSettings(
         return new RunSettings(
                 plan,
                 mission,
-                new Fleet(addresses.size(), fleet.locations(), fleet.areaM(), fleet.seed()),
+                new Fleet(addresses.size(), fleet.locations(), fleet.areaM(), fleet.seed(), fleet.conditions()),
                 Speed.REAL,
                 limitMillis,
                 parameters,
@@ -175,6 +192,7 @@ public record RunSettings(
         if (isConnected()) {
             map.put(CONNECT, connect.stream().map(BoatAddress::toString).collect(Collectors.joining(",")));
         }
+        map.putAll(fleet.conditions().toMap());
         parameters.forEach((name, value) -> map.put(PARAMETER + name, value));
         for (int i = 0; i < interrupts.size(); i++) {
             map.put(INTERRUPT + i, interrupts.get(i));
@@ -198,7 +216,8 @@ public record RunSettings(
                 Integer.parseInt(needed(map, "boats")),
                 Integer.parseInt(needed(map, "locations")),
                 Double.parseDouble(needed(map, "areaM")),
-                Long.parseLong(needed(map, "seed")));
+                Long.parseLong(needed(map, "seed")),
+                Conditions.fromMap(map));
         String limit = map.get("limitMillis");
         return new RunSettings(
                 needed(map, "plan"),

@@ -9,6 +9,7 @@ import java.util.function.Function;
 import org.sami.boat.server.LocalFrame;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.sim.clock.VirtualClock;
+import org.sami.crw.sim.fleet.FleetConfig;
 import org.sami.crw.sim.fleet.SimulatedBoat;
 import org.sami.crw.sim.fleet.SimulatedFleet;
 import org.sami.spn.value.GeoPoint;
@@ -37,7 +38,8 @@ final class SimulatedWater {
                 settings.boats(),
                 plane.latDeg(eastM, northM),
                 plane.lonDeg(eastM, northM),
-                listeners);
+                listeners,
+                FleetConfig.DEFAULT.withConditions(settings.conditions()));
     }
 
     VirtualClock clock() {

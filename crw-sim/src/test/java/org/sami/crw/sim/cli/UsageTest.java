@@ -44,6 +44,13 @@ class UsageTest {
                 List.of("no interrupt 'alarm'; it has End station keeping", "run station-keep --interrupt alarm@5"),
                 List.of("the plan has no interrupt 'alarm'; it has none", "run clv --interrupt alarm@5"),
                 List.of("'soon' is no number of seconds", "run clv --interrupt alarm@soon"),
+                List.of("'--current': expected is a speed in m/s, @ and a direction", "run clv --current 0.3"),
+                List.of("a flow has a speed of 0 to 50 m/s", "run clv --wind 99@0"),
+                List.of("there is no sensor 'salt'; there are temperature", "run clv --sensor salt"),
+                List.of("the GPS noise in metres is 0 to 100.0, not 101.0", "run clv --gps-noise 101"),
+                List.of("each kind of sensor is there once", "run clv --sensor ph --sensor ph@2"),
+                List.of("at most 20.0 m/s, not 21.0", "boat --port 0 --name a --at 45,10 --top-speed 21"),
+                List.of("0 to 90", "boat --port 0 --name a --at 45,10 --compass-noise 91"),
                 List.of("PLAN|FILE", "run"),
                 List.of("FILE|PLAN", "check"),
                 List.of("JOURNAL", "resume"),
@@ -141,6 +148,7 @@ class UsageTest {
         assertThat(help)
                 .contains("--boats", "--locations", "--area", "--seed", "--speed", "--for", "--set", "--answer-after")
                 .contains("--answers", "--report", "--journal", "--json", "--plan")
+                .contains("--gps-noise", "--compass-noise", "--current", "--wind", "--sensor")
                 .contains("default 3", "default 12", "default 600", "default 1", "default 20", "default 5");
     }
 

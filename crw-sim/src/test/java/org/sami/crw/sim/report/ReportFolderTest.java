@@ -30,6 +30,7 @@ class ReportFolderTest {
                             "locations.csv",
                             "firings.csv",
                             "tracks.csv",
+                            "readings.csv",
                             "decisions.csv",
                             "interrupts.csv",
                             "map.png");
@@ -90,6 +91,32 @@ class ReportFolderTest {
 
         int points = report.boats().stream().mapToInt(b -> b.track().size()).sum();
         assertThat(Files.readAllLines(folder.resolve("tracks.csv"))).hasSize(points + 1);
+    }
+
+    @Test
+    void readingsHaveOneRowForEachValueAndASummaryForEachChannel() throws Exception {
+        RunReport report = SampleReport.of(3, 12)
+                .withReadings(List.of(
+                        new ReadingResult(1500, "boat1", "water", "ph", List.of(7.5), "", 45, 10),
+                        new ReadingResult(2500, "boat2", "adcp", "profile", List.of(0.25, 0.75), "m/s", 45, 10),
+                        new ReadingResult(2500, "boat2", "water", "ph", List.of(8.0), "", 45, 10)));
+
+        new ReportFolder(folder).write(report);
+
+        assertThat(Files.readAllLines(folder.resolve("readings.csv")))
+                .containsExactly(
+                        "boat,at_s,sensor,channel,number,value,unit,lat_deg,lon_deg",
+                        "boat1,1.500,water,ph,1,7.500000,,45.0000000,10.0000000",
+                        "boat2,2.500,adcp,profile,1,0.250000,m/s,45.0000000,10.0000000",
+                        "boat2,2.500,adcp,profile,2,0.750000,m/s,45.0000000,10.0000000",
+                        "boat2,2.500,water,ph,1,8.000000,,45.0000000,10.0000000");
+        JsonNode json = new ObjectMapper().readTree(ReportJson.text(report));
+        assertThat(json.get("readings").toString())
+                .isEqualTo("[{\"sensor\":\"water\",\"channel\":\"ph\",\"unit\":\"\",\"count\":2,"
+                        + "\"least\":7.5,\"mean\":7.75,\"most\":8},"
+                        + "{\"sensor\":\"adcp\",\"channel\":\"profile\",\"unit\":\"m/s\",\"count\":1,"
+                        + "\"least\":0.25,\"mean\":0.5,\"most\":0.75}]");
+        assertThat(ReportText.text(report)).containsPattern("adcp profile +1 +0.25 +0.50 +0.75 +m/s");
     }
 
     @Test

@@ -11,6 +11,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.Flow;
+import org.sami.crw.sim.hull.SensorSetting;
 
 class RunSettingsTest {
     private static final RunSettings FULL = new RunSettings(
@@ -36,6 +39,20 @@ class RunSettingsTest {
 
         assertThat(RunSettings.fromMap(unlimited.toMap())).isEqualTo(unlimited);
         assertThat(unlimited.stopMillis()).isEqualTo(RunSettings.LONGEST_MILLIS);
+    }
+
+    private static final Conditions ROUGH = new Conditions(
+            1.5, 4, Flow.parse("0.3@90"), Flow.parse("5@270"), List.of(SensorSetting.parse("oxygen@0.2")));
+
+    @Test
+    void comesBackWithItsWater() {
+        RunSettings rough = new RunSettings(
+                "visit", "visit", FULL.fleet().on(ROUGH), Speed.MAX, OptionalLong.empty(), Map.of(), 0, "");
+
+        assertThat(RunSettings.fromMap(rough.toMap())).isEqualTo(rough);
+        assertThat(FULL.toMap()).doesNotContainKeys("current", "wind", "gpsNoiseM", "compassNoiseDeg", "sensors");
+        assertThatThrownBy(() -> rough.connectedTo(BoatAddress.parseAll("quay:5002")))
+                .hasMessageContaining("their own water");
     }
 
     @Test

@@ -1,0 +1,30 @@
+package org.sami.crw.service.path;
+
+import java.util.List;
+import java.util.Map;
+import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.choice.Criterion;
+import org.sami.crw.service.choice.Merit;
+
+/** The straight way, where nothing forbidden is on it. One test, so the fastest to compute. */
+public final class StraightPath implements PathAlgorithm {
+    @Override
+    public String name() {
+        return "Straight path";
+    }
+
+    @Override
+    public Map<Criterion, Merit> serves() {
+        return Map.of(Criterion.COMPUTATION_TIME, Merit.BEST);
+    }
+
+    @Override
+    public PathAnswer find(PathProblem problem) {
+        double clearanceM = problem.water().clearanceM(List.of(problem.from(), problem.to()));
+        if (clearanceM <= 0) {
+            return new PathAnswer.NoWay("the straight way leads through what is forbidden", 1);
+        }
+        double lengthM = Geodesy.distanceM(problem.from(), problem.to());
+        return new PathAnswer.Way(List.of(problem.to()), lengthM, clearanceM, name(), 1);
+    }
+}

@@ -1,0 +1,191 @@
+package org.sami.crw.service.path;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.PriorityQueue;
+import org.locationtech.jts.algorithm.Orientation;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Geometry;
+import org.locationtech.jts.geom.GeometryFactory;
+import org.locationtech.jts.geom.LinearRing;
+import org.locationtech.jts.geom.Polygon;
+import org.locationtech.jts.geom.prep.PreparedGeometry;
+import org.locationtech.jts.geom.prep.PreparedGeometryFactory;
+import org.locationtech.jts.operation.buffer.BufferOp;
+import org.locationtech.jts.operation.buffer.BufferParameters;
+import org.locationtech.jts.operation.distance.DistanceOp;
+
+/**
+ * Shortest ways around polygons: a shortest way is straight but for turns at their convex corners (T. Lozano-Pérez, M. A. Wesley, An
+ * algorithm for planning collision-free paths among polyhedral obstacles, 1979). The corners stand a little off, so that a way never
+ * touches what it goes around.
+ *
+ * <p>The graph is not built: A* takes a leg for free until it would use it, and tests it only then. Legs that are no tangents
+ * at both ends are not looked at, as they are on no shortest way. For n corners O(n² log n) at worst.
+ */
+final class VisibilityGraph {
+    /** Corners stand off what is blocked by this, in metres. */
+    static final double STAND_OFF_M = 0.1;
+
+    private static final int QUADRANT_SEGMENTS = 4;
+    /** A circle's polygon of that many segments lies inside the circle, by this factor where it is nearest. */
+    private static final double INSIDE = Math.cos(Math.PI / 4 / QUADRANT_SEGMENTS);
+
+    private static final GeometryFactory FACTORY = new GeometryFactory();
+
+    private final Geometry blocked;
+    private final Geometry around;
+    private final PreparedGeometry prepared;
+    private final List<Coordinate> corners = new ArrayList<>();
+    /** The corners before and after each on its ring. */
+    private final List<Coordinate[]> neighbours = new ArrayList<>();
+
+    private long tested;
+
+    /**
+     * A graph.
+     *
+     * @param forbidden polygons on a plane
+     * @param clearanceM least distance that ways keep from them; zero = they pass close by
+     */
+    VisibilityGraph(Geometry forbidden, double clearanceM) {
+        blocked = clearanceM > 0 ? forbidden.buffer(clearanceM / INSIDE, QUADRANT_SEGMENTS) : forbidden;
+        around = clearanceM > 0
+                ? forbidden.buffer(clearanceM / INSIDE / INSIDE + STAND_OFF_M, QUADRANT_SEGMENTS)
+                : BufferOp.bufferOp(forbidden, STAND_OFF_M, mitred());
+        prepared = PreparedGeometryFactory.prepare(blocked);
+        for (int i = 0; i < around.getNumGeometries(); i++) {
+            Polygon polygon = (Polygon) around.getGeometryN(i);
+            addRing(polygon.getExteriorRing(), true);
+            for (int hole = 0; hole < polygon.getNumInteriorRing(); hole++) {
+                addRing(polygon.getInteriorRingN(hole), false);
+            }
+        }
+    }
+
+    private static BufferParameters mitred() {
+        BufferParameters parameters = new BufferParameters();
+        parameters.setJoinStyle(BufferParameters.JOIN_MITRE);
+        return parameters;
+    }
+
+    private void addRing(LinearRing ring, boolean exterior) {
+        Coordinate[] all = ring.getCoordinates();
+        boolean blockedOnTheLeft = Orientation.isCCW(all) == exterior;
+        int size = all.length - 1;
+        for (int i = 0; i < size; i++) {
+            Coordinate before = all[(i + size - 1) % size];
+            Coordinate after = all[(i + 1) % size];
+            int turn = Orientation.index(before, all[i], after);
+            if (turn == (blockedOnTheLeft ? Orientation.LEFT : Orientation.RIGHT)) {
+                corners.add(all[i]);
+                neighbours.add(new Coordinate[] {before, after});
+            }
+        }
+    }
+
+    /** What ways may not enter. */
+    boolean isBlocked(Coordinate place) {
+        return !blocked.isEmpty() && prepared.intersects(FACTORY.createPoint(place));
+    }
+
+    /** The nearest place that is not blocked. */
+    Coordinate nearestFree(Coordinate place) {
+        return DistanceOp.nearestPoints(around.getBoundary(), FACTORY.createPoint(place))[0];
+    }
+
+    long tested() {
+        return tested;
+    }
+
+    /** The shortest way with both its ends, neither of them blocked; empty where there is none. */
+    Optional<List<Coordinate>> shortest(Coordinate from, Coordinate to) {
+        return new Search(from, to).run();
+    }
+
+    private boolean sees(Coordinate a, Coordinate b) {
+        tested++;
+        return a.equals2D(b) || !prepared.intersects(FACTORY.createLineString(new Coordinate[] {a, b}));
+    }
+
+    /** A leg that would lead to a corner, not tested yet. */
+    private record Leg(int from, int to, double lengthToM, double estimateM) {}
+
+    /** One search: the corners are numbered as they are, then the start, then the goal. */
+    private final class Search {
+        private final Coordinate goal;
+        private final Coordinate[] places;
+        private final int[] cameFrom;
+        private final boolean[] reached;
+        private final PriorityQueue<Leg> open =
+                new PriorityQueue<>(Comparator.comparingDouble(Leg::estimateM).thenComparingInt(Leg::to));
+
+        Search(Coordinate from, Coordinate to) {
+            goal = to;
+            places = corners.toArray(new Coordinate[corners.size() + 2]);
+            places[corners.size()] = from;
+            places[corners.size() + 1] = to;
+            cameFrom = new int[places.length];
+            Arrays.fill(cameFrom, -1);
+            reached = new boolean[places.length];
+        }
+
+        Optional<List<Coordinate>> run() {
+            int start = places.length - 2;
+            reached[start] = true;
+            expand(start, 0);
+            while (!open.isEmpty()) {
+                Leg leg = open.poll();
+                if (reached[leg.to()] || !sees(places[leg.from()], places[leg.to()])) {
+                    continue;
+                }
+                reached[leg.to()] = true;
+                cameFrom[leg.to()] = leg.from();
+                if (leg.to() == places.length - 1) {
+                    return Optional.of(way());
+                }
+                expand(leg.to(), leg.lengthToM());
+            }
+            return Optional.empty();
+        }
+
+        private void expand(int from, double lengthM) {
+            for (int to = 0; to < places.length; to++) {
+                if (!reached[to] && isTangent(from, to) && isTangent(to, from)) {
+                    double toM = lengthM + places[from].distance(places[to]);
+                    open.add(new Leg(from, to, toM, toM + places[to].distance(goal)));
+                }
+            }
+        }
+
+        /** Whether a leg only touches the ring of its first end there; always where that is no corner. */
+        private boolean isTangent(int at, int other) {
+            if (at >= neighbours.size()) {
+                return true;
+            }
+            Coordinate[] beside = neighbours.get(at);
+            return side(places[at], places[other], beside[0]) * side(places[at], places[other], beside[1]) >= 0;
+        }
+
+        /** On which side of a line a place lies; on neither where it is nearer to it than rounding can tell. */
+        private double side(Coordinate from, Coordinate to, Coordinate place) {
+            double dx = to.x - from.x;
+            double dy = to.y - from.y;
+            double offM = (dx * (place.y - from.y) - dy * (place.x - from.x)) / Math.max(1, Math.hypot(dx, dy));
+            return Math.abs(offM) < 1e-6 ? 0 : Math.signum(offM);
+        }
+
+        private List<Coordinate> way() {
+            List<Coordinate> way = new ArrayList<>();
+            for (int at = places.length - 1; at >= 0; at = cameFrom[at]) {
+                way.add(places[at]);
+            }
+            Collections.reverse(way);
+            return way;
+        }
+    }
+}

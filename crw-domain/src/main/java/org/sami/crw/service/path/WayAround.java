@@ -1,0 +1,88 @@
+package org.sami.crw.service.path;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.locationtech.jts.geom.Coordinate;
+import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.water.Areas;
+import org.sami.crw.service.water.Water;
+import org.sami.spn.value.GeoPoint;
+
+/** Finds the shortest way for a problem that keeps a clearance. */
+final class WayAround {
+    private final PathProblem problem;
+    private final Water water;
+    private final String method;
+    private long tested;
+
+    WayAround(PathProblem problem, String method) {
+        this.problem = problem;
+        this.method = method;
+        water = problem.water();
+    }
+
+    PathAnswer find(double clearanceM) {
+        if (water.isOpen()) {
+            return way(List.of(problem.to()));
+        }
+        Optional<String> forbidden = forbiddenEnd();
+        if (forbidden.isPresent()) {
+            return new PathAnswer.NoWay(forbidden.get(), tested);
+        }
+        VisibilityGraph graph = new VisibilityGraph(water.forbidden(), clearanceM);
+        List<Coordinate> out = leave(problem.from(), graph);
+        List<Coordinate> in = leave(problem.to(), graph);
+        Optional<List<Coordinate>> between = out.isEmpty() || in.isEmpty()
+                ? Optional.empty()
+                : graph.shortest(out.get(out.size() - 1), in.get(in.size() - 1));
+        tested += graph.tested();
+        return between.map(way -> way(joined(out, way, in)))
+                .orElseGet(() ->
+                        new PathAnswer.NoWay("what is forbidden lies all the way between start and goal", tested));
+    }
+
+    private Optional<String> forbiddenEnd() {
+        if (water.clearanceM(problem.from()) <= 0) {
+            return Optional.of("the start lies in what is forbidden");
+        }
+        if (water.clearanceM(problem.to()) <= 0) {
+            return Optional.of("the goal lies in what is forbidden");
+        }
+        return Optional.empty();
+    }
+
+    /** From an end that is too near, straight to where the clearance is kept; empty where that way is barred. */
+    private List<Coordinate> leave(GeoPoint end, VisibilityGraph graph) {
+        Coordinate at = Areas.coordinate(end, water.plane());
+        if (!graph.isBlocked(at)) {
+            return List.of(at);
+        }
+        Coordinate free = graph.nearestFree(at);
+        GeoPoint outside = Areas.point(free, water.plane());
+        tested++;
+        return !graph.isBlocked(free) && water.clearanceM(List.of(end, outside)) > 0 ? List.of(at, free) : List.of();
+    }
+
+    /** The points after the start. */
+    private List<GeoPoint> joined(List<Coordinate> out, List<Coordinate> way, List<Coordinate> in) {
+        List<Coordinate> all = new ArrayList<>(way.subList(1, way.size() - 1));
+        if (out.size() > 1) {
+            all.add(0, out.get(1));
+        }
+        if (in.size() > 1) {
+            all.add(in.get(1));
+        }
+        List<GeoPoint> points = new ArrayList<>();
+        all.forEach(place -> points.add(Areas.point(place, water.plane())));
+        points.add(problem.to());
+        return points;
+    }
+
+    private PathAnswer way(List<GeoPoint> points) {
+        List<GeoPoint> whole = new ArrayList<>(List.of(problem.from()));
+        whole.addAll(points);
+        return new PathAnswer.Way(
+                points, Geodesy.lengthM(problem.from(), points), water.clearanceM(whole), method, Math.max(1, tested));
+    }
+}

@@ -1,0 +1,109 @@
+package org.sami.crw.service.water;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Envelope;
+import org.locationtech.jts.geom.Geometry;
+import org.locationtech.jts.geom.GeometryFactory;
+import org.locationtech.jts.geom.Polygon;
+import org.locationtech.jts.operation.union.UnaryUnionOp;
+import org.sami.crw.service.LocalPlane;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * The water in which boats may go: everything, or an area, without obstacles and no-go areas. On a plane, so for one operating area.
+ * Immutable.
+ */
+public final class Water {
+    /** How far the world goes on around an area to stay in; nothing out there is allowed. */
+    private static final double RIM_M = 10_000;
+
+    private static final GeometryFactory FACTORY = new GeometryFactory();
+
+    private final LocalPlane plane;
+    private final Geometry forbidden;
+
+    private Water(LocalPlane plane, Geometry forbidden) {
+        this.plane = plane;
+        this.forbidden = forbidden;
+    }
+
+    /** Water without anything in it. */
+    public static Water open(GeoPoint origin) {
+        return of(origin, List.of(), Optional.empty());
+    }
+
+    /**
+     * Water with areas that are not to be entered; they may overlap.
+     *
+     * @param origin a point near by
+     * @param within the area to stay in, if there is one
+     * @throws IllegalArgumentException for an area that is no simple polygon
+     */
+    public static Water of(GeoPoint origin, List<GeoArea> noGo, Optional<GeoArea> within) {
+        LocalPlane plane = new LocalPlane(origin);
+        List<Geometry> parts = new ArrayList<>();
+        for (int i = 0; i < noGo.size(); i++) {
+            parts.add(Areas.polygon(noGo.get(i), plane, "No-go area " + (i + 1)));
+        }
+        within.ifPresent(area -> parts.add(outside(Areas.polygon(area, plane, "The area to stay in"))));
+        return new Water(plane, union(parts));
+    }
+
+    /** The water of a polygon on a plane. */
+    public static Water inside(LocalPlane plane, Geometry polygon) {
+        return new Water(plane, outside(polygon));
+    }
+
+    private static Geometry outside(Geometry polygon) {
+        Envelope rim = new Envelope(polygon.getEnvelopeInternal());
+        rim.expandBy(RIM_M);
+        return FACTORY.toGeometry(rim).difference(polygon);
+    }
+
+    private static Geometry union(List<Geometry> parts) {
+        Geometry union = UnaryUnionOp.union(parts, FACTORY);
+        return union == null ? FACTORY.createPolygon() : union;
+    }
+
+    /** The plane of all geometries here. */
+    public LocalPlane plane() {
+        return plane;
+    }
+
+    /** What is not to be entered, on the plane; polygons, maybe none. */
+    public Geometry forbidden() {
+        return forbidden;
+    }
+
+    /** Whether nothing is forbidden. */
+    public boolean isOpen() {
+        return forbidden.isEmpty();
+    }
+
+    /** Distance to what is forbidden, in metres: zero in it, infinite where nothing is. */
+    public double clearanceM(GeoPoint point) {
+        return isOpen() ? Double.POSITIVE_INFINITY : forbidden.distance(FACTORY.createPoint(coordinate(point)));
+    }
+
+    /** Distance of a way to what is forbidden, likewise. */
+    public double clearanceM(List<GeoPoint> way) {
+        if (isOpen() || way.isEmpty()) {
+            return Double.POSITIVE_INFINITY;
+        }
+        Coordinate[] stops = way.stream().map(this::coordinate).toArray(Coordinate[]::new);
+        return forbidden.distance(stops.length == 1 ? FACTORY.createPoint(stops[0]) : FACTORY.createLineString(stops));
+    }
+
+    /** What of a polygon on the plane is allowed. */
+    public Geometry allowed(Polygon polygon) {
+        return isOpen() ? polygon : polygon.difference(forbidden);
+    }
+
+    private Coordinate coordinate(GeoPoint point) {
+        return Areas.coordinate(point, plane);
+    }
+}

@@ -1,0 +1,84 @@
+package org.sami.crw.sim.bench;
+
+import com.sun.management.OperatingSystemMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.locks.LockSupport;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
+
+/** A fleet on its way behind TCP: what its base costs, and how long a command takes to be acknowledged meanwhile. */
+final class FleetBenchmark {
+    private static final String NAME = "link.boats";
+    private static final int HZ = 10;
+    private static final long COMMAND_EVERY_NANOS = 10_000_000;
+
+    private final int boats;
+    private final double warmUpS;
+    private final double measuredS;
+
+    FleetBenchmark(int boats, double warmUpS, double measuredS) {
+        this.boats = boats;
+        this.warmUpS = warmUpS;
+        this.measuredS = measuredS;
+    }
+
+    /** CPU of this process, in parts of one core, the 99th percentile of an acknowledgement, and the poses that came. */
+    List<Figure> run() throws Exception {
+        try (FleetProcess fleet = new FleetProcess(boats);
+                MeasuredBase base = new MeasuredBase("bench-fleet", HZ)) {
+            base.connect(fleet);
+            for (int i = 1; i <= boats; i++) {
+                base.submit("boat" + i, farAway(i));
+            }
+            command(base, warmUpS);
+            base.takeAnswers();
+            long poses = base.poses();
+            long cpuNanos = cpuNanos();
+            long startNanos = System.nanoTime();
+            command(base, measuredS);
+            double seconds = (System.nanoTime() - startNanos) / 1e9;
+            double cores = (cpuNanos() - cpuNanos) / 1e9 / seconds;
+            double posesPerS = (base.poses() - poses) / seconds;
+            List<Double> answersMs = new ArrayList<>(base.takeAnswers());
+            Collections.sort(answersMs);
+            Map<String, Integer> params = Map.of("boats", boats, "hz", HZ);
+            return List.of(
+                    new Figure(NAME, params, cores, "of one core, CPU of the base", 0),
+                    new Figure(NAME, params, percentile(answersMs, 0.5), "ms, acknowledgement, median", 0),
+                    new Figure(NAME, params, percentile(answersMs, 0.99), "ms, acknowledgement, p99", 0),
+                    new Figure(NAME, params, posesPerS, "poses/s received", 0));
+        }
+    }
+
+    private static FollowPath farAway(int boat) {
+        GeoPoint there = GeoPoint.of(FleetProcess.PIER.latDeg() + 0.1, FleetProcess.PIER.lonDeg() + boat * 1e-4);
+        return FollowPath.of("m1-a1-boat" + boat, 1, 1, List.of(there), Priority.MEDIUM);
+    }
+
+    /** Commands one boat after the other, a hundred a second. */
+    private void command(MeasuredBase base, double seconds) {
+        long end = System.nanoTime() + (long) (seconds * 1e9);
+        long next = System.nanoTime();
+        for (int i = 0; next < end; i++) {
+            next += COMMAND_EVERY_NANOS;
+            LockSupport.parkNanos(next - System.nanoTime());
+            base.command("boat" + (i % boats + 1), 1 - 0.01 * (i / boats % 2));
+        }
+    }
+
+    private static double percentile(List<Double> sorted, double part) {
+        if (sorted.isEmpty()) {
+            throw new IllegalStateException("no boat has answered");
+        }
+        return sorted.get((int) Math.ceil(part * sorted.size()) - 1);
+    }
+
+    private static long cpuNanos() {
+        return ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class).getProcessCpuTime();
+    }
+}

@@ -1,0 +1,59 @@
+package org.sami.crw.sim.bench;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.openjdk.jmh.results.Result;
+import org.openjdk.jmh.results.RunResult;
+import org.openjdk.jmh.runner.Runner;
+import org.openjdk.jmh.runner.RunnerException;
+import org.openjdk.jmh.runner.options.Options;
+import org.openjdk.jmh.runner.options.OptionsBuilder;
+import org.openjdk.jmh.runner.options.TimeValue;
+
+/**
+ * Runs the benchmarks of the link, prints a table and puts it into the file of all benchmarks. System properties: {@code
+ * benchmarks.file}; {@code quick} = true for less than a minute.
+ */
+public final class LinkBenchmarkMain {
+    private static final String PREFIX = "link.";
+
+    private LinkBenchmarkMain() {}
+
+    /** No arguments. */
+    public static void main(String[] args) throws Exception {
+        boolean quick = Boolean.getBoolean("quick");
+        List<Figure> figures = new ArrayList<>();
+        figures.addAll(codec(quick));
+        figures.addAll(new FleetBenchmark(250, quick ? 4 : 10, quick ? 8 : 30).run());
+        figures.addAll(new UploadBenchmark(10_000, quick ? 5 : 25).run());
+        FigureFile.print(figures);
+        Path file = Path.of(System.getProperty("benchmarks.file", "build/benchmarks.json"));
+        FigureFile.replace(file, PREFIX, figures);
+        System.out.println("Written to " + file);
+    }
+
+    private static List<Figure> codec(boolean quick) throws RunnerException {
+        Options options = new OptionsBuilder()
+                .include(CodecBenchmarks.class.getName().replace(".", "\\.") + ".*")
+                .forks(1)
+                .warmupIterations(quick ? 2 : 5)
+                .warmupTime(TimeValue.seconds(quick ? 1 : 2))
+                .measurementIterations(quick ? 3 : 8)
+                .measurementTime(TimeValue.seconds(quick ? 1 : 2))
+                .build();
+        List<Figure> figures = new ArrayList<>();
+        for (RunResult result : new Runner(options).run()) {
+            Result<?> primary = result.getPrimaryResult();
+            double error = primary.getScoreError();
+            figures.add(new Figure(
+                    PREFIX + "codec",
+                    Map.of(),
+                    primary.getScore(),
+                    "messages/s, written and read",
+                    Double.isNaN(error) ? 0 : error));
+        }
+        return figures;
+    }
+}

@@ -1,0 +1,85 @@
+package org.sami.crw.sim.cli;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.Flow;
+import org.sami.crw.sim.hull.SensorSetting;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.TypeConversionException;
+
+/** The options that say what the simulated water is like, and what boats measure in it. */
+final class ConditionsOptions {
+    @Option(
+            names = "--gps-noise",
+            paramLabel = "METRES",
+            defaultValue = "0",
+            description = "Standard deviation of the position that a boat knows, 0 to 100 (default ${DEFAULT-VALUE}).")
+    private double gpsNoiseM;
+
+    @Option(
+            names = "--compass-noise",
+            paramLabel = "DEGREES",
+            defaultValue = "0",
+            description = "Standard deviation of the heading that a boat knows, 0 to 90 (default ${DEFAULT-VALUE}).")
+    private double compassNoiseDeg;
+
+    @Option(
+            names = "--current",
+            paramLabel = "MPS@DEG",
+            converter = Flows.class,
+            description = "How fast the water flows, and where to: 0.3@90 is 0.3 m/s eastward (default: not at all).")
+    private Flow current = Flow.NONE;
+
+    @Option(
+            names = "--wind",
+            paramLabel = "MPS@DEG",
+            converter = Flows.class,
+            description =
+                    "How fast the wind blows, and where from: 5@270 is 5 m/s from the west, in gusts; it pushes a "
+                            + "hull with 3 %% of its speed (default: not at all).")
+    private Flow wind = Flow.NONE;
+
+    @Option(
+            names = "--sensor",
+            paramLabel = "KIND[@HZ]",
+            split = ",",
+            converter = Sensors.class,
+            description =
+                    "What boats measure, and how often a second if not once: temperature, conductivity, oxygen, ph. "
+                            + "May be given several times.")
+    private List<SensorSetting> sensors = new ArrayList<>();
+
+    /**
+     * What they say.
+     *
+     * @throws IllegalArgumentException if it makes no sense
+     */
+    Conditions conditions() {
+        return new Conditions(gpsNoiseM, compassNoiseDeg, current, wind, sensors);
+    }
+
+    private static <T> T read(Function<String, T> reader, String text) {
+        try {
+            return reader.apply(text);
+        } catch (IllegalArgumentException e) {
+            throw new TypeConversionException(e.getMessage());
+        }
+    }
+
+    private static final class Flows implements ITypeConverter<Flow> {
+        @Override
+        public Flow convert(String text) {
+            return read(Flow::parse, text);
+        }
+    }
+
+    private static final class Sensors implements ITypeConverter<SensorSetting> {
+        @Override
+        public SensorSetting convert(String text) {
+            return read(SensorSetting::parse, text);
+        }
+    }
+}

@@ -1,0 +1,96 @@
+package org.sami.crw.sim.hull;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.TreeMap;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+
+/**
+ * What makes simulated water less than ideal, and what boats measure in it; the same for all boats of a run.
+ *
+ * @param gpsNoiseM standard deviation of the position that a boat knows, east and north each, in metres
+ * @param compassNoiseDeg standard deviation of the heading that a boat knows, in degrees
+ * @param current how the water flows; its direction is the one it flows to
+ * @param wind how the wind blows; its direction is the one it comes from
+ * @param sensors what boats measure, each kind at most once
+ */
+public record Conditions(
+        double gpsNoiseM, double compassNoiseDeg, Flow current, Flow wind, List<SensorSetting> sensors) {
+    /** The largest standard deviation of a position: with more no boat finds a waypoint. */
+    public static final double MOST_GPS_NOISE_M = 100;
+
+    /** The largest standard deviation of a heading. */
+    public static final double MOST_COMPASS_NOISE_DEG = 90;
+
+    /** Still water, exact instruments, no sensors. */
+    public static final Conditions CALM = new Conditions(0, 0, Flow.NONE, Flow.NONE, List.of());
+
+    private static final String GPS = "gpsNoiseM";
+    private static final String COMPASS = "compassNoiseDeg";
+    private static final String CURRENT = "current";
+    private static final String WIND = "wind";
+    private static final String SENSORS = "sensors";
+
+    /** Refuses noise without bounds and two sensors of a kind. */
+    public Conditions {
+        within("the GPS noise in metres", gpsNoiseM, MOST_GPS_NOISE_M);
+        within("the compass noise in degrees", compassNoiseDeg, MOST_COMPASS_NOISE_DEG);
+        Objects.requireNonNull(current, "current");
+        Objects.requireNonNull(wind, "wind");
+        sensors = List.copyOf(sensors);
+        if (sensors.stream().map(SensorSetting::kind).distinct().count() < sensors.size()) {
+            throw new IllegalArgumentException("each kind of sensor is there once, not " + sensors);
+        }
+    }
+
+    private static void within(String what, double value, double most) {
+        if (!(value >= 0 && value <= most)) {
+            throw new IllegalArgumentException(what + " is 0 to " + most + ", not " + value);
+        }
+    }
+
+    /** As text by name, for the header of a journal; what is as in calm water is left out. */
+    public Map<String, String> toMap() {
+        Map<String, String> map = new TreeMap<>();
+        if (gpsNoiseM != 0) {
+            map.put(GPS, String.valueOf(gpsNoiseM));
+        }
+        if (compassNoiseDeg != 0) {
+            map.put(COMPASS, String.valueOf(compassNoiseDeg));
+        }
+        if (!current.isNone()) {
+            map.put(CURRENT, current.toString());
+        }
+        if (!wind.isNone()) {
+            map.put(WIND, wind.toString());
+        }
+        if (!sensors.isEmpty()) {
+            map.put(SENSORS, sensors.stream().map(SensorSetting::toString).collect(Collectors.joining(",")));
+        }
+        return map;
+    }
+
+    /**
+     * Reads what {@link #toMap} wrote; names that it does not know are left alone.
+     *
+     * @throws IllegalArgumentException where something makes no sense
+     */
+    public static Conditions fromMap(Map<String, String> map) {
+        return new Conditions(
+                read(map, GPS, Double::parseDouble, 0.0),
+                read(map, COMPASS, Double::parseDouble, 0.0),
+                read(map, CURRENT, Flow::parse, Flow.NONE),
+                read(map, WIND, Flow::parse, Flow.NONE),
+                read(map, SENSORS, Conditions::sensors, List.of()));
+    }
+
+    private static <T> T read(Map<String, String> map, String name, Function<String, T> reader, T absent) {
+        return map.containsKey(name) ? reader.apply(map.get(name)) : absent;
+    }
+
+    private static List<SensorSetting> sensors(String text) {
+        return List.of(text.split(",")).stream().map(SensorSetting::parse).toList();
+    }
+}

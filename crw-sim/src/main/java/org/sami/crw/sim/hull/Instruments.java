@@ -1,0 +1,88 @@
+package org.sami.crw.sim.hull;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.Sensor;
+import org.sami.boat.server.Vehicle;
+
+/**
+ * A hull as its boat server knows it: through a GPS and a compass whose errors wander, and through its sensors. The truth stays
+ * with the hull. Without noise the server knows the truth to the last bit.
+ */
+public final class Instruments implements Vehicle {
+    private static final double GPS_S = 20; // a receiver filters: its error is nearly the same a second later
+    private static final double COMPASS_S = 2; // waves
+
+    private final SimulatedHull hull;
+    private final Wander eastM;
+    private final Wander northM;
+    private final Wander headingRad;
+    private final boolean exactGps;
+    private final List<Sensor> sensors = new ArrayList<>();
+
+    /**
+     * The instruments of a hull.
+     *
+     * @param seed of their errors
+     * @param fieldSeed of what there is to be measured; equal for all boats of one water
+     */
+    public Instruments(SimulatedHull hull, Conditions conditions, long seed, long fieldSeed) {
+        this.hull = hull;
+        SplittableRandom seeds = new SplittableRandom(seed);
+        exactGps = conditions.gpsNoiseM() == 0;
+        eastM = new Wander(conditions.gpsNoiseM(), GPS_S, seeds.split());
+        northM = new Wander(conditions.gpsNoiseM(), GPS_S, seeds.split());
+        headingRad = new Wander(Math.toRadians(conditions.compassNoiseDeg()), COMPASS_S, seeds.split());
+        for (SensorSetting setting : conditions.sensors()) {
+            sensors.add(new FieldSensor(setting, hull, fieldSeed, seeds.split()));
+        }
+    }
+
+    /** Lets time pass for the errors; the hull's own time passes elsewhere. */
+    public void step(double seconds) {
+        eastM.step(seconds);
+        northM.step(seconds);
+        headingRad.step(seconds);
+    }
+
+    @Override
+    public double latDeg() {
+        return exactGps ? hull.latDeg() : plane().latDeg(eastM.value(), northM.value());
+    }
+
+    @Override
+    public double lonDeg() {
+        return exactGps ? hull.lonDeg() : plane().lonDeg(eastM.value(), northM.value());
+    }
+
+    private LocalFrame plane() {
+        return new LocalFrame(hull.latDeg(), hull.lonDeg());
+    }
+
+    @Override
+    public double headingRad() {
+        return Math.IEEEremainder(hull.headingRad() + headingRad.value(), 2 * Math.PI);
+    }
+
+    @Override
+    public double speedMps() {
+        return hull.speedMps();
+    }
+
+    @Override
+    public double batteryPercent() {
+        return hull.batteryPercent();
+    }
+
+    @Override
+    public List<Sensor> sensors() {
+        return List.copyOf(sensors);
+    }
+
+    @Override
+    public void setMotors(double port, double starboard) {
+        hull.setMotors(port, starboard);
+    }
+}

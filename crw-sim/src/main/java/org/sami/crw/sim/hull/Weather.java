@@ -1,0 +1,48 @@
+package org.sami.crw.sim.hull;
+
+import java.util.SplittableRandom;
+
+/**
+ * What current and wind do to one hull: the current carries it along, the wind pushes it through the water with a small part of
+ * its speed, in gusts.
+ */
+final class Weather {
+    /** Part of the wind's speed with which it pushes a small hull. */
+    static final double LEEWAY = 0.03;
+
+    private static final double GUSTS = 0.25; // standard deviation, as a part of the wind's speed
+    private static final double GUST_S = 10;
+
+    private final Flow current;
+    private final Flow wind;
+    private final Wander gust;
+
+    Weather(Conditions conditions, SplittableRandom random) {
+        current = conditions.current();
+        wind = conditions.wind();
+        gust = new Wander(wind.isNone() ? 0 : GUSTS, GUST_S, random);
+    }
+
+    /** Whether a hull is left where it is. */
+    boolean isCalm() {
+        return current.isNone() && wind.isNone();
+    }
+
+    void step(double seconds) {
+        gust.step(seconds);
+    }
+
+    /** How fast a hull drifts eastward, in m/s over ground. */
+    double eastMps() {
+        return current.eastMps() - leeway() * wind.eastMps();
+    }
+
+    /** How fast a hull drifts northward, in m/s over ground. */
+    double northMps() {
+        return current.northMps() - leeway() * wind.northMps();
+    }
+
+    private double leeway() {
+        return LEEWAY * Math.max(0, 1 + gust.value());
+    }
+}

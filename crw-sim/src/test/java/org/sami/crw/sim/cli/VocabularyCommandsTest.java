@@ -1,0 +1,107 @@
+package org.sami.crw.sim.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** {@code crw events}, {@code crw markups}, and what {@code crw check} says of events that nobody knows or handles. */
+class VocabularyCommandsTest {
+    private static final ObjectMapper JSON = new ObjectMapper().enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS);
+
+    @TempDir
+    Path folder;
+
+    private static Map<String, JsonNode> byName(Ran ran) throws Exception {
+        assertThat(ran.exitCode()).isZero();
+        JsonNode array = JSON.readTree(ran.out());
+        assertThat(array.isArray()).isTrue();
+        Map<String, JsonNode> found = new HashMap<>();
+        array.forEach(node -> found.put(node.get("name").asText(), node));
+        return found;
+    }
+
+    @Test
+    void eventsIsOneArrayOfAllWithNamesFieldsAndAnswers() throws Exception {
+        Map<String, JsonNode> events = byName(Ran.crw("events", "--json"));
+
+        assertThat(events).hasSizeGreaterThan(76).containsKeys("TakePanorama", "TaskCompleted");
+        JsonNode timer = events.get("StartSystemTimer");
+        assertThat(timer.get("direction").asText()).isEqualTo("output");
+        assertThat(timer.get("aliases").toString()).contains("\"StartTimer\"");
+        assertThat(timer.get("fields").get(0).get("type").asText()).isEqualTo("duration");
+        assertThat(timer.get("answers").toString()).isEqualTo("[\"TimerExpired\"]");
+        assertThat(events.get("BatteryLow").get("causes").toString()).contains("BatteryLevelSubscription");
+        assertThat(events.get("BatteryLow").get("fields").get(0).get("unit").asText())
+                .isEqualTo("%");
+    }
+
+    @Test
+    void eventsAsTextShowsOtherNamesFieldsAndAnswersOfThoseThatAreWanted() {
+        Ran ran = Ran.crw("events", "startproxytimer");
+
+        assertThat(ran.exitCode()).isZero();
+        assertThat(ran.out())
+                .startsWith("StartProxyTimer  (output, on places)")
+                .contains("also: ProxyStartTimer")
+                .contains("duration (duration): How long it runs.")
+                .contains("answers: ProxyTimerExpired")
+                .doesNotContain("GetAllProxyTokens");
+    }
+
+    @Test
+    void markupsIsOneArrayWithTheWordsOfEnumerations() throws Exception {
+        Map<String, JsonNode> markups = byName(Ran.crw("markups", "--json"));
+
+        assertThat(markups).hasSize(18);
+        assertThat(markups.get("Sort").get("aliases").toString()).contains("SortOptions");
+        assertThat(markups.get("Optimize")
+                        .get("options")
+                        .get(0)
+                        .get("constants")
+                        .toString())
+                .contains("EXECUTION_TIME");
+        assertThat(Ran.crw("markups", "optimize").out()).contains("criteria (COMPUTATION_TIME or ");
+    }
+
+    @Test
+    void unknownNamesAreWrongUsageAndNearOnesAreOffered() {
+        Ran events = Ran.crw("events", "StartTimmer");
+        Ran markups = Ran.crw("markups", "Priorty");
+
+        assertThat(events.exitCode()).isEqualTo(2);
+        assertThat(events.err()).contains("StartTimer");
+        assertThat(markups.exitCode()).isEqualTo(2);
+        assertThat(markups.err()).contains("Priority");
+    }
+
+    @Test
+    void checkOffersNamesForAnEventThatIsMisspelt() throws Exception {
+        Ran ran = Ran.crw("check", plan("OperatorAproved").toString());
+
+        assertThat(ran.exitCode()).isEqualTo(1);
+        assertThat(ran.out()).contains("E-UNKNOWN-EVENT").contains("OperatorApprove meant?");
+    }
+
+    @Test
+    void aPlanMayUseOtherNames() throws Exception {
+        Ran ran = Ran.crw("check", plan("ProxyAddDescription").toString());
+
+        assertThat(ran.out()).doesNotContain("E-UNKNOWN-EVENT");
+    }
+
+    private Path plan(String event) throws Exception {
+        return Files.writeString(folder.resolve("plan.json"), """
+                {"formatVersion": 1, "id": "p", "name": "P", "domain": "crw", "plans": [{"id": "p",
+                 "places": [{"id": "a", "start": true, "outputs": [{"id": "e", "type": "%s"}]}],
+                 "transitions": [], "inEdges": [], "outEdges": []}]}
+                """.formatted(event));
+    }
+}

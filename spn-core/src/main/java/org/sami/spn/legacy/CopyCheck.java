@@ -1,0 +1,160 @@
+package org.sami.spn.legacy;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+
+/**
+ * Decides whether the copy that a place runs still says what its plan says, but for the names of variables: then the place
+ * can run the plan itself. The earlier system copied a plan into each place that ran it, renamed the copy
+ * {@code prefix.Plan} and its variables {@code @prefix.variable}; authors then changed either.
+ */
+final class CopyCheck {
+    private final LegacyPlan copy;
+    private final LegacyPlan plan;
+    private final Set<String> globals;
+    private final Map<String, String> keys = new HashMap<>();
+    private final Map<String, String> variables = new LinkedHashMap<>();
+    private final Set<String> taken = new HashSet<>();
+
+    private CopyCheck(LegacyPlan copy, LegacyPlan plan, Set<String> globals) {
+        this.copy = copy;
+        this.plan = plan;
+        this.globals = globals;
+    }
+
+    /**
+     * The copy's variable for each of the plan's, where they differ.
+     *
+     * @return empty where the copy says something else than the plan
+     */
+    static Optional<Map<String, String>> variables(LegacyPlan copy, LegacyPlan plan, Set<String> globals) {
+        CopyCheck check = new CopyCheck(copy, plan, globals);
+        if (!check.same()) {
+            return Optional.empty();
+        }
+        Map<String, String> renamed = new LinkedHashMap<>(check.variables);
+        renamed.entrySet().removeIf(e -> e.getKey().equals(e.getValue()));
+        return Optional.of(renamed);
+    }
+
+    private boolean same() {
+        if (copy.vertices().size() != plan.vertices().size()
+                || copy.edges().size() != plan.edges().size()
+                || !copy.tasks().stream()
+                        .map(t -> t.name() + " " + t.className())
+                        .toList()
+                        .equals(plan.tasks().stream()
+                                .map(t -> t.name() + " " + t.className())
+                                .toList())) {
+            return false;
+        }
+        for (int i = 0; i < copy.vertices().size(); i++) {
+            keys.put(copy.vertices().get(i).key(), plan.vertices().get(i).key());
+        }
+        for (int i = 0; i < copy.vertices().size(); i++) {
+            if (!same(copy.vertices().get(i), plan.vertices().get(i))) {
+                return false;
+            }
+        }
+        return edges(copy, keys::get).equals(edges(plan, UnaryOperator.identity()));
+    }
+
+    private boolean same(LegacyPlan.Vertex a, LegacyPlan.Vertex b) {
+        boolean itself = a.place() == b.place()
+                && a.name().equals(b.name())
+                && a.mode() == b.mode()
+                && a.start() == b.start()
+                && a.end() == b.end()
+                && a.endsShared() == b.endsShared();
+        if (!itself
+                || !renamed(a.outTransitions()).equals(b.outTransitions())
+                || !renamed(a.inPlaces()).equals(b.inPlaces())
+                || !renamed(a.outPlaces()).equals(b.outPlaces())
+                || a.events().size() != b.events().size()
+                || !subMissions(a).equals(subMissions(b))) {
+            return false;
+        }
+        for (int i = 0; i < a.events().size(); i++) {
+            if (!same(a.events().get(i), b.events().get(i))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private List<String> renamed(List<String> copyKeys) {
+        return copyKeys.stream().map(k -> keys.getOrDefault(k, "?" + k)).toList();
+    }
+
+    private static List<String> subMissions(LegacyPlan.Vertex v) {
+        return v.subMissions().stream()
+                .map(s -> s.plan() + " " + s.shared() + " " + s.tasks())
+                .toList();
+    }
+
+    private boolean same(LegacyPlan.Event a, LegacyPlan.Event b) {
+        return a.className().equals(b.className())
+                && a.editable().equals(b.editable())
+                && markups(a).equals(markups(b))
+                && a.values().keySet().equals(b.values().keySet())
+                && a.values().keySet().stream()
+                        .allMatch(f -> sameValue(
+                                a.values().get(f).node(), b.values().get(f).node()))
+                && sameVariables(a.reads(), b.reads())
+                && sameVariables(a.writes(), b.writes());
+    }
+
+    private static List<String> markups(LegacyPlan.Event e) {
+        return e.markups().stream()
+                .map(m -> m.className()
+                        + m.options()
+                        + m.parameters().entrySet().stream()
+                                .map(p -> p.getKey() + p.getValue().node())
+                                .collect(Collectors.joining()))
+                .toList();
+    }
+
+    private boolean sameValue(JsonNode a, JsonNode b) {
+        boolean names = a.path("type").asText().equals("variable-name");
+        return (names && b.path("type").asText().equals("variable-name"))
+                ? sameVariable(a.path("name").asText(), b.path("name").asText())
+                : a.equals(b);
+    }
+
+    private boolean sameVariables(Map<String, String> a, Map<String, String> b) {
+        return a.keySet().equals(b.keySet()) && a.keySet().stream().allMatch(f -> sameVariable(a.get(f), b.get(f)));
+    }
+
+    /** Each variable of the plan is one of the copy, everywhere the same, and no two are one; globals are themselves. */
+    private boolean sameVariable(String inCopy, String inPlan) {
+        if (globals.contains(inCopy) || globals.contains(inPlan)) {
+            return inCopy.equals(inPlan);
+        }
+        String known = variables.get(inPlan);
+        if (known != null) {
+            return known.equals(inCopy);
+        }
+        variables.put(inPlan, inCopy);
+        return taken.add(inCopy);
+    }
+
+    private static List<String> edges(LegacyPlan plan, UnaryOperator<String> key) {
+        return plan.edges().stream()
+                .map(e -> (e.in() ? "in " : "out ") + key.apply(e.from()) + " " + key.apply(e.to()) + " " + e.mode()
+                        + " "
+                        + e.requirements().stream()
+                                .map(r -> r.kind() + " " + r.match() + " " + r.quantity() + " " + r.task() + " "
+                                        + r.move())
+                                .toList())
+                .sorted()
+                .toList();
+    }
+}

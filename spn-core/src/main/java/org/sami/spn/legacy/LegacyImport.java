@@ -1,0 +1,155 @@
+package org.sami.spn.legacy;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.MissionTreeNode;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * Imports projects of the earlier system. With an error in the export nothing is imported; what arrives otherwise than it
+ * stood there, or not at all, is a warning or a note that says so.
+ */
+public final class LegacyImport {
+    private final Vocabulary vocabulary;
+    private final LegacyTable table;
+
+    /**
+     * What came of an import.
+     *
+     * @param project empty where the export has errors
+     * @param source counts of the export
+     * @param imported counts of the project, without what was written although the export does not have it
+     * @param explained what of the export's counts is not in the project, because a finding says why
+     * @param roots ids of the plans that are started by themselves and have a start place, in order
+     */
+    public record Result(
+            Optional<Project> project,
+            List<Finding> findings,
+            Counts source,
+            Counts imported,
+            Counts explained,
+            List<String> roots) {
+        public Result {
+            Objects.requireNonNull(project, "project");
+            findings = List.copyOf(findings);
+            roots = List.copyOf(roots);
+        }
+
+        /** Whether all of the export arrived, less what findings explain. */
+        public boolean isComplete() {
+            return imported.plus(explained).equals(source);
+        }
+    }
+
+    /** An import into one domain; has no state of its own. */
+    public LegacyImport(Vocabulary vocabulary, LegacyTable table) {
+        this.vocabulary = Objects.requireNonNull(vocabulary, "vocabulary");
+        this.table = Objects.requireNonNull(table, "table");
+    }
+
+    /** Imports a file. */
+    public Result read(Path file) {
+        try {
+            return read(
+                    StandardCharsets.UTF_8
+                            .newDecoder()
+                            .decode(java.nio.ByteBuffer.wrap(Files.readAllBytes(file)))
+                            .toString(),
+                    name(file));
+        } catch (CharacterCodingException e) {
+            return failed(LegacyCodes.FILE, "The file " + file + " is not UTF-8 text");
+        } catch (IOException e) {
+            return failed(LegacyCodes.FILE, "The file " + file + " cannot be read");
+        }
+    }
+
+    private static String name(Path file) {
+        String name = String.valueOf(file.getFileName());
+        return name.endsWith(".json") ? name.substring(0, name.length() - 5) : name;
+    }
+
+    private static Result failed(String code, String message) {
+        return nothing(List.of(Finding.error(code, "", message)), new Counts(java.util.Map.of()));
+    }
+
+    private static Result nothing(List<Finding> findings, Counts source) {
+        Counts none = new Counts(java.util.Map.of());
+        return new Result(Optional.empty(), findings, source, none, none, List.of());
+    }
+
+    /**
+     * Imports a document.
+     *
+     * @param name the project's name here
+     */
+    public Result read(String text, String name) {
+        Findings findings = new Findings();
+        LegacyReader reader = new LegacyReader(findings);
+        Optional<JsonNode> document = reader.parse(text);
+        Optional<LegacyProject> read = document.flatMap(reader::read);
+        Counts source = document.map(Counts::of).orElse(new Counts(java.util.Map.of()));
+        if (read.isEmpty() || findings.hasErrors()) {
+            return nothing(findings.list(), source);
+        }
+        return convert(read.get(), name, source, findings);
+    }
+
+    private Result convert(LegacyProject read, String name, Counts source, Findings findings) {
+        Counts.Tally explained = new Counts.Tally();
+        Counts.Tally added = new Counts.Tally();
+        LegacyValues values = new LegacyValues(vocabulary, table);
+        EventConverter events = new EventConverter(
+                vocabulary,
+                table,
+                values,
+                new MarkupConverter(vocabulary, table, values, findings, explained),
+                findings,
+                explained);
+        Copies copies = new Copies(read, findings, explained);
+        PlanConverter converter = new PlanConverter(
+                vocabulary,
+                table,
+                copies,
+                events,
+                new RequirementConverter(findings, explained, added),
+                findings,
+                explained);
+        List<Plan> plans = read.plans().stream()
+                .filter(p -> copies.of(p.id()).isEmpty())
+                .map(converter::convert)
+                .toList();
+        VariableDeclarations variables =
+                new VariableDeclarations(vocabulary, values, events.units(), read, plans, findings);
+        Project project = new Project(
+                name.isBlank() ? "imported" : name,
+                name,
+                vocabulary.domain(),
+                variables.globals(),
+                read.tree().map(t -> List.of(node(t, copies))).orElse(List.of()),
+                plans.stream().map(variables::declare).toList());
+        List<String> roots = read.plans().stream()
+                .filter(p -> p.role() == LegacyPlan.Role.ROOT && p.hasStart())
+                .map(LegacyPlan::id)
+                .toList();
+        Counts written = Counts.of(project).minus(added.counts());
+        return new Result(Optional.of(project), findings.list(), source, written, explained.counts(), roots);
+    }
+
+    private static MissionTreeNode node(LegacyProject.TreeNode node, Copies copies) {
+        List<MissionTreeNode> children = node.children().stream()
+                .filter(c -> c.plan().flatMap(copies::of).isEmpty())
+                .map(c -> node(c, copies))
+                .toList();
+        return new MissionTreeNode(node.label(), node.plan(), children);
+    }
+}
