@@ -23,6 +23,7 @@ import picocli.CommandLine.Spec;
             JournalCommand.class,
             DemoCommand.class,
             BoatCommand.class,
+            ImportLegacyCommand.class,
             LogCommand.class,
             CommandLine.HelpCommand.class
         },
@@ -53,7 +54,7 @@ public final class Crw implements Runnable {
     public void run() {
         throw new ParameterException(
                 spec.commandLine(),
-                "Which command? One of plans, check, events, markups, run, resume, journal, demo, boat, log.");
+                "Which command? One of plans, check, events, markups, run, resume, journal, demo, boat, log, import-legacy.");
     }
 
     /** The command line, ready to be executed in any process. */

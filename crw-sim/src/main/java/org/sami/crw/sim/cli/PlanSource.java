@@ -101,6 +101,33 @@ record PlanSource(String source, Optional<Project> project, Optional<Plan> plan,
                 + (plans.isEmpty() ? " has no plan" : " has several plans; choose with --plan one of " + ids(plans)));
     }
 
+    /** What was found about the project itself, the plan and those that it runs; another plan's faults do not keep it. */
+    List<Finding> concerning(Plan chosen) {
+        List<Plan> plans = project.map(Project::plans).orElse(List.of());
+        Set<String> others = new LinkedHashSet<>();
+        Set<String> family = new LinkedHashSet<>();
+        collect(plans, chosen.id(), family);
+        for (int i = 0; i < plans.size(); i++) {
+            if (!family.contains(plans.get(i).id())) {
+                others.add("/plans/" + i);
+            }
+        }
+        return findings.stream()
+                .filter(f -> others.stream()
+                        .noneMatch(o -> f.pointer().equals(o) || f.pointer().startsWith(o + "/")))
+                .toList();
+    }
+
+    private static void collect(List<Plan> plans, String planId, Set<String> family) {
+        if (family.add(planId)) {
+            plans.stream()
+                    .filter(p -> p.id().equals(planId))
+                    .flatMap(p -> p.places().stream())
+                    .flatMap(p -> p.subMissions().stream())
+                    .forEach(s -> collect(plans, s.plan(), family));
+        }
+    }
+
     /** Plans that no other plan runs as a sub-mission. */
     private static List<Plan> roots(List<Plan> plans) {
         Set<String> children = new LinkedHashSet<>();

@@ -2,8 +2,10 @@ package org.sami.crw.sim.cli;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
 import org.sami.crw.sim.run.RunSettings;
+import org.sami.spn.finding.Finding;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
 import picocli.CommandLine.Command;
@@ -71,12 +73,18 @@ final class RunCommand implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         DomainLibrary library = PlanSource.library();
         PlanSource source = PlanSource.find(name, library);
-        if (source.hasErrors()) {
+        if (source.project().isEmpty()) {
             FindingsText.print(err, name, source.findings());
             err.flush();
             return ExitCode.FINDINGS;
         }
         Plan plan = source.choose(planName);
+        List<Finding> concerning = source.concerning(plan);
+        if (concerning.stream().anyMatch(Finding::isError)) {
+            FindingsText.print(err, name, concerning);
+            err.flush();
+            return ExitCode.FINDINGS;
+        }
         RunSettings settings = options.settings(plan.id(), plan.title());
         return new Execution(spec.commandLine(), library, output, options.connectWithinMillis())
                 .runNew(source, plan, settings, journal);

@@ -1,0 +1,84 @@
+package org.sami.crw.sim.legacy;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.Locale;
+import java.util.Objects;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.finding.Severity;
+import org.sami.spn.legacy.CountedKind;
+import org.sami.spn.legacy.LegacyImport;
+
+/**
+ * What an import brought.
+ *
+ * @param source the export as it was named
+ * @param target where the project was written
+ */
+public record ImportReport(String source, String target, LegacyImport.Result result) {
+    public ImportReport {
+        Objects.requireNonNull(source, "source");
+        Objects.requireNonNull(target, "target");
+        Objects.requireNonNull(result, "result");
+    }
+
+    /** For people: a table of the counts, and how it went. */
+    public String text() {
+        if (result.project().isEmpty()) {
+            return source + ": " + count(Severity.ERROR) + " errors; nothing is imported\n";
+        }
+        StringBuilder text = new StringBuilder(
+                String.format(Locale.ROOT, "%-22s %8s %8s %10s%n", "", "source", "imported", "explained"));
+        for (CountedKind kind : CountedKind.values()) {
+            text.append(String.format(
+                    Locale.ROOT,
+                    "%-22s %8d %8d %10d%n",
+                    kind.label(),
+                    result.source().of(kind),
+                    result.imported().of(kind),
+                    result.explained().of(kind)));
+        }
+        text.append(result.isComplete() ? "all arrived" : "NOT ALL ARRIVED")
+                .append(", less what is explained by findings; ")
+                .append(count(Severity.WARNING))
+                .append(" warnings, ")
+                .append(count(Severity.NOTE))
+                .append(" notes\n");
+        text.append("written to ").append(target).append('\n');
+        return text.toString();
+    }
+
+    private long count(Severity severity) {
+        return result.findings().stream().filter(f -> f.severity() == severity).count();
+    }
+
+    /** For programs. */
+    public ObjectNode json() {
+        ObjectNode json = JsonNodeFactory.instance.objectNode();
+        json.put("source", source);
+        json.put("target", result.project().isPresent() ? target : "");
+        json.put("complete", result.project().isPresent() && result.isComplete());
+        ObjectNode counts = json.putObject("counts");
+        ObjectNode exported = counts.putObject("source");
+        result.source().byLabel().forEach(exported::put);
+        ObjectNode imported = counts.putObject("imported");
+        result.imported().byLabel().forEach(imported::put);
+        ObjectNode explained = counts.putObject("explained");
+        result.explained().byLabel().forEach(explained::put);
+        ArrayNode findings = json.putArray("findings");
+        result.findings().forEach(f -> findings.add(finding(f)));
+        return json;
+    }
+
+    static ObjectNode finding(Finding finding) {
+        ObjectNode node = JsonNodeFactory.instance.objectNode();
+        node.put("severity", finding.severity().name().toLowerCase(Locale.ROOT));
+        node.put("code", finding.code());
+        node.put("pointer", finding.pointer());
+        node.put("message", finding.message());
+        ArrayNode elements = node.putArray("elements");
+        finding.elements().forEach(elements::add);
+        return node;
+    }
+}

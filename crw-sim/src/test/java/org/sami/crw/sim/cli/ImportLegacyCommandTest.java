@@ -1,0 +1,117 @@
+package org.sami.crw.sim.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ImportLegacyCommandTest {
+    /** A plan that greets the operator and ends; its edges have no requirements, as some field plans' have not. */
+    private static final String SMALL = """
+            {"format": "sami-legacy-project", "version": 1, "plans": [
+              {"id": "p1", "name": "Greeting", "role": "root",
+               "vertices": [
+                {"key": "v1", "type": "place", "isStart": true, "events": [
+                  {"key": "v1.e0", "class": "crw.event.output.ui.DisplayMessage", "direction": "output",
+                   "fieldValues": {"message": {"type": "string", "value": "Hello"}}, "editable": {"message": false}}]},
+                {"key": "v2", "type": "transition"},
+                {"key": "v3", "type": "place", "isEnd": true}],
+               "edges": [
+                {"key": "e1", "type": "in", "from": "v1", "to": "v2", "requirements": []},
+                {"key": "e2", "type": "out", "from": "v2", "to": "v3", "requirements": []}]},
+              {"id": "p2", "name": "--- HEADING ---", "role": "root", "vertices": [], "edges": []}]}
+            """;
+
+    @TempDir
+    Path folder;
+
+    private Path export(String text) throws IOException {
+        return Files.writeString(folder.resolve("old.json"), text);
+    }
+
+    @Test
+    void writesAProjectThatIsReadCheckedAndRun() throws IOException {
+        Path out = folder.resolve("new.json");
+
+        Ran ran = Ran.crw("import-legacy", export(SMALL).toString(), out.toString());
+
+        assertThat(ran.exitCode()).isZero();
+        assertThat(ran.out())
+                .contains("W-NO-REQUIREMENT at /plans/0/edges/0")
+                .containsPattern("places +2 +2 +0")
+                .contains("all arrived");
+        Ran run = Ran.crw("run", out.toString(), "--plan", "Greeting", "--speed", "max", "--json");
+        assertThat(run.exitCode()).as(run.err()).isZero();
+        assertThat(run.out()).contains("Hello");
+    }
+
+    @Test
+    void writesAFolderWhereTheNameIsNoFiles() throws IOException {
+        Path out = folder.resolve("new");
+
+        assertThat(Ran.crw("import-legacy", export(SMALL).toString(), out.toString())
+                        .exitCode())
+                .isZero();
+
+        assertThat(out.resolve("project.json")).exists();
+        assertThat(Ran.crw("check", out.toString()).out()).contains("E-NO-START");
+        try (Stream<Path> left = Files.list(folder)) {
+            assertThat(left.map(p -> p.getFileName().toString())).containsExactlyInAnyOrder("old.json", "new");
+        }
+    }
+
+    @Test
+    void printsOneObjectForPrograms() throws IOException {
+        Ran ran = Ran.crw(
+                "import-legacy",
+                export(SMALL).toString(),
+                folder.resolve("n.json").toString(),
+                "--json");
+
+        JsonNode json = new ObjectMapper().readTree(ran.out());
+        assertThat(json.at("/counts/source/places").asInt()).isEqualTo(2);
+        assertThat(json.at("/counts/imported")).isEqualTo(json.at("/counts/source"));
+        assertThat(json.path("complete").asBoolean()).isTrue();
+    }
+
+    @Test
+    void overwritesNothing() throws IOException {
+        Path out = Files.writeString(folder.resolve("new.json"), "precious");
+
+        Ran ran = Ran.crw("import-legacy", export(SMALL).toString(), out.toString());
+
+        assertThat(ran.exitCode()).isEqualTo(2);
+        assertThat(ran.err()).contains("is there already");
+        assertThat(out).hasContent("precious");
+    }
+
+    @Test
+    void writesNothingOfATruncatedExport() throws IOException {
+        Path out = folder.resolve("new.json");
+
+        Ran ran = Ran.crw("import-legacy", export(SMALL.substring(0, 500)).toString(), out.toString());
+
+        assertThat(ran.exitCode()).isEqualTo(1);
+        assertThat(ran.out()).contains("E-SYNTAX").contains("nothing is imported");
+        assertThat(out).doesNotExist();
+    }
+
+    @Test
+    void namesAFileThatIsNotThereOrAFolderThatIsNot() throws IOException {
+        assertThat(Ran.crw("import-legacy", "no-such.json", folder.resolve("n").toString()))
+                .satisfies(r -> assertThat(r.exitCode()).isEqualTo(2))
+                .satisfies(r -> assertThat(r.err()).contains("no-such.json"));
+        assertThat(Ran.crw(
+                        "import-legacy",
+                        export(SMALL).toString(),
+                        folder.resolve("no/n").toString()))
+                .satisfies(r -> assertThat(r.exitCode()).isEqualTo(2))
+                .satisfies(r -> assertThat(r.err()).contains("there is no folder"));
+    }
+}
