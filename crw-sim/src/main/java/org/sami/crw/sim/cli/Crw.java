@@ -25,6 +25,7 @@ import picocli.CommandLine.Spec;
             BoatCommand.class,
             ImportLegacyCommand.class,
             LogCommand.class,
+            ImportLocationsCommand.class,
             CommandLine.HelpCommand.class
         },
         exitCodeListHeading = "%nExit codes:%n",
@@ -54,7 +55,8 @@ public final class Crw implements Runnable {
     public void run() {
         throw new ParameterException(
                 spec.commandLine(),
-                "Which command? One of plans, check, events, markups, run, resume, journal, demo, boat, log, import-legacy.");
+                "Which command? One of plans, check, events, markups, run, resume, journal, demo, boat, log, import-legacy, "
+                        + "import-locations.");
     }
 
     /** The command line, ready to be executed in any process. */
