@@ -40,6 +40,7 @@ public final class CrwDomain implements AutoCloseable {
         handlers.put(GotoLatLonHandler.TYPE, new GotoLatLonHandler(motion));
         handlers.put(BlockMovementHandler.TYPE, new BlockMovementHandler(motion));
         handlers.put(AllocationHandler.TYPE, new AllocationHandler(services.allocation(), positions, messages));
+        handlers.put(PathHandler.TYPE, new PathHandler(services.paths(), positions, messages));
         handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions));
         handlers.put(CompareDistanceHandler.TYPE, new CompareDistanceHandler(positions));
         handlers.put(DisplayMessageHandler.TYPE, new DisplayMessageHandler(messages));

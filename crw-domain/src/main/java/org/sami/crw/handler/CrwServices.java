@@ -4,14 +4,17 @@ import java.util.Objects;
 import org.sami.crw.service.allocation.AllocationService;
 import org.sami.crw.service.assembly.AssemblyAlgorithm;
 import org.sami.crw.service.assembly.HexagonalAssembly;
+import org.sami.crw.service.path.PathService;
 
 /** The services that the handlers use. */
-public record CrwServices(AllocationService allocation, AssemblyAlgorithm assembly) {
+public record CrwServices(AllocationService allocation, PathService paths, AssemblyAlgorithm assembly) {
     /** All algorithms that there are. */
-    public static final CrwServices STANDARD = new CrwServices(AllocationService.STANDARD, new HexagonalAssembly());
+    public static final CrwServices STANDARD =
+            new CrwServices(AllocationService.STANDARD, PathService.STANDARD, new HexagonalAssembly());
 
     public CrwServices {
         Objects.requireNonNull(allocation, "allocation");
+        Objects.requireNonNull(paths, "paths");
         Objects.requireNonNull(assembly, "assembly");
     }
 }

@@ -7,6 +7,7 @@ public final class EventNames {
     static final String PATH_COMPLETED = "ProxyPathCompleted";
     static final String PATH_FAILED = "ProxyPathFailed";
     static final String ALLOCATION_RESPONSE = "AllocationResponse";
+    static final String PATH_RESPONSE = "PathResponse";
     static final String ASSEMBLE_RESPONSE = "AssembleLocationResponse";
     static final String QUANTITY_GREATER = "QuantityGreater";
     static final String QUANTITY_LESS = "QuantityLess";

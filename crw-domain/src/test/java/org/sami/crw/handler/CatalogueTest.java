@@ -102,7 +102,6 @@ class CatalogueTest {
             "CreateSimulatedProxy",
             "DisconnectServer",
             "DistributeLocationsRequest",
-            "PathRequest",
             "ProxyAbortMission",
             "ProxyAreaSubscription",
             "ProxyEmergencyAbort",

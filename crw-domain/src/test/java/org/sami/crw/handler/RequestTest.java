@@ -239,7 +239,7 @@ class RequestTest {
         });
     }
 
-    private static void assertFitsVocabulary(Occurrence occurrence) {
+    static void assertFitsVocabulary(Occurrence occurrence) {
         EventType type = TestWorld.VOCABULARY.event(occurrence.type()).orElseThrow();
         occurrence
                 .values()

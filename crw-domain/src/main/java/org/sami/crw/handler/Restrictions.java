@@ -1,0 +1,45 @@
+package org.sami.crw.handler;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.crw.service.water.Water;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.Value;
+
+/**
+ * Where boats may go as far as an activation says: its fields {@code avoid}, areas that are not to be entered, and {@code within}, the
+ * area to stay in. Without them all water is free.
+ */
+final class Restrictions {
+    static final String AVOID = "avoid";
+    static final String WITHIN = "within";
+
+    private Restrictions() {}
+
+    /**
+     * The water of an activation, on a plane that touches at a point near by.
+     *
+     * @throws IllegalArgumentException for an area that is no simple polygon
+     */
+    static Water water(Activation activation, GeoPoint origin) {
+        List<GeoArea> avoid = new ArrayList<>();
+        activation.value(AVOID).ifPresent(value -> {
+            if (!(value instanceof ListValue list)) {
+                throw new IllegalArgumentException("\"" + AVOID + "\" is no list of areas: " + value);
+            }
+            list.items().forEach(item -> avoid.add(area(item, AVOID)));
+        });
+        return Water.of(origin, avoid, activation.value(WITHIN).map(value -> area(value, WITHIN)));
+    }
+
+    /** A field that is an area. */
+    static GeoArea area(Value value, String field) {
+        if (value instanceof GeoArea area) {
+            return area;
+        }
+        throw new IllegalArgumentException("\"" + field + "\" is no area: " + value);
+    }
+}
