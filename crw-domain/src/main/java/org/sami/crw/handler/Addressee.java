@@ -52,6 +52,13 @@ record Addressee(String boat, boolean byProxy, List<TaskId> tasks) {
         return activation.tokens().stream().filter(standing::contains).toList();
     }
 
+    /** Whether a token is one by which the activation speaks to this boat. */
+    boolean isMeantBy(Token token) {
+        return token instanceof Token.Proxy proxy
+                ? byProxy && proxy.proxy().equals(boat)
+                : token instanceof Token.Task task && tasks.contains(task.task());
+    }
+
     private Addressee and(Addressee other) {
         List<TaskId> all = new ArrayList<>(tasks);
         other.tasks.stream().filter(task -> !all.contains(task)).forEach(all::add);

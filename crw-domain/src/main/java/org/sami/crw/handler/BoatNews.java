@@ -1,5 +1,6 @@
 package org.sami.crw.handler;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -12,6 +13,7 @@ import org.sami.crw.proxy.BatteryState;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatStatus;
 import org.sami.crw.proxy.LinkState;
+import org.sami.spn.engine.MissionView;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
@@ -27,11 +29,13 @@ import org.sami.spn.value.RealValue;
 final class BoatNews implements BoatListener {
     private final EngineHost host;
     private final MessageSink messages;
+    private final BatterySubscriptions batteries;
     private final Set<String> joined = new HashSet<>();
     private final Set<String> observed = new HashSet<>();
     private final Map<String, String> levels = new HashMap<>();
 
-    BoatNews(EngineHost host, MessageSink messages) {
+    BoatNews(EngineHost host, MessageSink messages, BatterySubscriptions batteries) {
+        this.batteries = batteries;
         this.host = host;
         this.messages = messages;
     }
@@ -61,13 +65,29 @@ final class BoatNews implements BoatListener {
         String level = battery.level().name();
         Optional<String> before = Optional.ofNullable(levels.put(boatId, level));
         if (!before.or(() -> SessionMemory.BATTERY.of(boatId, host)).equals(Optional.of(level))) {
-            host.post(List.of(
-                    SessionMemory.BATTERY.remember(boatId, level),
-                    new Input.Received(Occurrence.news(
-                            EventNames.of(battery.level()),
-                            List.of(boatId),
-                            Map.of("percent", new RealValue(battery.percent()))))));
+            List<Input> inputs = new ArrayList<>(List.of(SessionMemory.BATTERY.remember(boatId, level)));
+            for (long mission : missionsWithoutSubscription(boatId)) {
+                inputs.add(new Input.Received(new Occurrence(
+                        EventNames.of(battery.level()),
+                        mission,
+                        Ids.NONE,
+                        List.of(boatId),
+                        List.of(),
+                        Map.of("percent", new RealValue(battery.percent())))));
+            }
+            host.post(inputs);
         }
+    }
+
+    /** Whom the boat's own classes concern: nobody in particular, unless a mission has subscribed with thresholds of its own. */
+    private List<Long> missionsWithoutSubscription(String boatId) {
+        Set<Long> subscribers = batteries.subscribers(boatId);
+        return subscribers.isEmpty()
+                ? List.of(Ids.NONE)
+                : host.ask(view -> view.missions().stream()
+                        .map(MissionView::id)
+                        .filter(mission -> !subscribers.contains(mission))
+                        .toList());
     }
 
     @Override

@@ -32,7 +32,8 @@ public final class CrwDomain implements AutoCloseable {
             EngineHost host, ProxyRegistry boats, Executor fleet, MessageSink messages, CrwServices services) {
         MotionCommands motion = new MotionCommands(boats, messages);
         BoatQuestions questions = new BoatQuestions(host, boats, fleet);
-        boatListener = new BoatListeners(motion, questions, new BoatNews(host, messages));
+        BatterySubscriptions batteries = new BatterySubscriptions(boats, fleet);
+        boatListener = new BoatListeners(motion, questions, batteries, new BoatNews(host, messages, batteries));
         BoatPositions positions =
                 boat -> boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
         handlers.put(ExecutePathHandler.TYPE, new ExecutePathHandler(motion));
@@ -43,11 +44,18 @@ public final class CrwDomain implements AutoCloseable {
         handlers.put(PathHandler.TYPE, new PathHandler(services.paths(), positions, messages));
         handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions));
         handlers.put(CompareDistanceHandler.TYPE, new CompareDistanceHandler(positions));
+        handlers.put(BatterySubscriptions.TYPE, batteries);
+        for (AbortScope scope : AbortScope.values()) {
+            handlers.put(scope.type(), new AbortHandler(scope, boats, motion));
+        }
+        handlers.put(ProxyAbortMissionHandler.TYPE, new ProxyAbortMissionHandler(motion));
+        handlers.put(EmergencyAbortHandler.TYPE, new EmergencyAbortHandler(boats));
         handlers.put(DisplayMessageHandler.TYPE, new DisplayMessageHandler(messages));
         handlers.put(UnknownRequestHandler.TYPE, new UnknownRequestHandler(messages));
         handlers.forEach((type, handler) -> registrations.add(host.register(type, handler, fleet)));
         registrations.add(host.addListener(new Withdrawals(motion, fleet)));
         registrations.add(host.addListener(questions));
+        registrations.add(host.addListener(batteries));
     }
 
     /**

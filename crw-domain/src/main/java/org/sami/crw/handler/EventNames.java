@@ -21,6 +21,8 @@ public final class EventNames {
     /** News of a battery. */
     public static final String BATTERY_CRITICAL = "BatteryCritical";
 
+    static final String PROXY_ABORTED = "ProxyAbortMissionReceived";
+
     private EventNames() {}
 
     /** The event that says that a battery is of a class. */

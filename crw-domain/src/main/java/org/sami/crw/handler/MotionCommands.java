@@ -77,6 +77,12 @@ final class MotionCommands implements BoatListener {
         }
     }
 
+    /** Takes back what a mission has for a boat, because another wanted it so; whoever waits for it hears that it failed. */
+    void abort(long mission, String boat, String reason) {
+        boats.find(boat)
+                .ifPresent(proxy -> proxy.withdraw(mission).forEach(command -> onFailed(boat, command, reason)));
+    }
+
     @Override
     public void onProgress(String boatId, BoatCommand command, int visitedCount) {
         Sent one = sent.get(command.commandId());

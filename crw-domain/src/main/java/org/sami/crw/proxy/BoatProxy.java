@@ -161,6 +161,13 @@ public final class BoatProxy {
         settle();
     }
 
+    /** Every command fails, for a reason in words, and the boat stops its motors, whatever it does. */
+    public void abort(String reason) {
+        driver.failAll(reason);
+        driver.stopUnlessWanted();
+        settle();
+    }
+
     /** Whether the boat still has to be told to stop, and can be. */
     public boolean isBeingStopped() {
         return link.isCommanding() && driver.isStopping();

@@ -1,0 +1,27 @@
+package org.sami.crw.handler;
+
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.spn.host.ActivationHandler;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+
+/**
+ * Proxy Emergency Abort: the entering boats stop their motors at once, and all commands in their queues, of whatever mission, fail.
+ */
+final class EmergencyAbortHandler implements ActivationHandler {
+    static final String TYPE = "ProxyEmergencyAbort";
+
+    private final ProxyRegistry boats;
+
+    EmergencyAbortHandler(ProxyRegistry boats) {
+        this.boats = boats;
+    }
+
+    @Override
+    public void handle(Activation activation, HandlerContext context) {
+        for (Addressee addressee : Addressee.of(activation, context)) {
+            boats.find(addressee.boat())
+                    .ifPresent(boat -> boat.abort("mission " + activation.mission() + " stopped the boat"));
+        }
+    }
+}
