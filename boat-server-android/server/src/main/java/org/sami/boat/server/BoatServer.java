@@ -96,9 +96,7 @@ public final class BoatServer {
 
     /** Lets time pass: failsafes, control, reports. To be called ten times a second. */
     public void tick(long nowMs) {
-        if (commander.isPresent() && !commanderLost && commander.get().isSilent(nowMs, config.lostLinkAfterMs())) {
-            loseCommander();
-        }
+        watchCommander(nowMs);
         if (pilot.tick(nowMs)) {
             broadcast(pilot.track().progress(), nowMs);
         }
@@ -126,7 +124,15 @@ public final class BoatServer {
         return codec;
     }
 
+    /** Also when a frame comes: a process that stood still has not ticked, and what waited for it is late. */
+    private void watchCommander(long nowMs) {
+        if (hasCommander() && commander.get().isSilent(nowMs, config.lostLinkAfterMs())) {
+            loseCommander();
+        }
+    }
+
     void received(ServerSession session, Frame frame, long nowMs) {
+        watchCommander(nowMs);
         LinkMessage message = frame.message();
         if (message instanceof Hello) {
             greet(session, (Hello) message, nowMs);
@@ -277,6 +283,11 @@ public final class BoatServer {
 
     private BatteryReport battery() {
         return new BatteryReport(vehicle.batteryPercent(), batteryLevel());
+    }
+
+    /** Whether there is telemetry to be sent: a phone without a fix has none. */
+    boolean knowsWhereItIs() {
+        return !Double.isNaN(vehicle.latDeg() + vehicle.lonDeg() + vehicle.headingRad() + vehicle.speedMps());
     }
 
     Telemetry telemetry(long nowMs) {

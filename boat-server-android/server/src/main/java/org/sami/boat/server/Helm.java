@@ -38,11 +38,15 @@ final class Helm {
         return target.distanceM(vehicle.latDeg(), vehicle.lonDeg());
     }
 
-    /** Steers towards a target for one tick. */
+    /** Steers towards a target for one tick; rests as long as the vehicle does not know where it is or what it does. */
     void steerTo(LocalFrame target, double speedMps, double seconds) {
         double eastM = target.eastM(vehicle.latDeg(), vehicle.lonDeg());
         double northM = target.northM(vehicle.latDeg(), vehicle.lonDeg());
         double error = turn(StrictMath.atan2(-eastM, -northM) - vehicle.headingRad());
+        if (Double.isNaN(error + vehicle.speedMps())) {
+            rest();
+            return;
+        }
         double wantedMps = speedMps * Math.max(0, StrictMath.cos(error));
         double thrust = wantedMps / fullThrustSpeedMps + speed.effort(wantedMps - vehicle.speedMps(), seconds);
         drive(thrust, heading.effort(error, seconds));

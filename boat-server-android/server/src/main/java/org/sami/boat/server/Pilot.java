@@ -113,11 +113,20 @@ final class Pilot {
     }
 
     /**
-     * Drives on.
+     * Drives on; with motors at zero if that fails.
      *
      * @return whether the progress along the track has changed
      */
     boolean tick(long nowMs) {
+        try {
+            return drive(nowMs);
+        } catch (RuntimeException e) {
+            helm.rest();
+            throw e;
+        }
+    }
+
+    private boolean drive(long nowMs) {
         double seconds = lastTickMs == Long.MIN_VALUE ? 0 : (nowMs - lastTickMs) / 1000.0;
         lastTickMs = nowMs;
         switch (mode) {

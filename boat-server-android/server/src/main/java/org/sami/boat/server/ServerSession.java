@@ -16,7 +16,8 @@ import org.sami.boat.link.Role;
  * thread that ticks the server.
  */
 public final class ServerSession {
-    private static final long HEARTBEAT_MS = 1000;
+    private static final long TICK_MS = 100;
+    private static final long HEARTBEAT_MS = 1000 - TICK_MS; // so that it comes once a second at least
 
     private final BoatServer server;
     private final FrameSink toClient;
@@ -44,8 +45,8 @@ public final class ServerSession {
         }
         try {
             Frame read = server.codec().decode(frame);
-            lastReceivedMs = nowMs;
             server.received(this, read, nowMs);
+            lastReceivedMs = nowMs;
         } catch (LinkException e) {
             refusedFrames++;
             send(new Nack(e.commandId(), NackReason.MALFORMED, shortened(e.getMessage())), nowMs);
@@ -118,12 +119,16 @@ public final class ServerSession {
         if (!role.isPresent()) {
             return;
         }
-        if (nowMs >= nextTelemetryMs) {
+        boolean hasTelemetry = server.knowsWhereItIs();
+        if (hasTelemetry && nowMs >= nextTelemetryMs) {
             send(server.telemetry(nowMs), nowMs);
             boolean onTime = nextTelemetryMs > nowMs - telemetryPeriodMs;
             nextTelemetryMs = (onTime ? nextTelemetryMs : nowMs) + telemetryPeriodMs;
         } else if (nowMs - lastSentMs >= HEARTBEAT_MS) {
-            send(new Heartbeat(nowMs), nowMs);
+            boolean telemetryIsNext = hasTelemetry && nextTelemetryMs - nowMs <= TICK_MS;
+            if (!telemetryIsNext) {
+                send(new Heartbeat(nowMs), nowMs);
+            }
         }
     }
 

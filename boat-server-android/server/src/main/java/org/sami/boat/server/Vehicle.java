@@ -10,16 +10,16 @@ import java.util.List;
  */
 public interface Vehicle {
 
-    /** WGS 84 latitude in degrees. */
+    /** WGS 84 latitude in degrees; NaN as long as it is not known. */
     double latDeg();
 
-    /** WGS 84 longitude in degrees. */
+    /** WGS 84 longitude in degrees; NaN as long as it is not known. */
     double lonDeg();
 
-    /** Heading in radians, clockwise from true north, -π to π. */
+    /** Heading in radians, clockwise from true north, -π to π; NaN as long as it is not known. */
     double headingRad();
 
-    /** Speed over ground along the heading in m/s; negative is astern. */
+    /** Speed over ground along the heading in m/s; negative is astern; NaN as long as it is not known. */
     double speedMps();
 
     /** Charge of the battery in percent of full. */

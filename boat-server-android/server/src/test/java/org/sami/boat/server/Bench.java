@@ -99,6 +99,7 @@ final class Bench {
         double headingRad;
         double speedMps;
         double batteryPercent = 100;
+        boolean fails;
         List<Sensor> sensors = List.of();
         double port = 9;
         double starboard = 9;
@@ -127,6 +128,9 @@ final class Bench {
 
         @Override
         public double headingRad() {
+            if (fails) {
+                throw new IllegalStateException("no compass");
+            }
             return headingRad;
         }
 

@@ -9,13 +9,18 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
+import org.sami.boat.link.GainAxis;
+import org.sami.boat.link.Gains;
 import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.HoldPosition;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.ReadBack;
+import org.sami.boat.link.SetGains;
 import org.sami.boat.link.SetLostLinkAction;
+import org.sami.boat.link.SetVelocityMultiplier;
+import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
@@ -65,6 +70,18 @@ class RestoreTest {
 
         assertThat(client.command(new UploadWaypoints("u", "l", PATH))).isInstanceOf(Nack.class);
         assertThat(((HeldWaypoints) client.command(new ReadBack("r"))).listId()).isEmpty();
+    }
+
+    @Test
+    void gainsAndMultiplierAreThoseThatWereSet() {
+        had(new SetGains("g", GainAxis.HEADING, 2.4, 0.1, 0.2));
+        had(new SetVelocityMultiplier("v", 0.25));
+        had(new SetVelocityMultiplier("w", 0.5));
+
+        SettingsReport inForce = bench.commander().all(SettingsReport.class).get(0);
+        assertThat(inForce.gains(GainAxis.HEADING)).isEqualTo(new Gains(2.4, 0.1, 0.2));
+        assertThat(inForce.gains(GainAxis.SPEED)).isEqualTo(new Gains(0.3, 0.05, 0));
+        assertThat(inForce.velocityMultiplier()).isEqualTo(0.5);
     }
 
     @Test

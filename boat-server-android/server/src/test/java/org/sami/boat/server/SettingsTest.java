@@ -72,6 +72,11 @@ class SettingsTest {
         String[] bodies = {
             "{\"type\":\"gains\",\"seq\":5,\"command\":\"x\",\"axis\":\"HEADING\",\"p\":1001,\"i\":0,\"d\":0}",
             "{\"type\":\"gains\",\"seq\":5,\"command\":\"x\",\"axis\":\"HEADING\",\"p\":1,\"i\":-0.1,\"d\":0}",
+            "{\"type\":\"gains\",\"seq\":5,\"command\":\"x\",\"axis\":\"SPEED\",\"p\":NaN,\"i\":0,\"d\":0}",
+            "{\"type\":\"gains\",\"seq\":5,\"command\":\"x\",\"axis\":\"SPEED\",\"p\":1,\"i\":0,\"d\":1e400}",
+            "{\"type\":\"gains\",\"seq\":5,\"command\":\"x\",\"axis\":\"RUDDER\",\"p\":1,\"i\":0,\"d\":0}",
+            "{\"type\":\"velocity\",\"seq\":5,\"command\":\"x\",\"multiplier\":NaN}",
+            "{\"type\":\"velocity\",\"seq\":5,\"command\":\"x\",\"multiplier\":-1}",
             "{\"type\":\"velocity\",\"seq\":5,\"command\":\"x\",\"multiplier\":11}",
             "{\"type\":\"lost-link\",\"seq\":5,\"command\":\"x\",\"action\":\"EXPLODE\"}",
         };

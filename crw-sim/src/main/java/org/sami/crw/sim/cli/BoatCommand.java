@@ -180,7 +180,7 @@ final class BoatCommand implements Callable<Integer> {
         }
 
         @Override
-        public void failed(String what, Exception cause) {
+        public void failed(String what, Throwable cause) {
             say(what + ": " + cause);
         }
 

@@ -40,14 +40,19 @@ final class ClientConnection implements FrameSink {
     private final Socket socket;
     private final Owner owner;
     private final String name;
+    private final long number;
     private final FrameQueue queue;
     private final Semaphore unread = new Semaphore(MAX_UNREAD_BYTES);
     private final AtomicBoolean closed = new AtomicBoolean();
     private final Thread reader;
     private final Thread writer;
+    private volatile boolean greeted;
 
-    ClientConnection(Socket socket, TcpServerConfig config, String boatId, Owner owner) throws IOException {
+    /** A client's socket; the numbers of connections grow. */
+    ClientConnection(Socket socket, long number, TcpServerConfig config, String boatId, Owner owner)
+            throws IOException {
         this.socket = socket;
+        this.number = number;
         this.owner = owner;
         name = socket.getRemoteSocketAddress().toString();
         socket.setTcpNoDelay(true);
@@ -73,6 +78,20 @@ final class ClientConnection implements FrameSink {
     /** The client's address, for people. */
     String name() {
         return name;
+    }
+
+    /** Grows with each connection. */
+    long number() {
+        return number;
+    }
+
+    /** Whether the boat knows who it is. */
+    boolean isGreeted() {
+        return greeted;
+    }
+
+    void setGreeted(boolean value) {
+        greeted = value;
     }
 
     @Override

@@ -6,10 +6,12 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
@@ -46,6 +48,7 @@ public final class TcpBoatServer implements Closeable {
     private final Thread acceptor;
     private final Set<ClientConnection> connections = ConcurrentHashMap.newKeySet();
     private final Map<ClientConnection, Client> clients = new LinkedHashMap<>(); // for the boat's thread
+    private long accepts; // for the accepting thread
     private volatile boolean stopping;
     private volatile Future<?> ticks = CompletableFuture.completedFuture(null);
 
@@ -136,24 +139,24 @@ public final class TcpBoatServer implements Closeable {
         while (!stopping) {
             try {
                 admit(socket.accept());
-            } catch (IOException | RuntimeException e) {
+            } catch (IOException | RuntimeException | Error e) {
                 if (!stopping) {
                     listener.failed("a client could not be let in", e);
-                    LockSupport.parkNanos(PAUSE_NANOS); // it may be for want of file handles
+                    LockSupport.parkNanos(PAUSE_NANOS); // it may be for want of file handles or threads
                 }
             }
         }
     }
 
     private void admit(Socket accepted) throws IOException {
-        if (connections.size() >= config.maxClients()) {
+        if (connections.size() >= config.maxClients() && !makeRoom()) {
             listener.closed(String.valueOf(accepted.getRemoteSocketAddress()), "there are too many clients");
             accepted.close();
             return;
         }
         ClientConnection connection;
         try {
-            connection = new ClientConnection(accepted, config, name, new Hand());
+            connection = new ClientConnection(accepted, accepts++, config, name, new Hand());
         } catch (IOException e) {
             accepted.close();
             throw e;
@@ -161,7 +164,21 @@ public final class TcpBoatServer implements Closeable {
         connections.add(connection);
         listener.connected(connection.name());
         onBoat(() -> clients.put(connection, new Client(boat.connect(connection), now())));
-        connection.start();
+        try {
+            connection.start();
+        } catch (RuntimeException | Error e) {
+            connection.close("there is no thread for it");
+            throw e;
+        }
+    }
+
+    /** Drops whoever has been silent about itself for longest, so that a scan of ports keeps no client out. */
+    private boolean makeRoom() {
+        Optional<ClientConnection> stranger = connections.stream()
+                .filter(connection -> !connection.isGreeted())
+                .min(Comparator.comparingLong(ClientConnection::number));
+        stranger.ifPresent(connection -> connection.close("it has not said who it is, and another one comes"));
+        return stranger.isPresent();
     }
 
     private void tick() {
@@ -174,7 +191,7 @@ public final class TcpBoatServer implements Closeable {
                     connection.close("it does not say who it is");
                 }
             });
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) { // whatever escapes would end all ticks, with the motors as they are
             listener.failed("a tick of the boat failed", e);
         }
     }
@@ -188,7 +205,7 @@ public final class TcpBoatServer implements Closeable {
             boatThread.execute(() -> {
                 try {
                     work.run();
-                } catch (RuntimeException e) {
+                } catch (RuntimeException | Error e) {
                     listener.failed("a message could not be handled", e);
                 }
             });
@@ -208,6 +225,7 @@ public final class TcpBoatServer implements Closeable {
                 Client client = clients.get(from);
                 if (client != null) {
                     client.session.receive(frame, now());
+                    from.setGreeted(client.session.role().isPresent());
                 }
             });
         }

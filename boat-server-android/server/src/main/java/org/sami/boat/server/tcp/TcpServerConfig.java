@@ -71,7 +71,7 @@ public final class TcpServerConfig {
         return tickMs;
     }
 
-    /** How many clients there may be at a time; one more is closed at once. */
+    /** How many clients there may be at a time; one more takes the place of one that has not said who it is, or is closed at once. */
     public int maxClients() {
         return maxClients;
     }

@@ -14,5 +14,5 @@ public interface TcpServerListener {
     default void closed(String client, String why) {}
 
     /** Something broke; the server goes on. */
-    default void failed(String what, Exception cause) {}
+    default void failed(String what, Throwable cause) {}
 }

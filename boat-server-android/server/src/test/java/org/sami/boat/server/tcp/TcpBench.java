@@ -55,7 +55,7 @@ final class TcpBench implements AutoCloseable {
                     }
 
                     @Override
-                    public void failed(String what, Exception cause) {
+                    public void failed(String what, Throwable cause) {
                         failures.add(what + ": " + cause);
                     }
                 });

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.net.ServerSocket;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
@@ -242,6 +244,24 @@ class TcpBoatServerTest {
             first.close();
             Await.until("there is room", 5, () -> bench.server.clientCount() == 1);
             bench.greet("c", Role.OBSERVER, 10);
+        }
+    }
+
+    @Test
+    void strangersWhoSayNothingKeepNobodyOut() throws Exception {
+        try (TcpBench bench =
+                new TcpBench(UnaryOperator.identity(), tcp -> tcp.withMaxClients(4), TcpBench::machineMs)) {
+            Client commander = bench.greet("base", Role.COMMANDER, 10);
+            List<Client> scan = new ArrayList<>();
+            for (int i = 0; i < 20; i++) {
+                scan.add(bench.connect());
+                scan.get(i).send("GET / HTTP/1.0\r\n".substring(0, i % 4).getBytes(StandardCharsets.US_ASCII));
+            }
+            bench.greet("watch", Role.OBSERVER, 10).await(Telemetry.class);
+
+            assertThat(scan.get(0).isClosedByTheBoat()).isTrue();
+            commander.await(Telemetry.class);
+            assertThat(bench.goodbyes).contains("it has not said who it is, and another one comes");
         }
     }
 }

@@ -1,0 +1,270 @@
+package org.sami.boat.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.sami.boat.link.Ack;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.FleetRelease;
+import org.sami.boat.link.FleetStop;
+import org.sami.boat.link.GrantCommand;
+import org.sami.boat.link.Heartbeat;
+import org.sami.boat.link.Hello;
+import org.sami.boat.link.HoldPosition;
+import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.Nack;
+import org.sami.boat.link.NackReason;
+import org.sami.boat.link.Role;
+import org.sami.boat.link.SetLostLinkAction;
+import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.StopMotors;
+import org.sami.boat.link.Telemetry;
+import org.sami.boat.link.Teleoperate;
+import org.sami.boat.link.UploadWaypoints;
+import org.sami.boat.link.Waypoint;
+import org.sami.boat.server.Bench.Client;
+
+/** What a boat does by itself when its commander's link is lost: every action that can be set, in every mode. */
+class LostLinkTest {
+    private static final List<Waypoint> PATH = List.of(new Waypoint(45.01, 10, 1.5));
+
+    /** How a link ends: nothing comes any more, or the socket closes. */
+    enum End {
+        SILENT,
+        CLOSED
+    }
+
+    static Stream<Arguments> everyModeActionAndEnd() {
+        List<Arguments> rows = new ArrayList<>();
+        for (BoatMode mode : BoatMode.values()) {
+            for (LostLinkAction action : LostLinkAction.values()) {
+                for (End end : End.values()) {
+                    rows.add(Arguments.of(mode, action, end));
+                }
+            }
+        }
+        return rows.stream();
+    }
+
+    /** 50 m north of home, looking north, in a mode. */
+    private static Client boatIn(BoatMode mode, Bench bench) {
+        bench.vehicle.northM = 50;
+        Client client = bench.commander();
+        client.command(new UploadWaypoints("u", "l1", PATH));
+        switch (mode) {
+            case PATH -> client.command(new StartWaypoints("g", "l1", 0));
+            case HOLD -> client.command(new HoldPosition("h"));
+            case TELEOPERATION -> client.say(new Teleoperate(0.4, 0));
+            case FLEET_STOP -> client.command(new FleetStop("f"));
+            case RETURN -> { // as an earlier lost link has left it
+                client.command(new SetLostLinkAction("before", LostLinkAction.RETURN));
+                client.session.closed(bench.nowMs);
+                client = bench.commander();
+            }
+            case STOPPED -> client.command(new StopMotors("s"));
+        }
+        return client;
+    }
+
+    private static BoatMode expected(BoatMode before, LostLinkAction action) {
+        if (before == BoatMode.FLEET_STOP) {
+            return BoatMode.FLEET_STOP;
+        }
+        return switch (action) {
+            case HOLD -> BoatMode.HOLD;
+            case RETURN -> BoatMode.RETURN;
+            case CONTINUE -> before == BoatMode.PATH ? BoatMode.PATH : BoatMode.HOLD;
+            case DRIFT -> BoatMode.STOPPED;
+        };
+    }
+
+    @ParameterizedTest
+    @MethodSource("everyModeActionAndEnd")
+    void doesWhatIsSetInEveryModeAtTheTimeThatIsSet(BoatMode mode, LostLinkAction action, End end) {
+        Bench bench = new Bench(config -> config.deadmanMs(60_000)); // so that the link goes before the hand does
+        Client client = boatIn(mode, bench);
+        client.command(new SetLostLinkAction("a", action));
+        assertThat(bench.server.mode()).isEqualTo(mode);
+
+        if (end == End.CLOSED) {
+            client.session.closed(bench.nowMs);
+        } else {
+            bench.run(3.5);
+            assertThat(bench.server.mode()).as("3.5 s after the last frame").isEqualTo(mode);
+            assertThat(bench.server.hasCommander()).isTrue();
+            bench.run(0.1);
+        }
+
+        assertThat(bench.server.mode()).isEqualTo(expected(mode, action));
+        assertThat(bench.server.hasCommander()).isFalse();
+        bench.run(0.1);
+        boolean drives = bench.server.mode() == BoatMode.PATH || bench.server.mode() == BoatMode.RETURN;
+        assertThat(bench.vehicle.isResting()).isEqualTo(!drives);
+    }
+
+    @ParameterizedTest
+    @EnumSource(LostLinkAction.class)
+    void handThatFallsSilentStopsTheMotorsFirstAndThenCountsAsALostLink(LostLinkAction action) {
+        Bench bench = new Bench();
+        Client client = boatIn(BoatMode.TELEOPERATION, bench);
+        client.command(new SetLostLinkAction("a", action));
+        bench.run(1.9);
+        assertThat(bench.vehicle.thrust()).isPositive();
+
+        bench.run(0.1);
+        assertThat(bench.server.mode()).isEqualTo(BoatMode.STOPPED);
+        assertThat(bench.vehicle.isResting()).isTrue();
+        bench.run(1.5);
+        assertThat(bench.server.mode()).isEqualTo(BoatMode.STOPPED);
+        bench.run(0.1);
+
+        assertThat(bench.server.mode()).isEqualTo(expected(BoatMode.STOPPED, action));
+    }
+
+    @ParameterizedTest
+    @EnumSource(LostLinkAction.class)
+    void linkThatComesBackChangesNothingUntilACommandDoes(LostLinkAction action) {
+        Bench bench = new Bench();
+        Client client = boatIn(BoatMode.PATH, bench);
+        client.command(new SetLostLinkAction("a", action));
+        bench.run(4);
+        BoatMode doing = bench.server.mode();
+
+        client.say(new Hello("boat1", "test", Role.COMMANDER, 1, ""));
+        bench.run(10, client);
+        assertThat(bench.server.mode()).isEqualTo(doing);
+        assertThat(client.command(new StartWaypoints("on", "l1", 0))).isInstanceOf(Ack.class);
+        assertThat(bench.server.mode()).isEqualTo(BoatMode.PATH);
+    }
+
+    @Test
+    void boatThatKeepsAStationKeepsThatOneAndAnyOtherTheOneWhereItIs() {
+        Bench bench = new Bench();
+        Client client = boatIn(BoatMode.HOLD, bench);
+        bench.vehicle.northM = 46; // drifted, but not out of its radius
+        client.session.closed(bench.nowMs);
+        bench.vehicle.northM = 43;
+        bench.run(0.1);
+        assertThat(bench.vehicle.thrust()).as("back to 50 m north").isPositive();
+
+        Bench other = new Bench();
+        Client stopped = boatIn(BoatMode.STOPPED, other);
+        other.vehicle.northM = 46;
+        stopped.session.closed(other.nowMs);
+        other.vehicle.northM = 43;
+        other.run(0.1);
+        assertThat(other.vehicle.isResting()).as("3 m from where it was").isTrue();
+    }
+
+    @Test
+    void returnsHomeAndKeepsStationThere() {
+        Bench bench = new Bench();
+        Client client = bench.commander();
+        client.command(new SetLostLinkAction("a", LostLinkAction.RETURN));
+        bench.vehicle.eastM = 40;
+        client.session.closed(bench.nowMs);
+        bench.run(1);
+        assertThat(bench.vehicle.rudder()).isEqualTo(-1);
+
+        bench.vehicle.eastM = 2;
+        bench.run(0.1);
+        assertThat(bench.server.mode()).isEqualTo(BoatMode.HOLD);
+        assertThat(bench.vehicle.isResting()).isTrue();
+    }
+
+    @Test
+    void fleetStopStaysLatchedWhileTheLinkIsLostAndRegained() {
+        Bench bench = new Bench();
+        Client client = boatIn(BoatMode.PATH, bench);
+        client.command(new SetLostLinkAction("a", LostLinkAction.RETURN));
+        client.command(new FleetStop("f"));
+        client.session.closed(bench.nowMs);
+        bench.run(5);
+        Client next = bench.commander();
+        next.say(new Teleoperate(1, 0));
+        bench.run(1, next);
+
+        assertThat(next.command(new StartWaypoints("g2", "l1", 0)))
+                .isInstanceOfSatisfying(
+                        Nack.class, nack -> assertThat(nack.reason()).isEqualTo(NackReason.FLEET_STOPPED));
+        assertThat(bench.vehicle.isResting()).isTrue();
+        next.command(new FleetRelease("r"));
+        assertThat(bench.server.mode()).isEqualTo(BoatMode.STOPPED);
+    }
+
+    @Test
+    void closedSessionIsNotHeardAnyMore() {
+        Bench bench = new Bench();
+        Client client = boatIn(BoatMode.PATH, bench);
+        client.session.closed(bench.nowMs);
+
+        assertThat(client.say(new StartWaypoints("late", "l1", 0))).isEmpty();
+        assertThat(bench.server.mode()).isEqualTo(BoatMode.HOLD);
+    }
+
+    @Test
+    void whatOthersSayDoesNotMaskALostCommander() {
+        Bench bench = new Bench();
+        Client commander = boatIn(BoatMode.PATH, bench);
+        Client observer = bench.client(Role.OBSERVER, 10);
+        Client namesake = bench.client(Role.COMMANDER, 10); // same client id, but the command is not free
+        Client unknown = bench.new Client();
+        bench.run(3.6, observer, namesake, unknown);
+
+        assertThat(bench.server.mode()).isEqualTo(BoatMode.HOLD);
+        assertThat(bench.server.hasCommander()).isFalse();
+        assertThat(commander.session.role()).contains(Role.COMMANDER);
+    }
+
+    @Test
+    void observerThatIsSilentItselfCannotBeMadeAMaskByAGrant() {
+        Bench bench = new Bench();
+        Client commander = boatIn(BoatMode.PATH, bench);
+        Client observer = bench.new Client();
+        observer.say(new Hello("boat1", "other", Role.OBSERVER, 1, ""));
+        bench.run(10, commander);
+        commander.command(new GrantCommand("grant", "other"));
+        assertThat(observer.session.role()).contains(Role.COMMANDER);
+        bench.run(0.1, commander);
+
+        assertThat(bench.server.mode()).isEqualTo(BoatMode.HOLD);
+    }
+
+    @Test
+    void whatWaitedWhileTheBoatsProcessStoodStillIsAsLateAsAnythingElse() {
+        Bench bench = new Bench();
+        Client client = boatIn(BoatMode.HOLD, bench);
+        bench.run(1, client);
+        bench.nowMs += 30_000; // no tick in between: the phone slept
+        client.say(new Heartbeat(1));
+
+        assertThat(client.command(new StartWaypoints("late", "l1", 0)))
+                .isInstanceOfSatisfying(
+                        Nack.class, nack -> assertThat(nack.reason()).isEqualTo(NackReason.NOT_GREETED));
+        client.say(new Teleoperate(1, 0));
+        bench.run(0.1);
+        assertThat(bench.server.mode()).isEqualTo(BoatMode.HOLD);
+        assertThat(bench.vehicle.isResting()).isTrue();
+    }
+
+    @Test
+    void timesAreTheBoatsOwnWhateverTheClientsClockSays() {
+        Bench bench = new Bench();
+        Client client = boatIn(BoatMode.PATH, bench);
+        for (int i = 0; i < 100; i++) {
+            client.say(new Heartbeat(i % 2 == 0 ? 0 : Long.MAX_VALUE));
+            bench.run(0.1);
+        }
+
+        assertThat(bench.server.mode()).isEqualTo(BoatMode.PATH);
+        List<Telemetry> telemetry = client.all(Telemetry.class);
+        assertThat(telemetry.get(telemetry.size() - 1).boatTimeMs()).isGreaterThan(10_000);
+    }
+}
