@@ -5,7 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestFactory;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.EventType;
@@ -117,6 +120,62 @@ class CatalogueTest {
             "TakePanorama",
             "TaskComplete");
 
+    /** Events without a row in the catalogue. It only gets shorter. */
+    private static final List<String> NO_ROW_YET = List.of(
+            "ApplyAllocation",
+            "BatteryLevelSubscription",
+            "BlockMovementDone",
+            "ConnectExistingProxy",
+            "ConnectExistingProxyId",
+            "CreateSimulatedProxy",
+            "DisconnectServer",
+            "DistributeLocationsRequest",
+            "DistributeLocationsResponse",
+            "GenerateTasks",
+            "MeasurementTaken",
+            "OperatorBackgroundAction",
+            "OperatorBackgroundActionDone",
+            "PanoramaTaken",
+            "PathRequest",
+            "PathResponse",
+            "ProxyAbortMission",
+            "ProxyAbortMissionReceived",
+            "ProxyAreaSubscription",
+            "ProxyEmergencyAbort",
+            "ProxyEnteredArea",
+            "ProxyExecutePathAndBlock",
+            "ProxyExploreArea",
+            "ProxyGotoLocationList",
+            "ProxyGotoPointAndBlock",
+            "ProxyLeftArea",
+            "ProxyListCompleted",
+            "ProxyResendWaypoints",
+            "ProxySetDescription",
+            "ProxyStationKeep",
+            "ReconnectServer",
+            "RefreshTasks",
+            "SendAbortMission",
+            "SendProxyAbortAllMissions",
+            "SendProxyAbortFutureMissions",
+            "SetGains",
+            "SetGainsFailed",
+            "SetGainsSucceeded",
+            "SetVelocityMultiplier",
+            "SetVelocityMultiplierFailed",
+            "SetVelocityMultiplierSucceeded",
+            "TakeMeasurement",
+            "TakePanorama",
+            "TaskComplete",
+            "TaskCompleted",
+            "TaskDelayed",
+            "TaskReassigned",
+            "TaskReleased",
+            "TaskStarted",
+            "TaskUnassigned",
+            "TasksGenerated",
+            "UnknownAnswer",
+            "UnknownRequest");
+
     private final TestWorld world = new TestWorld(new ScriptedEngine(TestWorld.VOCABULARY));
 
     @Test
@@ -147,5 +206,22 @@ class CatalogueTest {
 
         assertThat(unhandled).containsExactlyElementsOf(NOT_HANDLED_YET);
         assertThat(TestWorld.VOCABULARY.events().keySet()).containsAll(world.domain.handledTypes());
+    }
+
+    /** Each event by the effect that its row of the {@link Catalogue} names. */
+    @TestFactory
+    Stream<DynamicTest> eachEventHasTheEffectThatItsRowNames() {
+        return Catalogue.whole().rows().values().stream()
+                .map(row -> DynamicTest.dynamicTest(
+                        row.event() + " (" + row.seen() + "): " + row.effect(),
+                        () -> row.check().run()));
+    }
+
+    @Test
+    void everyEventHasARowOrIsListedAsStillToCome() {
+        Set<String> without = new TreeSet<>(TestWorld.VOCABULARY.events().keySet());
+        without.removeAll(Catalogue.whole().rows().keySet());
+
+        assertThat(without).containsExactlyElementsOf(NO_ROW_YET);
     }
 }

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Question;
+import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -17,29 +18,44 @@ final class Answers {
     /** Why an answer does not fit; empty where it does. */
     static Optional<String> wrong(Question question, Answer answer, boolean mayReject, Vocabulary vocabulary) {
         if (question instanceof Question.Approve) {
-            return expect(answer instanceof Answer.YesNo, "yes or no");
+            return expect(answer instanceof Answer.YesNo, "yes or no", answer);
         }
         if (question instanceof Question.ChooseProxies c) {
             return answer instanceof Answer.Proxies p
                     ? wrongChoice(c, p.proxies())
-                    : Optional.of("robots are expected");
+                    : expect(false, "a choice of robots", answer);
         }
         if (question instanceof Question.ChooseOption c) {
             if (answer instanceof Answer.Rejected) {
-                return expect(mayReject, "one of the options");
+                return expect(mayReject, "one of the options", answer);
             }
             boolean inRange = answer instanceof Answer.Option o
                     && o.index() >= 0
                     && o.index() < c.options().size();
-            return expect(inRange, "an option from 0 to " + (c.options().size() - 1));
+            return expect(inRange, "an option from 0 to " + (c.options().size() - 1), answer);
         }
         return answer instanceof Answer.Fields f
                 ? wrongFields((Question.FillIn) question, f.values(), vocabulary)
-                : Optional.of("values are expected");
+                : expect(false, "a value for each field", answer);
     }
 
-    private static Optional<String> expect(boolean fits, String what) {
-        return fits ? Optional.empty() : Optional.of(what + " is expected");
+    private static Optional<String> expect(boolean fits, String what, Answer given) {
+        return fits ? Optional.empty() : Optional.of(what + " is expected, not " + words(given));
+    }
+
+    private static String words(Answer answer) {
+        if (answer instanceof Answer.YesNo yesNo) {
+            return yesNo.yes() ? "yes" : "no";
+        }
+        if (answer instanceof Answer.Proxies chosen) {
+            return "the robots " + chosen.proxies();
+        }
+        if (answer instanceof Answer.Option option) {
+            return "option " + option.index();
+        }
+        return answer instanceof Answer.Fields fields
+                ? "values of " + fields.values().keySet()
+                : "a rejection";
     }
 
     private static Optional<String> wrongChoice(Question.ChooseProxies question, List<String> chosen) {
@@ -67,7 +83,8 @@ final class Answers {
                 return Optional.of("'" + e.getKey() + "' was not asked");
             }
             if (!item.type().accepts(e.getValue(), vocabulary.types())) {
-                return Optional.of("'" + e.getKey() + "' is of another type than " + e.getValue());
+                return Optional.of("'" + e.getKey() + "' needs a value of type " + TypeNames.of(item.type()) + ", not "
+                        + e.getValue());
             }
             if (!item.editable() && !e.getValue().equals(item.defaultValue().orElse(null))) {
                 return Optional.of("'" + e.getKey() + "' is locked");

@@ -26,7 +26,8 @@ final class CompiledPlan {
     final CompiledPlace[] places;
     final CompiledTransition[] transitions;
     final CompiledPlace start;
-    final Map<String, VariableSpec> variables = new HashMap<>();
+    final Map<String, VariableSpec> variables =
+            new LinkedHashMap<>(); // in the plan's order: the operator is offered them
     final List<AskedField> asked = new ArrayList<>();
     /** Input event types of its transitions. */
     final int[] inputTypes;

@@ -1,0 +1,76 @@
+package org.sami.crw.handler;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.sami.crw.handler.Catalogue.Seen;
+import org.sami.spn.value.RealValue;
+import org.sami.spn.value.TextValue;
+
+/** What boats report by themselves, and what is reported to the operator. */
+final class NewsChapter {
+    private NewsChapter() {}
+
+    static void add(Catalogue catalogue) {
+        catalogue
+                .shows(
+                        "DisplayMessage",
+                        Seen.IN_A_REPORT,
+                        "the message is in the operator's list",
+                        NewsChapter::message)
+                .shows(
+                        "ProxyCreated",
+                        Seen.IN_THE_MARKING,
+                        "a boat that connects while the mission runs joins it",
+                        NewsChapter::created)
+                .shows(
+                        "ProxyPoseUpdated",
+                        Seen.IN_THE_MARKING,
+                        "a boat moves on at its next report of where it is",
+                        () -> new Scene(new PlanSketch().on("here", "ProxyPoseUpdated", "heard"), 1)
+                                .untilBoat("boat-1", "heard"))
+                .shows(
+                        "BatteryNominal",
+                        Seen.IN_THE_MARKING,
+                        "a boat whose battery was changed for a full one moves on",
+                        () -> battery(5, 100, "BatteryNominal"))
+                .shows(
+                        "BatteryLow",
+                        Seen.IN_THE_MARKING,
+                        "a boat whose battery is getting low moves on, with the charge in the variable",
+                        () -> battery(100, 15, "BatteryLow"))
+                .shows(
+                        "BatteryCritical",
+                        Seen.IN_THE_MARKING,
+                        "a boat whose battery is nearly empty moves on, with the charge in the variable",
+                        () -> battery(100, 2, "BatteryCritical"));
+    }
+
+    private static void message() {
+        Scene scene =
+                new Scene(new PlanSketch().asks("here", "DisplayMessage", "message", new TextValue("All is well")), 1);
+        scene.run(1);
+        assertThat(scene.messages()).contains("All is well");
+    }
+
+    private static void created() {
+        Scene scene = new Scene(new PlanSketch().joining("here", "ProxyCreated", "team"), 1);
+        scene.world.addBoat("late", 20, 0);
+        scene.untilBoat("late", "team");
+        assertThat(scene.used("ProxyCreated").get(0).proxies()).isEqualTo(List.of("late"));
+    }
+
+    private static void battery(double before, double after, String news) {
+        Scene scene = new Scene(
+                new PlanSketch()
+                        .variable("@percent", "real")
+                        .on("here", news, "heard")
+                        .writing("percent", "@percent"),
+                1,
+                percent -> percent.setBatteryPercent(before));
+        assertThat(scene.stands(Scene.boat("boat-1"), "here")).isTrue();
+        scene.world.hull("boat-1").setBatteryPercent(after);
+        scene.untilBoat("boat-1", "heard");
+        assertThat(((RealValue) scene.variable("@percent")).value()).isEqualTo(after);
+    }
+}
