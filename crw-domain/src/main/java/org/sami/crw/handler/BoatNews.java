@@ -28,15 +28,17 @@ import org.sami.spn.value.RealValue;
  */
 final class BoatNews implements BoatListener {
     private final EngineHost host;
+    private final NewBoats newBoats;
     private final MessageSink messages;
     private final BatterySubscriptions batteries;
     private final Set<String> joined = new HashSet<>();
     private final Set<String> observed = new HashSet<>();
     private final Map<String, String> levels = new HashMap<>();
 
-    BoatNews(EngineHost host, MessageSink messages, BatterySubscriptions batteries) {
+    BoatNews(EngineHost host, NewBoats newBoats, MessageSink messages, BatterySubscriptions batteries) {
         this.batteries = batteries;
         this.host = host;
+        this.newBoats = newBoats;
         this.messages = messages;
     }
 
@@ -54,9 +56,7 @@ final class BoatNews implements BoatListener {
             tell(boat, Priority.LOW, "The link to " + boat + " is back");
         } else if (status.link() == LinkState.LINKED
                 && !host.ask(view -> view.proxies().contains(boat))) {
-            host.post(List.of(
-                    new Input.ProxyJoined(boat),
-                    new Input.Received(Occurrence.news(EventNames.PROXY_CREATED, List.of(boat), Map.of()))));
+            host.post(newBoats.joined(boat));
         }
     }
 

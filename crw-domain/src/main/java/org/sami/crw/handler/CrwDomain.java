@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import org.sami.crw.decision.MessageSink;
+import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatListeners;
 import org.sami.crw.proxy.BoatPose;
@@ -29,11 +30,18 @@ public final class CrwDomain implements AutoCloseable {
     private final BoatListener boatListener;
 
     private CrwDomain(
-            EngineHost host, ProxyRegistry boats, Executor fleet, MessageSink messages, CrwServices services) {
+            EngineHost host,
+            ProxyRegistry boats,
+            Executor fleet,
+            MessageSink messages,
+            CrwServices services,
+            BoatConnector connector) {
+        NewBoats newBoats = new NewBoats();
         MotionCommands motion = new MotionCommands(boats, messages);
         BoatQuestions questions = new BoatQuestions(host, boats, fleet);
         BatterySubscriptions batteries = new BatterySubscriptions(boats, fleet);
-        boatListener = new BoatListeners(motion, questions, batteries, new BoatNews(host, messages, batteries));
+        boatListener =
+                new BoatListeners(motion, questions, batteries, new BoatNews(host, newBoats, messages, batteries));
         BoatPositions positions =
                 boat -> boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
         handlers.put(ExecutePathHandler.TYPE, new ExecutePathHandler(motion));
@@ -51,6 +59,9 @@ public final class CrwDomain implements AutoCloseable {
         handlers.put(ProxyAbortMissionHandler.TYPE, new ProxyAbortMissionHandler(motion));
         handlers.put(EmergencyAbortHandler.TYPE, new EmergencyAbortHandler(boats));
         handlers.put(DisplayMessageHandler.TYPE, new DisplayMessageHandler(messages));
+        handlers.put(ConnectExistingProxyHandler.TYPE, new ConnectExistingProxyHandler(connector, newBoats));
+        handlers.put(ConnectExistingProxyIdHandler.TYPE, new ConnectExistingProxyIdHandler(connector, newBoats));
+        handlers.put(CreateSimulatedProxyHandler.TYPE, new CreateSimulatedProxyHandler(connector, newBoats));
         handlers.put(UnknownRequestHandler.TYPE, new UnknownRequestHandler(messages));
         handlers.forEach((type, handler) -> registrations.add(host.register(type, handler, fleet)));
         registrations.add(host.addListener(new Withdrawals(motion, fleet)));
@@ -69,10 +80,25 @@ public final class CrwDomain implements AutoCloseable {
         return install(host, boats, fleet, messages, CrwServices.STANDARD);
     }
 
-    /** Puts the domain on a host. */
+    /** Puts the domain on a host whose boats are settled. */
     public static CrwDomain install(
             EngineHost host, ProxyRegistry boats, Executor fleet, MessageSink messages, CrwServices services) {
-        return new CrwDomain(host, boats, fleet, messages, services);
+        return install(host, boats, fleet, messages, services, BoatConnector.NONE);
+    }
+
+    /**
+     * Puts the domain on a host.
+     *
+     * @param connector how plans get to more boats
+     */
+    public static CrwDomain install(
+            EngineHost host,
+            ProxyRegistry boats,
+            Executor fleet,
+            MessageSink messages,
+            CrwServices services,
+            BoatConnector connector) {
+        return new CrwDomain(host, boats, fleet, messages, services, connector);
     }
 
     /** What every proxy of the registry must be given; to be called on the fleet's thread. */

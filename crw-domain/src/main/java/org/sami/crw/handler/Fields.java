@@ -6,6 +6,7 @@ import org.sami.crw.event.Numbers;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
+import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
 /** Reads fields of activations; what is missing or of another type is an {@link IllegalArgumentException} that names it. */
@@ -17,6 +18,13 @@ final class Fields {
                 .value(field)
                 .orElseThrow(() -> new IllegalArgumentException(
                         activation.type() + " in " + activation.place() + " has no value for \"" + field + "\""));
+    }
+
+    static String text(Activation activation, String field) {
+        if (required(activation, field) instanceof TextValue text) {
+            return text.value();
+        }
+        throw new IllegalArgumentException("\"" + field + "\" is no text: " + activation.value(field));
     }
 
     static double metres(Activation activation, String field) {

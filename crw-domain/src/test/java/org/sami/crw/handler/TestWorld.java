@@ -1,5 +1,6 @@
 package org.sami.crw.handler;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -8,10 +9,12 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerSession;
 import org.sami.crw.decision.OperatorDesk;
+import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyConfig;
 import org.sami.crw.proxy.ProxyRegistry;
@@ -33,6 +36,7 @@ final class TestWorld implements HostClock {
     static final Vocabulary VOCABULARY =
             VocabularyReader.fromClassPath("/org/sami/domain/crw").orThrow();
     static final GeoPoint HOME = GeoPoint.of(45.6, 10.68);
+    static final String NOWHERE = "nowhere:0";
     private static final int TICK_MS = 100;
 
     final ProxyRegistry boats = new ProxyRegistry();
@@ -57,8 +61,33 @@ final class TestWorld implements HostClock {
                 .executor(enginesOwn.orElse(tasks::add))
                 .build();
         desk = new OperatorDesk(enginesOwn.isPresent() ? tasks::add : Runnable::run);
-        domain = CrwDomain.install(host, boats, tasks::add, desk);
+        domain = CrwDomain.install(host, boats, tasks::add, desk, CrwServices.STANDARD, new TestHarbour());
         host.addListener(desk);
+    }
+
+    /** A boat lies behind every address but one; made boats lie where they are wanted. */
+    private final class TestHarbour implements BoatConnector {
+        @Override
+        public void connect(Wanted wanted, Consumer<String> found) {
+            if (wanted.server().equals(NOWHERE)) {
+                throw new IllegalArgumentException("nobody can be at " + NOWHERE);
+            }
+            String id = wanted.name() + " at " + wanted.server();
+            if (boats.find(id).isEmpty()) {
+                addBoat(id, 0, 10 * hulls.size());
+            }
+            found.accept(id);
+        }
+
+        @Override
+        public List<String> create(String name, String color, GeoPoint start, int count) {
+            List<String> made = new ArrayList<>();
+            for (int i = 0; i < count; i++) {
+                made.add(name + i);
+                addBoat(name + i, 5 * i, 0);
+            }
+            return made;
+        }
     }
 
     /** A boat so many metres from home. */

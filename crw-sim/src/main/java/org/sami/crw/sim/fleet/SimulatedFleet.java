@@ -11,6 +11,7 @@ import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.sim.clock.VirtualScheduler;
 import org.sami.crw.sim.hull.Quay;
+import org.sami.crw.sim.hull.SimulatedHull;
 
 /**
  * Boats {@code boat1} to {@code boatN} on one virtual clock: each with a hull, the boat server, two pipes and the base's
@@ -35,9 +36,14 @@ public final class SimulatedFleet {
     /** Virtual time between two ticks of a boat. */
     public static final long TICK_MS = 100;
 
-    private static final double SPACING_M = 5;
+    /** Between two boats on the line, in metres. */
+    public static final double SPACING_M = 5;
 
     private final VirtualScheduler clock;
+    private final long seed;
+    private final SplittableRandom seeds;
+    private final Function<String, BoatListener> listeners;
+    private final FleetConfig config;
     private final LocalFrame frame;
     private final List<SimulatedBoat> boats = new ArrayList<>();
     private final ProxyRegistry proxies = new ProxyRegistry();
@@ -75,16 +81,35 @@ public final class SimulatedFleet {
         if (boatCount < 0) {
             throw new IllegalArgumentException("a fleet of " + boatCount + " boats");
         }
+        this.seed = seed;
+        this.listeners = listeners;
+        this.config = config;
         frame = new LocalFrame(baseLatDeg, baseLonDeg);
-        SplittableRandom seeds = new SplittableRandom(seed);
+        seeds = new SplittableRandom(seed);
         for (int i = 0; i < boatCount; i++) {
-            String id = idOf(i);
-            SimulatedBoat boat = new SimulatedBoat(
-                    id, clock, config, frame, i * SPACING_M, 0, BoatSeeds.next(seeds), seed, listeners.apply(id));
-            boat.hull().setQuay(new Quay(0, (boatCount - 1) * SPACING_M, 0, Quay.REACH_M));
-            boats.add(boat);
-            proxies.add(boat.proxy());
+            add(idOf(i), i * SPACING_M, 0).setQuay(new Quay(0, (boatCount - 1) * SPACING_M, 0, Quay.REACH_M));
         }
+    }
+
+    private SimulatedHull add(String id, double eastM, double northM) {
+        SimulatedBoat boat = new SimulatedBoat(
+                id, clock, config, frame, eastM, northM, BoatSeeds.next(seeds), seed, listeners.apply(id));
+        boats.add(boat);
+        proxies.add(boat.proxy());
+        return boat.hull();
+    }
+
+    /**
+     * Another boat joins, from now on, at so many metres from the base point; that is its quay.
+     *
+     * @throws IllegalArgumentException if there is one with its id
+     */
+    public SimulatedBoat join(String id, double eastM, double northM) {
+        if (boat(id).isPresent()) {
+            throw new IllegalArgumentException("there is a boat " + id + " already");
+        }
+        add(id, eastM, northM).setQuay(new Quay(eastM, eastM, northM, Quay.REACH_M));
+        return boats.get(boats.size() - 1);
     }
 
     /** The id of a boat of such a fleet, counted from 0. */
@@ -130,7 +155,7 @@ public final class SimulatedFleet {
         if (run.isEmpty() || run.get() != started) {
             return;
         }
-        for (SimulatedBoat boat : boats) {
+        for (SimulatedBoat boat : List.copyOf(boats)) { // one may join while they are ticked
             boat.tick(clock.nowMs(), TICK_MS / 1000.0);
         }
         clock.after(TICK_MS, () -> tick(started));

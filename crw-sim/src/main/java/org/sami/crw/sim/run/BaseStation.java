@@ -6,6 +6,8 @@ import java.util.Locale;
 import java.util.concurrent.Executor;
 import org.sami.crw.decision.OperatorMessage;
 import org.sami.crw.handler.CrwDomain;
+import org.sami.crw.handler.CrwServices;
+import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatListeners;
 import org.sami.crw.proxy.ProxyRegistry;
@@ -27,7 +29,7 @@ final class BaseStation {
     private final ReadingRecorder readings;
     private final List<NoteResult> messages = new ArrayList<>();
 
-    BaseStation(RunPlan plan, InputJournal journal, HostClock clock, Executor executor) {
+    BaseStation(RunPlan plan, InputJournal journal, HostClock clock, Executor executor, BoatConnector connector) {
         this.clock = clock;
         Engine engine = new Engine(plan.vocabulary(), plan.project());
         host = EngineHost.builder(engine, engine.newState())
@@ -36,7 +38,7 @@ final class BaseStation {
                 .executor(executor)
                 .slowListenerMillis(NEVER_SLOW_MILLIS)
                 .build();
-        domain = CrwDomain.install(host, boats, executor, this::tell);
+        domain = CrwDomain.install(host, boats, executor, this::tell, CrwServices.STANDARD, connector);
         readings = new ReadingRecorder(clock);
     }
 
@@ -57,9 +59,9 @@ final class BaseStation {
         return new BoatListeners(domain.boatListener(), readings);
     }
 
-    /** From now on the base has these boats. */
+    /** From now on the base has all of these boats. */
     void know(ProxyRegistry fleet) {
-        fleet.all().forEach(boats::add);
+        fleet.all().stream().filter(boat -> boats.find(boat.boatId()).isEmpty()).forEach(boats::add);
     }
 
     /** What the boats' sensors measured. */

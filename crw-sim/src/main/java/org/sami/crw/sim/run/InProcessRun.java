@@ -18,6 +18,7 @@ import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostStatus;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Outcome;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 
 /**
@@ -63,11 +64,14 @@ public final class InProcessRun {
         this.journal = journal;
         parameters = new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
         RunSettings.Fleet fleet = settings.fleet();
-        base = new BaseStation(plan, journal.inputs(), new ScheduledHostClock(clock), executor);
-        water = new SimulatedWater(clock, fleet, boat -> base.boatListener());
+        GeoPoint centre = new PlanLocations(plan.project(), plan.plan(), parameters.values())
+                .centre(SimulatedWater.CENTRE, fleet.areaM());
+        SimulatedHarbour harbour = new SimulatedHarbour();
+        base = new BaseStation(plan, journal.inputs(), new ScheduledHostClock(clock), executor, harbour);
+        water = new SimulatedWater(clock, fleet, centre, boat -> base.boatListener());
+        harbour.open(water, base);
         base.know(water.fleet().proxies());
-        OperatorDefaults defaults =
-                new OperatorDefaults(SimulatedWater.CENTRE, fleet.areaM(), fleet.locations(), fleet.seed());
+        OperatorDefaults defaults = new OperatorDefaults(centre, fleet.areaM(), fleet.locations(), fleet.seed());
         operator = new OperatorStation(
                 new SimulatedOperator(plan.vocabulary(), defaults, answers), clock, settings.answerAfterMillis());
         interrupts = new InterruptStation(

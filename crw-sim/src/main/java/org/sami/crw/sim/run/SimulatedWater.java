@@ -16,7 +16,7 @@ import org.sami.spn.value.GeoPoint;
 
 /** The simulated part of the world that is not the base: the area, the boats on it, and their time. */
 final class SimulatedWater {
-    /** Centre of the area: open water of Lake Garda. */
+    /** Centre of the area of plans that name no place: open water of Lake Garda. */
     static final GeoPoint CENTRE = GeoPoint.of(45.7000, 10.7200);
 
     /** The boats' line lies this far south of the area. */
@@ -25,11 +25,18 @@ final class SimulatedWater {
     private static final double SPACING_M = 5;
 
     private final VirtualClock clock;
-    private final LocalFrame plane = new LocalFrame(CENTRE.latDeg(), CENTRE.lonDeg());
+    private final LocalFrame plane;
     private final SimulatedFleet fleet;
 
-    SimulatedWater(VirtualClock clock, RunSettings.Fleet settings, Function<String, BoatListener> listeners) {
+    /**
+     * Boats lie along its southern side.
+     *
+     * @param centre of the area
+     */
+    SimulatedWater(
+            VirtualClock clock, RunSettings.Fleet settings, GeoPoint centre, Function<String, BoatListener> listeners) {
         this.clock = clock;
+        plane = new LocalFrame(centre.latDeg(), centre.lonDeg());
         double eastM = -(settings.boats() - 1) * SPACING_M / 2;
         double northM = -settings.areaM() / 2 - QUAY_M;
         fleet = new SimulatedFleet(
