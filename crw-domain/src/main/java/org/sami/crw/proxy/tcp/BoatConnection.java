@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.net.InetSocketAddress;
 import java.net.Socket;
+import java.net.UnknownHostException;
 import java.util.Optional;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -113,6 +114,8 @@ final class BoatConnection implements FrameSink {
             close("the boat has closed the link");
         } catch (LinkException e) {
             close("the boat sends what is no frame: " + e.getMessage());
+        } catch (UnknownHostException e) {
+            close("there is no host " + address.getHostString());
         } catch (IOException | InterruptedException e) {
             close(e.getMessage() == null ? e.toString() : e.getMessage());
         }

@@ -70,6 +70,21 @@ final class LinkTable {
         }
     }
 
+    /** A boat of that name is known to be somewhere: its proxy takes commands, which wait until an address leads to the boat. */
+    void expect(String boatId) {
+        if (proxies.find(boatId).isEmpty()) {
+            make(boatId);
+        }
+    }
+
+    private BoatProxy make(String boatId) {
+        BoatProxy proxy = Optional.ofNullable(removed.remove(boatId))
+                .orElseGet(() -> new BoatProxy(boatId, new Carried(boatId), listener.found(boatId), config.proxy()));
+        proxies.add(proxy);
+        listener.onBoat(proxy);
+        return proxy;
+    }
+
     /** Gives up an address, and the boat that it carries. Returns whether it was known. */
     boolean remove(InetSocketAddress address, long atMs) {
         nowMs = atMs;
@@ -82,7 +97,7 @@ final class LinkTable {
     /** Gives up a boat and its address. Returns whether it was known. */
     boolean remove(String boatId, long atMs) {
         nowMs = atMs;
-        boolean known = carriers.containsKey(boatId);
+        boolean known = proxies.find(boatId).isPresent();
         if (known) {
             remove(boatId);
         }
@@ -90,12 +105,13 @@ final class LinkTable {
     }
 
     private void remove(String boatId) {
-        BoatLink link = carriers.remove(boatId);
         BoatProxy proxy = proxies.find(boatId).orElseThrow();
         proxies.remove(boatId);
         removed.put(boatId, proxy);
-        links.remove(link);
-        leaving.add(new Leaving(link, proxy, nowMs + STOP_WITHIN_MS));
+        Optional.ofNullable(carriers.remove(boatId)).ifPresent(link -> {
+            links.remove(link);
+            leaving.add(new Leaving(link, proxy, nowMs + STOP_WITHIN_MS));
+        });
         forgetAlarms(boatId);
         proxy.retire("the boat has been removed");
         listener.onRemoved(boatId);
@@ -158,12 +174,8 @@ final class LinkTable {
 
         private void adopt(BoatLink link, String boatId) {
             letGo(one -> one.proxy.boatId().equals(boatId));
-            BoatProxy proxy = Optional.ofNullable(removed.remove(boatId))
-                    .orElseGet(
-                            () -> new BoatProxy(boatId, new Carried(boatId), listener.found(boatId), config.proxy()));
+            BoatProxy proxy = proxies.find(boatId).orElseGet(() -> make(boatId));
             carriers.put(boatId, link);
-            proxies.add(proxy);
-            listener.onBoat(proxy);
             link.carry(proxy, nowMs);
         }
 
@@ -194,7 +206,7 @@ final class LinkTable {
         }
 
         private void alarm(BoatLink carrier, BoatLink link, Welcome welcome) {
-            String both = carrier.address() + " and " + link.address();
+            String both = words(carrier) + " and " + words(link);
             LinkAlarm alarm = isSameStart(welcome)
                     ? new LinkAlarm(
                             LinkAlarm.Kind.ONE_BOAT_AT_TWO_ADDRESSES,
@@ -209,6 +221,10 @@ final class LinkTable {
             if (alarmed.add(alarm)) {
                 listener.onAlarm(alarm);
             }
+        }
+
+        private static String words(BoatLink link) {
+            return link.address().getHostString() + ":" + link.address().getPort();
         }
     }
 

@@ -60,6 +60,18 @@ public final class TcpBase implements AutoCloseable {
     }
 
     /**
+     * A boat of that name is known to be somewhere, though no address has led to it yet: it gets its proxy at once, whose commands
+     * wait until the boat answers.
+     */
+    public void expect(String boatId) {
+        run("expecting " + boatId, () -> {
+            if (!stopped) {
+                links.expect(boatId);
+            }
+        });
+    }
+
+    /**
      * Gives up a boat and its address. Its commands fail, it is stopped if it can be told, and is then left alone. Gives whether
      * it was known.
      */

@@ -27,6 +27,7 @@ import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.crw.sim.run.RunPlan;
 import org.sami.crw.sim.run.RunSettings;
+import org.sami.crw.sim.tcp.BoatsNotReadyException;
 import org.sami.crw.sim.tcp.SessionJournal;
 import org.sami.crw.sim.tcp.SessionStart;
 import org.sami.crw.sim.tcp.TcpRun;
@@ -136,6 +137,8 @@ final class Execution {
                 tellJournal(journal);
             }
             return run(connected(plan, settings, answers, session), settings, journal);
+        } catch (BoatsNotReadyException e) {
+            throw journal == null ? e : new IOException(e.getMessage() + "; once they are: crw resume " + journal, e);
         }
     }
 

@@ -69,7 +69,31 @@ public final class ReportText {
                     boat.distanceM(),
                     boat.batteryPercent(),
                     boat.recharges(),
-                    boat.link().words());
+                    link(boat.link()));
+        }
+        if (report.result().outcome() != RunOutcome.ENDED) {
+            whys(text, report);
+        }
+    }
+
+    private static String link(LinkResult link) {
+        if (link.lost() == 0) {
+            return link.words();
+        }
+        String back = link.reconnected() == link.lost() ? "" : ", back " + link.reconnected() + " x";
+        return link.words() + ", lost " + link.lost() + " x" + back;
+    }
+
+    /** Why each boat moved or did not when the run stopped. */
+    private static void whys(StringBuilder text, RunReport report) {
+        List<String> whys = report.boats().stream()
+                .map(boat -> boat.link().why())
+                .filter(why -> !why.isEmpty())
+                .toList();
+        if (!whys.isEmpty()) {
+            line(text, "");
+            line(text, "  boats when the run stopped");
+            whys.forEach(why -> line(text, "  %s", why));
         }
     }
 

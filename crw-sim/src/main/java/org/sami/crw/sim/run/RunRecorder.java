@@ -35,6 +35,7 @@ public final class RunRecorder implements HostListener {
     private final List<NoteResult> notes = new ArrayList<>();
     private OptionalLong root = OptionalLong.empty();
     private Optional<Outcome> outcome = Optional.empty();
+    private OptionalLong endedAtMillis = OptionalLong.empty();
     private Optional<String> failure = Optional.empty();
     private final ClickCount clicks = new ClickCount();
     private long costOfInput;
@@ -86,6 +87,7 @@ public final class RunRecorder implements HostListener {
             noted(atMillis, noted);
         } else if (effect instanceof Effect.MissionEnded ended && isRoot(ended.mission())) {
             outcome = Optional.of(ended.outcome());
+            endedAtMillis = OptionalLong.of(atMillis);
         }
     }
 
@@ -150,12 +152,18 @@ public final class RunRecorder implements HostListener {
                 atMillis, noted.kind().name().toLowerCase(Locale.ROOT), noted.mission(), noted.message()));
         if (noted.kind() == NoteKind.LIVELOCK && isRoot(noted.mission())) {
             outcome = Optional.of(Outcome.HALTED);
+            endedAtMillis = OptionalLong.of(atMillis);
         }
     }
 
     /** How the run's mission ended; empty while it goes on. */
     public Optional<Outcome> outcome() {
         return outcome;
+    }
+
+    /** When the run's mission ended; empty while it goes on. */
+    public OptionalLong endedAtMillis() {
+        return endedAtMillis;
     }
 
     /** Why the run cannot go on, in one sentence; empty while it can. */

@@ -40,6 +40,7 @@ final class BoatDesk {
         private LinkResult.Uploads earlierUploads = LinkResult.Uploads.NONE;
         private LinkResult.Uploads uploads = LinkResult.Uploads.NONE;
         private String why = "";
+        private boolean isWanted;
     }
 
     private Known of(String boat) {
@@ -122,19 +123,19 @@ final class BoatDesk {
         return news;
     }
 
-    /** Why a boat moves or does not. */
-    synchronized void explained(String boat, String why) {
+    /**
+     * Why a boat moves or does not.
+     *
+     * @param isWanted whether a mission wants something of it that it can do, now or when nothing keeps it any longer
+     */
+    synchronized void explained(String boat, String why, boolean isWanted) {
         of(boat).why = why;
+        of(boat).isWanted = isWanted;
     }
 
-    /** Names the last start of a boat's server that is known; empty if it has never answered. */
-    synchronized String bootId(String boat) {
-        return boats.containsKey(boat) ? of(boat).bootId : "";
-    }
-
-    /** Boats whose link stood and does so no longer, in order. */
-    synchronized List<String> lost() {
-        return boats.keySet().stream().filter(boat -> of(boat).linkIsLost).toList();
+    /** Whether a mission wants something of any boat that it can do, now or when nothing keeps it any longer. */
+    synchronized boolean someoneIsWanted() {
+        return boats.values().stream().anyMatch(known -> known.isWanted);
     }
 
     /** How a boat's link went. */

@@ -40,7 +40,11 @@ final class BoatWatch {
             notes.uploads(boat.boatId(), uploads);
         }
         Explanation explanation = boat.explain();
-        desk.explained(boat.boatId(), explanation.text());
+        boolean isEmpty = boat.status()
+                .battery()
+                .filter(battery -> battery.percent() <= 0)
+                .isPresent();
+        desk.explained(boat.boatId(), explanation.text(), !boat.isAtRest() && !isEmpty);
         boolean stands = !explanation.shouldMove()
                 && !boat.isAtRest()
                 && boat.status().link() != LinkState.LOST; // that was said at once

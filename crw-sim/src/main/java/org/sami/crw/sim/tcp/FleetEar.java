@@ -9,7 +9,6 @@ import org.sami.crw.proxy.BatteryState;
 import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatListeners;
-import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.BoatStatus;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.LinkState;
@@ -31,6 +30,7 @@ final class FleetEar implements BaseListener, BoatListener {
     private final LongSupplier nowMillis;
     private final Map<String, Integer> reported = new HashMap<>();
     private volatile Arrivals arrivals = (boat, points) -> {};
+    private volatile boolean deaf;
     private Optional<BoatListener> domain = Optional.empty();
 
     FleetEar(BoatDesk desk, SessionNotes notes, Notices notices, LongSupplier nowMillis) {
@@ -50,6 +50,11 @@ final class FleetEar implements BaseListener, BoatListener {
         arrivals = ear;
     }
 
+    /** From now on it hears nothing: the run is over, and what becomes of links now is its own doing. From any thread. */
+    void close() {
+        deaf = true;
+    }
+
     @Override
     public BoatListener found(String boatId) {
         return new BoatListeners(this, domain.orElseThrow());
@@ -67,6 +72,9 @@ final class FleetEar implements BaseListener, BoatListener {
 
     @Override
     public void onStatus(BoatStatus status) {
+        if (deaf) {
+            return;
+        }
         status.pose()
                 .ifPresent(pose -> desk.told(
                         status.boatId(),
@@ -80,6 +88,9 @@ final class FleetEar implements BaseListener, BoatListener {
 
     @Override
     public void onLinkChange(BoatStatus status) {
+        if (deaf) {
+            return;
+        }
         if (status.link() == LinkState.LINKED) {
             desk.linked(status.boatId(), status.bootId());
             notes.linked(status.boatId(), status.bootId());
@@ -89,13 +100,19 @@ final class FleetEar implements BaseListener, BoatListener {
         }
     }
 
+    /**
+     * The visits are written down before the domain makes an input of the progress: whoever takes the run up either knows both or
+     * has the boat go there again.
+     */
     @Override
     public void onProgress(String boatId, BoatCommand command, int visitedCount) {
         if (command instanceof FollowPath path) {
             int before = Math.max(path.startIndex(), reported.getOrDefault(command.commandId(), 0));
             if (visitedCount > before) {
                 reported.put(command.commandId(), visitedCount);
-                arrivals.at(boatId, path.points().subList(before, visitedCount));
+                List<GeoPoint> points = path.points().subList(before, visitedCount);
+                points.forEach(point -> notes.visited(nowMillis.getAsLong(), boatId, point));
+                arrivals.at(boatId, points);
             }
         }
     }
@@ -115,11 +132,5 @@ final class FleetEar implements BaseListener, BoatListener {
     @Override
     public void onRefused(String boatId, String reason) {
         notices.ofLink(nowMillis.getAsLong(), boatId + " refuses this base: " + reason);
-    }
-
-    /** Tells a proxy what is known of its boat already. */
-    @Override
-    public void onBoat(BoatProxy proxy) {
-        // an earlier process may have known another start of its server
     }
 }

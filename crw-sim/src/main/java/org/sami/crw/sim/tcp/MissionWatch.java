@@ -165,9 +165,7 @@ final class MissionWatch {
     }
 
     private void arrived(String boat, GeoPoint at) {
-        if (visits.visited(at.latDeg(), at.lonDeg(), now(), boat)) {
-            station.notes().visited(now(), boat, at);
-        }
+        visits.visited(at.latDeg(), at.lonDeg(), now(), boat); // it was written down where it was heard
     }
 
     private void track() {
@@ -179,9 +177,9 @@ final class MissionWatch {
         }
     }
 
-    /** Where a link is lost something can still happen: it can come back. */
+    /** As long as a mission wants something of a boat that can move, something can happen: a link or an operator comes back. */
     private void stall() {
-        if (station.desk().lost().isEmpty()) {
+        if (!station.desk().someoneIsWanted()) {
             stall.look(now(), boats()).ifPresent(this::fail);
         }
     }
@@ -243,6 +241,20 @@ final class MissionWatch {
                 recorder.openDecisions(),
                 recorder.firings().size(),
                 least);
+    }
+
+    /** When the run was over, in ms since its start; now if nothing but its process ends. */
+    long endMillis() {
+        return recorder.endedAtMillis().orElseGet(this::now);
+    }
+
+    /** Writes down where the boats have come to lie, so that the run can be reported again. */
+    void noteEnd(long atMillis) {
+        for (BoatState boat : boats()) {
+            station.desk()
+                    .last(boat.id())
+                    .ifPresent(told -> station.notes().pose(atMillis, boat.id(), told, boat.distanceM()));
+        }
     }
 
     /** The report; when everything has ended. */

@@ -20,13 +20,22 @@ final class Notices implements MessageSink {
     private final SessionNotes notes;
     private final List<NoteResult> told = new ArrayList<>();
     private final Queue<String> toShow = new ConcurrentLinkedQueue<>();
+    private volatile boolean closed;
 
     Notices(SessionNotes notes) {
         this.notes = notes;
     }
 
+    /** Takes nothing more: the run is over. What was taken can still be had. */
+    void close() {
+        closed = true;
+    }
+
     @Override
     public void tell(OperatorMessage message) {
+        if (closed) {
+            return;
+        }
         String source = message.source().name().toLowerCase(Locale.ROOT);
         keep(new NoteResult(message.atMillis(), source + " message", message.mission(), message.text()));
         if (message.source() == OperatorMessage.Source.DOMAIN) {
@@ -36,6 +45,9 @@ final class Notices implements MessageSink {
 
     /** Tells something about a link. */
     void ofLink(long atMillis, String text) {
+        if (closed) {
+            return;
+        }
         keep(new NoteResult(atMillis, LINK, Ids.NONE, text));
         show(text);
     }

@@ -81,6 +81,9 @@ final class RollCall {
     }
 
     private static String lastEvent(LinkReport link) {
+        if (link.connected()) {
+            return " (something listens there, and says nothing that a boat would say)";
+        }
         return link.lastEvent().isEmpty() ? "" : " (" + link.lastEvent() + ")";
     }
 

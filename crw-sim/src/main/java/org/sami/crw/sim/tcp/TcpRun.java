@@ -72,17 +72,23 @@ public final class TcpRun {
                 known = Optional.of(watch(station, earlier.area().get()));
                 known.get().catchUp(earlier);
                 if (known.get().wasOver()) {
-                    return known.get().report(known.get().outcome().orElseThrow(), journal.cameToMillis(), 0);
+                    return known.get()
+                            .report(
+                                    known.get().outcome().orElseThrow(),
+                                    known.get().endMillis(),
+                                    0);
                 }
             }
             station.notes().begun();
+            earlier.area().ifPresent(area -> area.boats().forEach(station.base()::expect));
             RollCall roll = new RollCall(station.base(), settings.connect(), station.desk(), station.notes());
             boolean ready =
                     callRoll(station, roll, known.map(MissionWatch::wasStarted).orElse(false));
             MissionWatch watch = known.isPresent() ? known.get() : watch(station, found(station, roll, ready));
             RunOutcome outcome = ready ? watched(station, watch, observer) : RunOutcome.RUNNING;
-            long endMillis = station.loop().nowMs();
+            long endMillis = watch.endMillis();
             station.leave();
+            watch.noteEnd(endMillis);
             show(station);
             double wallSeconds = (System.nanoTime() - wallStart) / 1e9;
             return watch.report(outcome, endMillis, wallSeconds);

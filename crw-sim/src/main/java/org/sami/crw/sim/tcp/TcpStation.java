@@ -99,7 +99,7 @@ final class TcpStation implements AutoCloseable {
 
     /**
      * Asks every proxy why its boat moves or does not, then takes back what missions have for boats, and waits a while until they
-     * have stopped. After this nobody commands them from here.
+     * have stopped. After this nobody commands them from here, and nothing more is told or written down of them.
      */
     void leave() {
         domain.close();
@@ -112,6 +112,13 @@ final class TcpStation implements AutoCloseable {
         while (!base.query(TcpStation::haveStopped).join() && System.nanoTime() < end) {
             LockSupport.parkNanos(LOOK_NANOS);
         }
+        base.query(TcpStation::whoGoesOn).join().forEach(notices::show);
+        listenNoLonger();
+    }
+
+    private void listenNoLonger() {
+        ear.close();
+        notices.close();
     }
 
     private static List<BoatCommand> takeBack(ProxyRegistry boats) {
@@ -124,6 +131,14 @@ final class TcpStation implements AutoCloseable {
         return taken;
     }
 
+    private static List<String> whoGoesOn(ProxyRegistry boats) {
+        return boats.all().stream()
+                .filter(boat -> !boat.isAtRest())
+                .map(boat -> boat.boatId()
+                        + " has not said that it stops; without a link it does what is set for a lost one")
+                .toList();
+    }
+
     private static boolean haveStopped(ProxyRegistry boats) {
         return boats.all().stream()
                 .allMatch(boat -> boat.isAtRest() || boat.status().link() != LinkState.LINKED);
@@ -131,6 +146,7 @@ final class TcpStation implements AutoCloseable {
 
     @Override
     public void close() {
+        listenNoLonger();
         base.close();
         host.close();
     }
