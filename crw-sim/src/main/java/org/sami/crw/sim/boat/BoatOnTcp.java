@@ -5,14 +5,14 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
+import java.util.function.Consumer;
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.LocalFrame;
-import org.sami.boat.server.ServerLog;
 import org.sami.boat.server.log.CommandLogFile;
 import org.sami.boat.server.log.LoggedCommand;
 import org.sami.boat.server.tcp.TcpBoatServer;
@@ -38,7 +38,7 @@ public final class BoatOnTcp implements Closeable {
     private final Instruments instruments;
     private final String bootId = UUID.randomUUID().toString();
     private final Optional<CommandLogFile> log;
-    private final int restored;
+    private int restored; // not written any more once the boat is launched
     private final TcpBoatServer server;
     private long lastMs;
 
@@ -53,15 +53,9 @@ public final class BoatOnTcp implements Closeable {
         instruments = new Instruments(hull, settings.conditions(), settings.seed() ^ INSTRUMENTS, settings.fieldSeed());
         hull.setBatteryPercent(settings.batteryPercent());
         hull.setQuay(Quay.atOrigin());
-        List<LoggedCommand> earlier = new ArrayList<>();
-        log = openLog(settings, earlier, listener);
-        restored = earlier.size();
+        BoatServer boat = new BoatServer(settings.server(bootId), instruments, this::answered);
+        log = openLog(settings, boat, listener);
         try {
-            BoatServer boat = new BoatServer(
-                    settings.server(bootId),
-                    instruments,
-                    log.map(ServerLog.class::cast).orElse(ServerLog.NONE));
-            earlier.forEach(entry -> boat.restore(entry.command(), entry.answer()));
             server = new TcpBoatServer(
                     settings.name(), boat, TcpServerConfig.on(settings.address()), clock, this::moveTo, listener);
             lastMs = clock.getAsLong();
@@ -72,15 +66,24 @@ public final class BoatOnTcp implements Closeable {
         }
     }
 
-    private Optional<CommandLogFile> openLog(
-            BoatSettings settings, List<LoggedCommand> earlier, TcpServerListener listener) throws IOException {
+    private void answered(long nowMs, CommandMessage command, LinkMessage answer) {
+        log.ifPresent(file -> file.answered(nowMs, command, answer));
+    }
+
+    /** The boat takes back entry by entry: a log grows for ever, and only its last list counts. */
+    private Optional<CommandLogFile> openLog(BoatSettings settings, BoatServer boat, TcpServerListener listener)
+            throws IOException {
         if (settings.logFile().isEmpty()) {
             return Optional.empty();
         }
         Path file = settings.logFile().get();
         Files.createDirectories(file.toAbsolutePath().getParent());
+        Consumer<LoggedCommand> takeBack = entry -> {
+            boat.restore(entry.command(), entry.answer());
+            restored++;
+        };
         return Optional.of(CommandLogFile.open(
-                file, bootId, earlier::add, fault -> listener.failed("the log " + file + " cannot be written", fault)));
+                file, bootId, takeBack, fault -> listener.failed("the log " + file + " cannot be written", fault)));
     }
 
     /** Where the boat listens, with the port that it got. */

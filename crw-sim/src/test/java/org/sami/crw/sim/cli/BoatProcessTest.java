@@ -151,8 +151,8 @@ class BoatProcessTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0", "3", "10", "30", "80"})
-    void killedInMidUploadItHoldsAWholeListOrNone(long afterMs) throws Exception {
+    @CsvSource({"0, true", "3, true", "10, true", "30, true", "80, true", "3, false", "30, false"})
+    void killedInMidUploadItHoldsAWholeListOrNone(long afterMs, boolean withItsState) throws Exception {
         Boat boat = boat(0, "--log", folder.toString());
         try (TcpBase base = base(boat.port)) {
             until("linked", () -> status.get().link() == LinkState.LINKED);
@@ -161,14 +161,37 @@ class BoatProcessTest {
             boat.process.destroyForcibly().waitFor();
             List<String> before = executed();
 
-            boat(boat.port, "--log", folder.toString());
+            boat(boat.port, "--log", (withItsState ? folder : folder.resolve("new")).toString());
             until("the operator is asked", () -> restarts.get() == 1);
             until("it rests", () -> is(BoatMode.STOPPED));
             Optional<String> held = base.query(
                             proxies -> proxies.find("anna").orElseThrow().heldListId())
                     .join();
-            assertThat(held).contains(before.isEmpty() ? "" : "m1-a1-anna#base.0.1");
+            assertThat(held).contains(before.isEmpty() || !withItsState ? "" : "m1-a1-anna#base.0.1");
             tell(base, BoatProxy::confirmRestart);
+            until("under way", () -> is(BoatMode.PATH));
+            assertThat(executed()).doesNotHaveDuplicates();
+        }
+    }
+
+    @Test
+    void fleetStopStaysLatchedOverAKillAndIsReleasedByACommandAlone() throws Exception {
+        Boat boat = boat(0, "--log", folder.toString());
+        try (TcpBase base = base(boat.port)) {
+            until("linked", () -> status.get().link() == LinkState.LINKED);
+            tell(base, proxy -> proxy.submit(farAway(50)));
+            until("under way", () -> is(BoatMode.PATH));
+            tell(base, BoatProxy::fleetStop);
+            until("stopped", () -> is(BoatMode.FLEET_STOP));
+            boat.process.destroyForcibly().waitFor();
+            until("lost", () -> status.get().link() == LinkState.LOST);
+
+            boat(boat.port, "--log", folder.toString());
+            until("the operator is asked", () -> restarts.get() == 1);
+            tell(base, BoatProxy::confirmRestart);
+            until("it is still stopped", () -> is(BoatMode.FLEET_STOP));
+            holds("it is still stopped", 1.5, () -> is(BoatMode.FLEET_STOP));
+            tell(base, BoatProxy::fleetRelease);
             until("under way", () -> is(BoatMode.PATH));
             assertThat(executed()).doesNotHaveDuplicates();
         }

@@ -232,7 +232,6 @@ public final class TcpBoatServer implements Closeable {
 
         @Override
         public void closed(ClientConnection connection, String why) {
-            connections.remove(connection);
             listener.closed(connection.name(), why);
             onBoat(() -> {
                 Client client = clients.remove(connection);
@@ -240,6 +239,7 @@ public final class TcpBoatServer implements Closeable {
                     client.session.closed(now());
                 }
             });
+            connections.remove(connection); // the boat gets to know of it before any newer client
         }
     }
 

@@ -6,28 +6,54 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.boat.link.Ack;
+import org.sami.boat.link.AskForCommand;
+import org.sami.boat.link.BatteryLevel;
+import org.sami.boat.link.BatteryReport;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.CommandAsked;
+import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
+import org.sami.boat.link.GainAxis;
+import org.sami.boat.link.Gains;
+import org.sami.boat.link.Goodbye;
+import org.sami.boat.link.GrantCommand;
+import org.sami.boat.link.Heartbeat;
 import org.sami.boat.link.HeldWaypoints;
+import org.sami.boat.link.Hello;
 import org.sami.boat.link.HoldPosition;
 import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
+import org.sami.boat.link.Progress;
 import org.sami.boat.link.ReadBack;
 import org.sami.boat.link.Role;
+import org.sami.boat.link.SensorReport;
+import org.sami.boat.link.SetGains;
+import org.sami.boat.link.SetLostLinkAction;
+import org.sami.boat.link.SetVelocityMultiplier;
+import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.StopMotors;
+import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Telemetry;
+import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
+import org.sami.boat.link.Welcome;
 import org.sami.boat.server.tcp.TcpBench.Client;
 
 /** Streams that are cut, bent, doubled or never were frames: the boat stays whole, and serves the next client. */
@@ -60,6 +86,45 @@ class HostileTcpClientTest {
                 new FleetStop("f"));
     }
 
+    /** One of each message that a client can send, and of those that only boats have reason to. */
+    private static List<LinkMessage> everyMessage() {
+        List<LinkMessage> all = new ArrayList<>(commands());
+        all.addAll(List.of(
+                new Hello("boat1", "other", Role.COMMANDER, 10, "secret"),
+                new Heartbeat(1),
+                new FleetRelease("fr"),
+                new AskForCommand("ask"),
+                new GrantCommand("grant", "other"),
+                new TakeCommand("take"),
+                new Teleoperate(1, 1),
+                new SetGains("g", GainAxis.HEADING, 9, 9, 9),
+                new SetVelocityMultiplier("v", 9),
+                new SetLostLinkAction("ll", LostLinkAction.DRIFT),
+                new Welcome("boat1", "boot", Role.COMMANDER, ""),
+                new Goodbye("boat1", "why"),
+                new Ack("a"),
+                new Nack("n", NackReason.STALE, "late"),
+                new HeldWaypoints("hw", "l", NEW),
+                new CommandAsked("other"),
+                new Telemetry(45, 10, 0, 0, 50, BoatMode.PATH, 1),
+                new BatteryReport(50, BatteryLevel.NOMINAL),
+                new Progress("l", 1, false),
+                new SettingsReport(new Gains(1, 0, 0), new Gains(1, 0, 0), 1, LostLinkAction.HOLD),
+                new SensorReport("water", "temperature", List.of(17.5), "°C", 45, 10, 1)));
+        return all;
+    }
+
+    /** The boat still does what a good client asks for. */
+    private void assertServes() throws Exception {
+        try (Client good = commander()) {
+            good.say(new UploadWaypoints("good-u", "good", OLD));
+            assertThat(good.await(Ack.class).commandId()).isEqualTo("good-u");
+            good.say(new ReadBack("good-r"));
+            assertThat(good.await(HeldWaypoints.class).waypoints()).isEqualTo(OLD);
+            assertThat(good.await(Telemetry.class).latDeg()).isEqualTo(45);
+        }
+    }
+
     /** A commander in a boat that may still have to learn that its last one has gone. */
     private Client commander() throws Exception {
         Await.until("the last client is gone", 10, () -> bench.server.clientCount() == 0);
@@ -67,9 +132,13 @@ class HostileTcpClientTest {
     }
 
     @Test
-    void noPrefixOfAMessageIsExecuted() throws Exception {
+    void noPrefixOfAnyMessageIsExecuted() throws Exception {
+        List<LinkMessage> messages = everyMessage();
+        assertThat(messages.stream().map(LinkMessage::type))
+                .doesNotHaveDuplicates()
+                .hasSize(27);
         int cuts = 0;
-        for (LinkMessage message : commands()) {
+        for (LinkMessage message : messages) {
             byte[] frame = codec.encode(7, message);
             for (int length = 0; length < frame.length; length++) {
                 try (Client client = commander()) {
@@ -79,11 +148,13 @@ class HostileTcpClientTest {
             }
         }
 
-        assertThat(cuts).isGreaterThan(300);
+        assertThat(cuts).isGreaterThan(1900);
         assertThat(bench.executed).isEmpty();
         assertThat(commander().await(Telemetry.class).mode())
                 .as("what is set for a lost link")
                 .isEqualTo(BoatMode.HOLD);
+        bench.closeClients();
+        assertServes();
     }
 
     @Test
@@ -112,10 +183,13 @@ class HostileTcpClientTest {
     @Test
     void flippedBitsAreRefusedOrDropTheClient() throws Exception {
         SplittableRandom random = new SplittableRandom(61);
-        for (int round = 0; round < 300; round++) {
-            List<LinkMessage> commands = commands();
-            byte[] frame = codec.encode(7, commands.get(random.nextInt(commands.size() - 1))); // no latched stop
-            frame[random.nextInt(frame.length)] ^= (byte) (1 << random.nextInt(8));
+        List<LinkMessage> messages = new ArrayList<>(everyMessage());
+        messages.removeIf(message -> message instanceof FleetStop); // it would stay latched
+        for (int round = 0; round < 500; round++) {
+            byte[] frame = codec.encode(7, messages.get(round % messages.size()));
+            for (int flips = random.nextInt(1, 4); flips > 0; flips--) {
+                frame[random.nextInt(frame.length)] ^= (byte) (1 << random.nextInt(8));
+            }
             try (Client client = commander()) {
                 client.send(frame);
                 client.socket.shutdownOutput();
@@ -123,7 +197,7 @@ class HostileTcpClientTest {
             }
         }
 
-        assertThat(commander().await(Telemetry.class).latDeg()).isEqualTo(45);
+        assertServes();
     }
 
     @Test
@@ -191,6 +265,128 @@ class HostileTcpClientTest {
         }
 
         assertThat(bench.executed).containsExactly("u ack", "s ack", "h ack", "x ack", "f ack");
+    }
+
+    @Test
+    void framesInAnyOrderAndTenTimesOverAreExecutedOnceAtMost() throws Exception {
+        SplittableRandom random = new SplittableRandom(63);
+        for (int round = 0; round < 20; round++) {
+            bench.executed.clear();
+            List<byte[]> frames = new ArrayList<>();
+            List<LinkMessage> commands = List.of(
+                    new UploadWaypoints("u" + round, "l", NEW),
+                    new StartWaypoints("s" + round, "l", 0),
+                    new HoldPosition("h" + round),
+                    new StopMotors("x" + round));
+            for (int copy = 0; copy < 10; copy++) {
+                for (int i = 0; i < commands.size(); i++) {
+                    frames.add(codec.encode(i + 1, commands.get(i)));
+                }
+            }
+            for (int i = frames.size() - 1; i > 0; i--) {
+                Collections.swap(frames, i, random.nextInt(i + 1));
+            }
+            try (Client client = commander()) {
+                for (byte[] frame : frames) {
+                    client.send(frame);
+                }
+                client.socket.shutdownOutput();
+                assertThat(client.isClosedByTheBoat()).isTrue();
+            }
+            commander().close(); // who is welcome once the boat has done with the one before
+
+            assertThat(bench.executed.stream().map(line -> line.split(" ")[0]))
+                    .doesNotHaveDuplicates()
+                    .contains("h" + round, "x" + round);
+        }
+        assertServes();
+    }
+
+    @Test
+    void motionThatComesThirtySecondsLateIsRefusedAndAStopIsNot() throws Exception {
+        AtomicLong lateMs = new AtomicLong();
+        try (TcpBench late = new TcpBench(
+                UnaryOperator.identity(), UnaryOperator.identity(), () -> TcpBench.machineMs() + lateMs.get())) {
+            Client client = late.greet("base", Role.COMMANDER, 20);
+            client.say(new UploadWaypoints("u", "l", NEW));
+            client.await(Ack.class);
+            lateMs.set(30_000);
+
+            client.say(new StartWaypoints("s", "l", 0));
+            assertThat(client.await(Nack.class).reason()).isEqualTo(NackReason.NOT_GREETED);
+            client.say(new Teleoperate(1, 0));
+            while (client.await(Telemetry.class).boatTimeMs() < 30_000) {}
+            assertThat(client.await(Telemetry.class).mode()).isEqualTo(BoatMode.HOLD);
+            client.say(new StopMotors("x"));
+            assertThat(client.await(Ack.class).commandId()).isEqualTo("x");
+            client.say(new Hello("boat1", "base", Role.COMMANDER, 20, ""));
+            client.say(new StartWaypoints("s2", "l", 0));
+            assertThat(client.await(Ack.class).commandId()).isEqualTo("s2");
+            assertThat(late.executed).containsExactly("u ack", "x ack", "s2 ack");
+        }
+    }
+
+    @Test
+    void lengthsThatAreDeclaredAndNotSentTakeNoMemory() throws Exception {
+        byte[] declared = ByteBuffer.allocate(4 + 10)
+                .putInt(LinkCodec.DEFAULT_MAX_BYTES)
+                .put((byte) LinkCodec.VERSION)
+                .array();
+        Client watching = bench.greet("watching", Role.OBSERVER, 20);
+        for (int i = 0; i < 10; i++) {
+            bench.connect().send(declared);
+        }
+        Await.until("all are connected", 10, () -> bench.server.clientCount() == 11);
+        for (int i = 0; i < 10; i++) {
+            watching.await(Telemetry.class); // the bytes are there by now
+        }
+
+        assertThat(bench.bytesAllocatedByReaders()).isLessThan(10 * 200_000L);
+        assertThat(bench.executed).isEmpty();
+    }
+
+    @Test
+    void clientThatSendsFasterThanTheBoatWorksHasToWait() throws Exception {
+        CountDownLatch goOn = new CountDownLatch(1);
+        try (TcpBench busy = new TcpBench(UnaryOperator.identity(), UnaryOperator.identity(), TcpBench::machineMs)) {
+            Client client = busy.greet("base", Role.COMMANDER, 1);
+            busy.duringTick = () -> awaitQuietly(goOn);
+            byte[] frame = codec.encode(7, new UploadWaypoints("u", "l", Collections.nCopies(20_000, OLD.get(0))));
+            AtomicInteger sent = new AtomicInteger();
+            Thread sender = new Thread(() -> sendMany(client, frame, 200, sent), busy.name + "-sender");
+            sender.start();
+            Await.untilStill("it has to wait", 0.5, 20, sent::get);
+
+            assertThat(sent.get() * (long) frame.length)
+                    .as("bytes in two frames, and in the sockets")
+                    .isLessThan(32 << 20)
+                    .isLessThan(200L * frame.length);
+            goOn.countDown();
+            sender.join(30_000);
+            assertThat(sent.get()).isEqualTo(200);
+            client.say(new StopMotors("x"));
+            while (!client.await(Ack.class).commandId().equals("x")) {}
+            assertThat(busy.executed).containsExactly("u ack", "x ack");
+        }
+    }
+
+    private static void awaitQuietly(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private static void sendMany(Client client, byte[] frame, int times, AtomicInteger sent) {
+        try {
+            for (int i = 0; i < times; i++) {
+                client.send(frame);
+                sent.incrementAndGet();
+            }
+        } catch (IOException e) {
+            throw new java.io.UncheckedIOException(e);
+        }
     }
 
     @Test

@@ -1,6 +1,7 @@
 package org.sami.boat.server.tcp;
 
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.util.ArrayList;
@@ -30,6 +31,7 @@ final class TcpBench implements AutoCloseable {
     final ConcurrentLinkedQueue<String> failures = new ConcurrentLinkedQueue<>();
     final ConcurrentLinkedQueue<String> goodbyes = new ConcurrentLinkedQueue<>();
     final TcpBoatServer server;
+    volatile Runnable duringTick = () -> {};
     private final List<Client> clients = new ArrayList<>();
 
     TcpBench() throws IOException {
@@ -47,7 +49,7 @@ final class TcpBench implements AutoCloseable {
                 boatServer,
                 tcp.apply(TcpServerConfig.onLoopback(0)),
                 new SteadyClock(clockMs),
-                nowMs -> {},
+                nowMs -> duringTick.run(),
                 new TcpServerListener() {
                     @Override
                     public void closed(String client, String why) {
@@ -79,11 +81,24 @@ final class TcpBench implements AutoCloseable {
         return client;
     }
 
-    @Override
-    public void close() throws IOException {
+    void closeClients() throws IOException {
         for (Client client : clients) {
             client.close();
         }
+    }
+
+    /** What the threads that read from clients have taken of the heap so far. */
+    long bytesAllocatedByReaders() {
+        com.sun.management.ThreadMXBean threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+        return Thread.getAllStackTraces().keySet().stream()
+                .filter(thread -> thread.getName().startsWith(name + "-reads-"))
+                .mapToLong(thread -> threads.getThreadAllocatedBytes(thread.getId()))
+                .sum();
+    }
+
+    @Override
+    public void close() throws IOException {
+        closeClients();
         server.close();
     }
 

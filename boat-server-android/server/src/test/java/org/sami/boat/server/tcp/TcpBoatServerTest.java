@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.net.ServerSocket;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -13,6 +14,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.AskForCommand;
 import org.sami.boat.link.BoatMode;
@@ -21,7 +24,7 @@ import org.sami.boat.link.GrantCommand;
 import org.sami.boat.link.Heartbeat;
 import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.Hello;
-import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.ReadBack;
@@ -110,23 +113,104 @@ class TcpBoatServerTest {
         }
     }
 
-    @Test
-    void heartbeatsOfAnotherClientDoNotMaskALostCommander() throws Exception {
-        try (TcpBench bench = new TcpBench(
-                boat -> boat.lostLinkAfterMs(700).lostLinkAction(LostLinkAction.HOLD), AS_IT_IS, TcpBench::machineMs)) {
-            Client observer = bench.greet("other program", Role.OBSERVER, 20);
+    /** What else may speak to a boat while its commander is silent. */
+    enum Stranger {
+        OBSERVER,
+        NAMESAKE,
+        WITHOUT_HELLO,
+        WITH_A_HELLO_FOR_ANOTHER_BOAT,
+        PORT_SCAN
+    }
+
+    private static void speak(TcpBench bench, Client client, Stranger stranger, int turn) throws Exception {
+        switch (stranger) {
+            case OBSERVER, WITHOUT_HELLO -> client.say(new Heartbeat(turn));
+            case NAMESAKE -> {
+                client.say(new Heartbeat(turn));
+                client.say(new StopMotors("not-mine" + turn));
+            }
+            case WITH_A_HELLO_FOR_ANOTHER_BOAT -> {
+                client.say(new Hello("boat2", "base", Role.COMMANDER, 10, ""));
+                client.say(new Heartbeat(turn));
+            }
+            case PORT_SCAN -> {
+                try (Client scan = bench.connect()) {
+                    scan.send("GET / HTTP/1.1\r\n\r\n".getBytes(StandardCharsets.US_ASCII));
+                }
+            }
+        }
+    }
+
+    private static Client arrive(TcpBench bench, Stranger stranger) throws Exception {
+        return switch (stranger) {
+            case OBSERVER -> bench.greet("other", Role.OBSERVER, 20);
+            case NAMESAKE -> bench.greet("base", Role.COMMANDER, 20); // an observer: the command is not free
+            default -> bench.connect();
+        };
+    }
+
+    @ParameterizedTest
+    @EnumSource(Stranger.class)
+    void whateverOthersSayDoesNotMaskALostCommander(Stranger stranger) throws Exception {
+        try (TcpBench bench = new TcpBench(boat -> boat.lostLinkAfterMs(700), AS_IT_IS, TcpBench::machineMs)) {
+            Client watching = bench.greet("watching", Role.OBSERVER, 20);
             Client commander = bench.greet("base", Role.COMMANDER, 1);
+            Client other = arrive(bench, stranger);
             commander.say(new UploadWaypoints("u", "l", PATH));
             commander.say(new StartWaypoints("s", "l", 0));
-            while (observer.await(Telemetry.class).mode() != BoatMode.PATH) {
-                observer.say(new Heartbeat(1));
-            }
             long silentSince = System.nanoTime();
+            while (watching.await(Telemetry.class).mode() != BoatMode.PATH) {}
 
-            while (observer.await(Telemetry.class).mode() == BoatMode.PATH) {
-                observer.say(new Heartbeat(1));
+            int turns = 0;
+            while (watching.await(Telemetry.class).mode() == BoatMode.PATH) {
+                speak(bench, other, stranger, turns++);
             }
-            assertThat((System.nanoTime() - silentSince) / 1e6).as("ms").isBetween(400.0, 1700.0);
+            assertThat((System.nanoTime() - silentSince) / 1e6).as("ms").isBetween(690.0, 1900.0);
+            assertThat(turns).isGreaterThan(3);
+            assertThat(bench.executed).containsExactly("u ack", "s ack");
+        }
+    }
+
+    @Test
+    void silentCommanderIsLostAfterThreeAndAHalfSecondsAndThatIsSeenHalfASecondLaterAtMost() throws Exception {
+        try (TcpBench bench = new TcpBench()) {
+            Client watching = bench.greet("watching", Role.OBSERVER, 20);
+            Client commander = bench.greet("base", Role.COMMANDER, 1);
+            commander.say(new UploadWaypoints("u", "l", PATH));
+            long before = System.nanoTime();
+            commander.say(new StartWaypoints("s", "l", 0));
+            commander.await(Ack.class);
+            commander.await(Ack.class);
+            long after = System.nanoTime();
+
+            while (watching.await(Telemetry.class).mode() != BoatMode.PATH) {}
+            while (watching.await(Telemetry.class).mode() == BoatMode.PATH) {}
+            assertThat((System.nanoTime() - before) / 1e6).as("ms").isGreaterThan(3499);
+            assertThat((System.nanoTime() - after) / 1e6).as("ms").isLessThan(4000);
+        }
+    }
+
+    @Test
+    void authIsReservedItIsReadAndNotLookedAt() throws Exception {
+        try (TcpBench bench = new TcpBench()) {
+            Client client = bench.connect();
+            client.say(new Hello("boat1", "base", Role.COMMANDER, 1, "anything"));
+            Welcome welcome = client.await(Welcome.class);
+            assertThat(welcome.role()).isEqualTo(Role.COMMANDER);
+            assertThat(welcome.auth()).isEmpty();
+
+            client.say(new Hello("boat1", "base", Role.COMMANDER, 1, "x".repeat(1000)));
+            client.await(Welcome.class);
+            byte[] number =
+                    ("{\"type\":\"hello\",\"seq\":9,\"boat\":\"boat1\",\"client\":\"base\",\"role\":\"COMMANDER\","
+                                    + "\"telemetryHz\":1,\"auth\":7}")
+                            .getBytes(StandardCharsets.UTF_8);
+            client.send(ByteBuffer.allocate(5 + number.length)
+                    .putInt(1 + number.length)
+                    .put((byte) LinkCodec.VERSION)
+                    .put(number)
+                    .array());
+            assertThat(client.await(Nack.class).detail()).contains("/auth");
         }
     }
 
