@@ -148,8 +148,7 @@ class RavingBoatTest {
             welcome(to, connection);
             List<LinkMessage> messages = everythingThatBoatsSay();
             for (int i = 0; i < 500; i++) {
-                byte[] frame =
-                        codec.encode(random.nextInt(1000), messages.get(random.nextInt(messages.size())));
+                byte[] frame = codec.encode(random.nextInt(1000), messages.get(random.nextInt(messages.size())));
                 if (random.nextInt(3) == 0) { // the length stays: the stream goes on
                     frame[4 + random.nextInt(frame.length - 4)] ^= (byte) (1 << random.nextInt(8));
                 }
