@@ -57,13 +57,13 @@ final class Drops {
             waiting.removeIf(token::equals);
         }
         takeOut(m, token);
+        rules.work.addWithdrawn();
         if (m.ended) {
             return;
         }
         forget(m, token);
         for (TransitionState t : m.transitions) {
-            if (t != null && t.pending > 0) {
-                rules.pendings.strikeAll(t, token);
+            if (t != null && t.pending > 0 && rules.pendings.strikeAll(t, token)) {
                 rules.work.add(t);
             }
         }
@@ -117,7 +117,7 @@ final class Drops {
         }
         withdrawCommands(m, token);
         for (Entry e : removed) {
-            rules.work.left(e.place); // before what its instances lose by it
+            rules.work.withdrawn(e.place);
         }
         for (Entry e : removed) {
             rules.leaving.left(e, before, true);

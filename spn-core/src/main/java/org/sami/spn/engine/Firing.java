@@ -80,7 +80,7 @@ final class Firing {
             rules.note(NoteKind.SHORT_OF_TOKENS, m.id, "'" + ct + "' found " + shortOf);
         }
         boolean ending = ends(m, ct);
-        List<Visit> nobody = endingVisitsByNobody(m, ct, used);
+        List<Visit> nobody = endingVisitsByNobody(m, ct, used, reach);
         List<Visit> entered = move(m, ct, selected);
         if (reach == Pool.Reach.ALL) {
             withdrawCommands(m, selected.removed);
@@ -99,6 +99,7 @@ final class Firing {
         }
         if (ending) {
             rules.missionEnd.ended(m);
+            rules.work.addWithdrawn();
             return;
         }
         boolean shared = m.instance != null && m.instance.isShared();
@@ -149,7 +150,7 @@ final class Firing {
         for (Selection.UsedReturn used : selected.usedReturns) {
             used.instance().returned.remove(used.token());
         }
-        if (reach != Pool.Reach.FREE) {
+        if (reach == Pool.Reach.ALL) {
             return;
         }
         for (CompiledPlace place : t.inPlaces) {
@@ -185,8 +186,12 @@ final class Firing {
         }
     }
 
-    /** Visits by nobody end by an answer to them, by a transition without input event, or when all is taken. */
-    private static List<Visit> endingVisitsByNobody(Mission m, CompiledTransition t, List<Pending> used) {
+    /**
+     * Visits by nobody end by an answer to them, by a transition without input event, or when all is taken. Where several visits of
+     * a place have instances, one completion lets the transition fire: whose instances still run goes on.
+     */
+    private static List<Visit> endingVisitsByNobody(
+            Mission m, CompiledTransition t, List<Pending> used, Pool.Reach reach) {
         List<Visit> ending = List.of();
         for (CompiledPlace place : t.inPlaces) {
             PlaceState state = m.places[place.index];
@@ -194,7 +199,8 @@ final class Firing {
                 continue;
             }
             for (Visit v : state.nobody) {
-                if (!t.hasInputs() || t.clears || answers(used, v)) {
+                boolean goesOn = reach != Pool.Reach.ALL && v.hasRunning();
+                if (!goesOn && (!t.hasInputs() || t.clears || answers(used, v))) {
                     ending = ending.isEmpty() ? new ArrayList<>() : ending;
                     ending.add(v);
                 }
@@ -242,6 +248,7 @@ final class Firing {
                 }
             }
         }
+        rules.work.addWithdrawn();
         if (!t.transition.hasInputs() && removedCounted(t.transition, removed)) {
             rules.work.add(t);
         }

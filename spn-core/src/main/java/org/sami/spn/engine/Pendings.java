@@ -95,13 +95,16 @@ final class Pendings {
         }
     }
 
-    /** Strikes a name from a transition's pending occurrences, news too (a robot was dropped). */
-    void strikeAll(TransitionState t, Token token) {
+    /** Strikes a name from a transition's pending occurrences, news too (a robot was dropped); whether one spoke of it. */
+    boolean strikeAll(TransitionState t, Token token) {
+        boolean spoken = false;
         for (Name n : List.copyOf(t.speakingOf(token))) {
             if (n.token.equals(token) && !n.struck) {
                 strike(t, n);
+                spoken = true;
             }
         }
+        return spoken;
     }
 
     /** A visit ended: pending occurrences that answer it and name nobody go with it. */
@@ -196,6 +199,7 @@ final class Pendings {
         return false;
     }
 
+    /** There can be two older ones of the same names: one of them spoke of others too, who are no longer there. */
     private void replaceOlder(TransitionState t, Pending p) {
         if (p.names.length == 0) {
             for (Pending old = t.queues[p.input.index].first; t.nameless > 0 && old != null; old = old.next) {
@@ -206,10 +210,9 @@ final class Pendings {
             }
             return;
         }
-        for (Name n : t.speakingOf(p.names[0].token)) {
+        for (Name n : List.copyOf(t.speakingOf(p.names[0].token))) {
             if (n.pending.isNews() && n.pending.input == p.input && namesSame(n.pending, p)) {
                 t.remove(n.pending);
-                return;
             }
         }
     }

@@ -1,5 +1,7 @@
 package org.sami.spn.engine;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.OutRequirement;
@@ -16,6 +18,7 @@ final class ReturnedTokens {
     private final long firing;
     private final long edge;
     private final long pick;
+    private final List<Selection.UsedReturn> used = new ArrayList<>(0);
     private int left;
 
     ReturnedTokens(
@@ -107,10 +110,18 @@ final class ReturnedTokens {
             return;
         }
         if (requirement.action() != Action.ADD) {
-            result.usedReturns.add(new Selection.UsedReturn(instance, token));
+            useUp(new Selection.UsedReturn(instance, token));
         }
         if (requirement.action() != Action.CONSUME && (token.equals(Token.GENERIC) || !added.contains(token))) {
             Selection.make(token, out, result, added);
+        }
+    }
+
+    /** Each requirement selects from the same tokens: what several select is used up once. */
+    private void useUp(Selection.UsedReturn token) {
+        used.add(token);
+        if (Collections.frequency(result.usedReturns, token) < Collections.frequency(used, token)) {
+            result.usedReturns.add(token);
         }
     }
 }

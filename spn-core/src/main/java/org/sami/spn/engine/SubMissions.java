@@ -1,6 +1,7 @@
 package org.sami.spn.engine;
 
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import org.sami.spn.model.SubMissionSpec;
@@ -220,7 +221,7 @@ final class SubMissions {
         }
         List<String> robots = new ArrayList<>();
         List<TaskId> tasks = new ArrayList<>();
-        for (Token token : instance.starting) {
+        for (Token token : new LinkedHashSet<>(instance.starting)) {
             if (token instanceof Token.Proxy proxy) {
                 robots.add(proxy.proxy());
             } else if (token instanceof Token.Task task) {

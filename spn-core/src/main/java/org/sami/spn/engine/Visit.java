@@ -89,6 +89,15 @@ final class Visit {
         return true;
     }
 
+    boolean hasRunning() {
+        for (Instance i : instances) {
+            if (i.status == Instance.Status.RUNNING) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     boolean hasAborted() {
         for (Instance i : instances) {
             if (i.status == Instance.Status.ABORTED) {

@@ -1,6 +1,8 @@
 package org.sami.spn.engine;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * The engine's one work list: transitions to look at, first in first out, none twice (SEMANTICS, When a transition is
@@ -9,6 +11,7 @@ import java.util.ArrayDeque;
 final class WorkList {
     private final Rules rules;
     private final ArrayDeque<TransitionState> list = new ArrayDeque<>();
+    private final List<PlaceState> withdrawnFrom = new ArrayList<>();
 
     WorkList(Rules rules) {
         this.rules = rules;
@@ -35,6 +38,17 @@ final class WorkList {
                 addIfWaiting(place.mission, t);
             }
         }
+    }
+
+    /** Occasion (b) in an instance: tokens were taken out of it because they left its parent's place. */
+    void withdrawn(PlaceState place) {
+        withdrawnFrom.add(place);
+    }
+
+    /** Those who lost tokens in instances follow the places of whom it happened to first, from the outside inwards. */
+    void addWithdrawn() {
+        withdrawnFrom.forEach(this::left);
+        withdrawnFrom.clear();
     }
 
     private void addIfWaiting(Mission mission, CompiledTransition t) {

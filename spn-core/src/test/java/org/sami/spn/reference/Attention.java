@@ -287,11 +287,10 @@ final class Attention {
                 if (p.names().isEmpty()) {
                     m.pending.remove(p);
                     world.note(NoteKind.DISCARDED, m.id, p.occurrence.type());
-                } else {
-                    struck.add(p.transition);
                 }
+                struck.add(p.transition);
             }
         }
-        return struck;
+        return m.plan.transitions().stream().filter(struck::contains).toList();
     }
 }

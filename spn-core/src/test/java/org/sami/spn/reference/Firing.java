@@ -113,6 +113,7 @@ final class Firing {
                     continue;
                 }
                 List<Selected> selected = selected(m, t, used, requirement);
+                Map<Instance, List<Token>> usedHere = new LinkedHashMap<>();
                 if (!requirement.takesAll()
                         && requirement.kind() != TokenKind.RELEVANT
                         && selected.size() < requirement.n()) {
@@ -127,10 +128,10 @@ final class Firing {
                                     .add(s.instance().get());
                         }
                         s.instance()
-                                .ifPresent(i -> moves.usedBack
-                                        .computeIfAbsent(i, key -> new ArrayList<>())
+                                .ifPresent(i -> usedHere.computeIfAbsent(i, key -> new ArrayList<>())
                                         .add(s.token()));
                     }
+                    usedHere.forEach((instance, tokens) -> mergeOnce(moves.usedBack, instance, tokens));
                 }
                 if (requirement.action() != Action.CONSUME) {
                     selected.stream().filter(s -> !isOn(onEdge, s)).forEach(onEdge::add);
@@ -140,6 +141,13 @@ final class Firing {
         }
         useUpSubMissionTokens(m, t, moves);
         return moves;
+    }
+
+    /** "Each out requirement selects on its own from the same pool": what two select is one token. */
+    private static void mergeOnce(Map<Instance, List<Token>> all, Instance instance, List<Token> tokens) {
+        List<Token> before = all.computeIfAbsent(instance, key -> new ArrayList<>());
+        List<Token> same = new ArrayList<>(before);
+        tokens.stream().filter(token -> !same.remove(token)).toList().forEach(before::add);
     }
 
     /** "One edge adds a token once." */

@@ -178,6 +178,7 @@ final class Missions {
             return;
         }
         m.status = Mission.Status.ENDED;
+        world.allocation.keySet().removeIf(task -> task.mission() == m.id);
         // "All descendants end the same way"
         for (Visit visit : m.visits) {
             visit.instances.forEach(i -> endChild(i, outcome));
@@ -224,6 +225,8 @@ final class Missions {
             return;
         }
         if (outcome == Outcome.ABORTED) {
+            instance.child.returnValue =
+                    Optional.empty(); // "an outcome of its own": what it would have returned counts no more
             world.internal.add(() -> postAborted(instance));
             return;
         }

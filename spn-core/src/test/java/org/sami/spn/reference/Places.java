@@ -236,12 +236,12 @@ final class Places {
         for (Place place : m.plan.places()) {
             m.tokensIn(place).stream().filter(c -> c.token.equals(token)).forEach(copies::add);
         }
+        copies.stream().map(c -> new Withdrawn(m, c.visit.place)).distinct().forEach(withdrawn::add);
         remove(m, copies, true);
         attention.strike(m, copies, List.of());
-        copies.stream().map(c -> new Withdrawn(m, c.visit.place)).distinct().forEach(withdrawn::add);
     }
 
-    /** Those who lost tokens in instances are looked at after the firing's own places. */
+    /** Those who lost tokens in instances are looked at after the firing's own places, from the outside inwards. */
     void lookAtWithdrawn() {
         List<Withdrawn> places = new ArrayList<>(withdrawn);
         withdrawn.clear();

@@ -126,7 +126,7 @@ final class Roles {
         if (token instanceof Token.Proxy boat) {
             proxies.add(boat.proxy());
         } else if (token instanceof Token.Task task) {
-            proxies.add(activation.allocation().get(task.task()));
+            Optional.ofNullable(world.allocation.get(task.task())).ifPresent(proxies::add); // whose it is now
             tasks.add(task.task());
         }
         answer(activation, typeOf(EventRole.PROXY_TIMER_EXPIRED), proxies, tasks, Map.of());

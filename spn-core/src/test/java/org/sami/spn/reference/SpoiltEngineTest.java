@@ -40,8 +40,8 @@ class SpoiltEngineTest {
                 arguments(
                         "a visit by nobody does not end without input event",
                         "Firing.java",
-                        "if (!t.hasInputs() || t.clears",
-                        "if (t.clears"),
+                        "(!t.hasInputs() || t.clears",
+                        "(t.clears"),
                 arguments(
                         "who left is not struck from pending answers",
                         "Pendings.java",

@@ -97,10 +97,7 @@ final class World {
     }
 
     Optional<TaskSpec> task(TaskId id) {
-        return missions.stream()
-                .filter(m -> m.id == id.mission())
-                .findFirst()
-                .flatMap(m -> Optional.ofNullable(m.tasks.get(id.name())));
+        return mission(id.mission()).flatMap(m -> Optional.ofNullable(m.tasks.get(id.name())));
     }
 
     /** Whether a transition is one of those that no running sub-mission keeps out: interrupts, abort, complete. */
