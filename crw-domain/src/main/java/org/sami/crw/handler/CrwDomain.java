@@ -40,8 +40,12 @@ public final class CrwDomain implements AutoCloseable {
         MotionCommands motion = new MotionCommands(boats, messages);
         BoatQuestions questions = new BoatQuestions(host, boats, fleet);
         BatterySubscriptions batteries = new BatterySubscriptions(boats, fleet);
-        boatListener =
-                new BoatListeners(motion, questions, batteries, new BoatNews(host, newBoats, messages, batteries));
+        boatListener = new BoatListeners(
+                motion,
+                questions,
+                batteries,
+                new BoatNews(host, newBoats, messages, batteries),
+                new TakeOverNews(host, boats));
         BoatPositions positions =
                 boat -> boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
         handlers.put(ExecutePathHandler.TYPE, new ExecutePathHandler(motion));

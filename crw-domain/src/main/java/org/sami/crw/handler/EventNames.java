@@ -22,6 +22,8 @@ public final class EventNames {
     public static final String BATTERY_CRITICAL = "BatteryCritical";
 
     static final String PROXY_ABORTED = "ProxyAbortMissionReceived";
+    static final String TAKEN_OVER = "ProxyTakenOver";
+    static final String RELEASED = "ProxyReleased";
 
     private EventNames() {}
 

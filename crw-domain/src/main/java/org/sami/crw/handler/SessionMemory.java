@@ -11,7 +11,9 @@ enum SessionMemory {
     /** Which start of its server was met last and may be moved. */
     BOOT("boot/"),
     /** The class of its battery that was news last. */
-    BATTERY("battery/");
+    BATTERY("battery/"),
+    /** Who has taken it out of the missions' hands, as plans were told last; empty text if nobody has. */
+    TAKEN_OVER("taken-over/");
 
     private final String prefix;
 

@@ -18,6 +18,15 @@ public interface BoatListener {
     /** More points of a path are behind the boat: how many, counted from the beginning of the path. */
     default void onProgress(String boatId, BoatCommand command, int visitedCount) {}
 
+    /** A path has come further on its way to the boat, or has failed to. */
+    default void onUpload(String boatId, Upload upload) {}
+
+    /** A person at this base drives the boat by hand; its commands wait. */
+    default void onTakenOver(String boatId) {}
+
+    /** The person has given the boat back; its commands go on. */
+    default void onReleased(String boatId) {}
+
     /** Telemetry has come. */
     default void onStatus(BoatStatus status) {}
 

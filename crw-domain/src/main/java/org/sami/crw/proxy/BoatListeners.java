@@ -33,6 +33,21 @@ public final class BoatListeners implements BoatListener {
     }
 
     @Override
+    public void onUpload(String boatId, Upload upload) {
+        each(listener -> listener.onUpload(boatId, upload));
+    }
+
+    @Override
+    public void onTakenOver(String boatId) {
+        each(listener -> listener.onTakenOver(boatId));
+    }
+
+    @Override
+    public void onReleased(String boatId) {
+        each(listener -> listener.onReleased(boatId));
+    }
+
+    @Override
     public void onStatus(BoatStatus status) {
         each(listener -> listener.onStatus(status));
     }

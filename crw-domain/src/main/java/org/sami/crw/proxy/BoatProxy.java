@@ -32,6 +32,7 @@ import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.Welcome;
+import org.sami.crw.proxy.Explanation.Cause;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -45,6 +46,8 @@ import org.sami.spn.value.GeoPoint;
  * <p>For one thread, with milliseconds of one clock that never runs back. The {@link FrameSink} must not call back.
  */
 public final class BoatProxy {
+    private static final String FLEET_STOP = "the fleet was stopped";
+
     private final String boatId;
     private final ProxyLink link;
     private final Requests fleetRequests; // what stops or releases the whole fleet
@@ -104,14 +107,14 @@ public final class BoatProxy {
         return heldListId;
     }
 
-    /** How far the path of the current command has come on its way to the boat; empty if none is on its way. */
+    /** How far the path that went to the boat last has come on its way; empty if none ever went. */
     public Optional<Upload> upload() {
-        return driver.upload();
+        return driver.uploads().latest();
     }
 
     /** How many paths have gone to the boat, and how far they came. */
     public UploadCount uploads() {
-        return driver.uploads();
+        return driver.uploads().count();
     }
 
     /** Whether the boat takes commands from this base. */
@@ -244,17 +247,22 @@ public final class BoatProxy {
      */
     public void teleoperate(double thrust, double rudder) {
         Teleoperate hand = new Teleoperate(thrust, rudder);
-        takenOver = true;
-        driver.abandon();
+        driver.abandon("the boat was taken over by hand");
+        if (!takenOver) {
+            takenOver = true;
+            announcements.add(l -> l.onTakenOver(boatId));
+        }
         if (link.isCommanding()) {
             link.send(hand, nowMs);
         }
+        settle();
     }
 
     /** Gives the boat back to the commands; it stops if there are none. */
     public void release() {
         if (takenOver) {
             takenOver = false;
+            announcements.add(l -> l.onReleased(boatId));
             driver.stopUnlessWanted();
             settle();
         }
@@ -287,7 +295,7 @@ public final class BoatProxy {
     /** Stops the motors, latched on the boat; commands wait until {@link #fleetRelease}. */
     public void fleetStop() {
         fleetStopped = true;
-        driver.abandon();
+        driver.abandon(FLEET_STOP);
         fleetRequests.clear();
         fleetRequests.send(new FleetStop(driver.wireId("fleet-stop")), nowMs);
     }
@@ -335,22 +343,28 @@ public final class BoatProxy {
         return driver;
     }
 
-    /** What keeps every command from the boat, in words; empty if nothing does. */
-    String obstacle() {
+    /** What keeps every command from the boat; empty if nothing does. */
+    Optional<Obstacle> obstacle() {
         if (link.state() == LinkState.LOST) {
-            return "the link has been lost for " + (nowMs - link.lastReceivedMs()) / 1000 + " s";
+            return Obstacle.because(
+                    Cause.LINK_LOST, "the link has been lost for " + (nowMs - link.lastReceivedMs()) / 1000 + " s");
         } else if (link.state() == LinkState.CONNECTING) {
-            return refusal.isEmpty() ? "the boat has not answered yet" : "the boat refuses: " + refusal;
+            return refusal.isEmpty()
+                    ? Obstacle.because(Cause.NEVER_ANSWERED, "the boat has not answered yet")
+                    : Obstacle.because(Cause.REFUSES, "the boat refuses: " + refusal);
         } else if (!link.isCommanding()) {
-            return "another client commands the boat";
+            return Obstacle.because(Cause.COMMANDED_ELSEWHERE, "another client commands the boat");
         } else if (fleetStopped) {
-            return "the fleet stop is latched";
+            return Obstacle.because(Cause.FLEET_STOPPED, "the fleet stop is latched");
         } else if (takenOver) {
-            return "it is driven by hand";
+            return Obstacle.because(Cause.TAKEN_OVER, "it is driven by hand");
         } else if (unconfirmedRestart) {
-            return "its server has started anew and nobody has allowed it to move again";
+            return Obstacle.because(
+                    Cause.STARTED_ANEW, "its server has started anew and nobody has allowed it to move again");
         }
-        return awaitingProgress ? "the boat has not said yet what it holds" : "";
+        return awaitingProgress
+                ? Obstacle.because(Cause.COMPARING, "the boat has not said yet what it holds")
+                : Optional.empty();
     }
 
     // ---- what the boat says
@@ -416,7 +430,7 @@ public final class BoatProxy {
     }
 
     private void restarted() {
-        driver.abandon();
+        driver.abandon("the boat's server has started anew");
         unconfirmedRestart = true;
         announce(BoatListener::onRestarted);
     }
@@ -434,14 +448,21 @@ public final class BoatProxy {
         if (telemetry.mode() == BoatMode.FLEET_STOP) {
             if (!fleetStopped) {
                 fleetStopped = true;
-                driver.abandon();
+                driver.abandon(FLEET_STOP);
             }
             return;
         }
         fleetStopped &= fleetRequests.areWaiting();
-        if (driver.isDriving() && telemetry.mode() != BoatMode.PATH && !awaitingProgress) {
+        if (driver.isDriving() && telemetry.mode() == BoatMode.PATH) {
+            driver.at(pose.position(), canMove(telemetry), nowMs);
+        } else if (driver.isDriving() && !awaitingProgress) {
             resync(); // it left its path by itself: it may have lost us when we did not lose it
         }
+    }
+
+    private boolean canMove(Telemetry telemetry) {
+        return telemetry.batteryPercent() > 0
+                && tuner.inForce().map(BoatTuning::velocityMultiplier).orElse(1.0) > 0;
     }
 
     /** Has the boat say again what it holds; until then it is told nothing. */

@@ -8,6 +8,7 @@ import org.sami.boat.link.Nack;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.StopMotors;
 import org.sami.crw.proxy.CommandRun.Verdict;
+import org.sami.spn.value.GeoPoint;
 
 /**
  * Keeps the boat at the command whose turn it is: begins a try, draws the consequences of the boat's answers, tries again,
@@ -21,8 +22,9 @@ final class CommandDriver {
     private final Announcements announcements;
     private final Requests requests; // of the running command, or to stop for want of one
     private final CommandQueue queue = new CommandQueue();
+    private final Uploads uploads;
     private Optional<CommandRun> run = Optional.empty();
-    private UploadCount uploads = UploadCount.NONE;
+    private LastWord lastWord = LastWord.NONE;
     private int wireIds;
     private boolean mustStop;
 
@@ -31,6 +33,7 @@ final class CommandDriver {
         this.config = config;
         this.announcements = announcements;
         requests = new Requests(link, config);
+        uploads = new Uploads(boatId, announcements);
     }
 
     CommandQueue queue() {
@@ -51,18 +54,14 @@ final class CommandDriver {
         return run.isEmpty() && requests.areWaiting();
     }
 
-    /** The path that is on its way to the boat, or there. */
-    Optional<Upload> upload() {
-        return run.flatMap(CommandRun::upload);
-    }
-
-    /** How many paths have gone to the boat. */
-    UploadCount uploads() {
+    /** The paths that went to the boat. */
+    Uploads uploads() {
         return uploads;
     }
 
-    private void reached(Upload.State state) {
-        uploads = uploads.oneMore(state);
+    /** What became of the command that left the queue last. */
+    LastWord lastWord() {
+        return lastWord;
     }
 
     /** How often the oldest unanswered request has been sent. */
@@ -76,20 +75,44 @@ final class CommandDriver {
     }
 
     List<BoatCommand> withdraw(long mission) {
-        return queue.withdraw(mission);
+        List<BoatCommand> withdrawn = queue.withdraw(mission);
+        withdrawn.forEach(command -> lastWord = LastWord.withdrawn(command));
+        return withdrawn;
     }
 
     /** Every command fails, for a reason in words. */
     void failAll(String reason) {
         for (BoatCommand command : queue.clear()) {
+            lastWord = LastWord.failed(command, reason);
             announcements.add(l -> l.onFailed(boatId, command, reason));
         }
     }
 
     /** Forgets the try that is under way, because the boat has been taken out of its hands; a new one follows. */
-    void abandon() {
+    void abandon(String why) {
         run = Optional.empty();
         requests.clear();
+        uploads.givenUp(why);
+    }
+
+    /**
+     * The boat is somewhere on its way; gives the path up if it does not come along it.
+     *
+     * @param canMove whether there is no other reason for it to lie still
+     */
+    void at(GeoPoint position, boolean canMove, long nowMs) {
+        Optional<Headway> headway = run.flatMap(CommandRun::headway);
+        if (headway.isPresent() && run.get().queued().command() instanceof FollowPath path) {
+            int next = run.get().queued().visited();
+            if (!canMove || next >= path.points().size()) {
+                headway.get().pause(nowMs);
+            } else {
+                headway.get().at(position, next, path.points().get(next), nowMs);
+            }
+            if (headway.get().isHopeless()) {
+                conclude(run.get().because(Verdict.FAILED, headway.get().words()));
+            }
+        }
     }
 
     /** Wants the boat stopped unless a command is waiting for it. */
@@ -113,7 +136,7 @@ final class CommandDriver {
             return;
         }
         if (run.isPresent() && !isRunWanted()) {
-            abandon();
+            abandon("its command is no longer wanted");
             mustStop = true;
         }
         Optional<QueuedCommand> wanted = queue.current();
@@ -143,7 +166,7 @@ final class CommandDriver {
         requests.clear();
         String wireId = wireId(queued.command().commandId());
         CommandRun next = queued.command() instanceof FollowPath path
-                ? new PathRun(queued, path, wireId, config.cruiseSpeedMps(), requests, this::reached)
+                ? new PathRun(queued, path, wireId, config.cruiseSpeedMps(), requests, uploads::reached)
                 : new StopRun(queued, wireId, requests);
         run = Optional.of(next);
         next.begin(nowMs);
@@ -226,12 +249,13 @@ final class CommandDriver {
         }
         CommandRun ended = run.orElseThrow();
         QueuedCommand queued = ended.queued();
-        abandon();
+        abandon(ended.why());
         if (verdict == Verdict.COMPLETED) {
             finish(queued);
         } else if (verdict == Verdict.FAILED || (verdict == Verdict.RETRY && queued.failedTry() >= MAX_TRIES)) {
             mustStop = true;
             queue.finish(queued);
+            lastWord = LastWord.failed(queued.command(), ended.why());
             announcements.add(l -> l.onFailed(boatId, queued.command(), ended.why()));
         }
     }
@@ -241,6 +265,7 @@ final class CommandDriver {
             visited(queued, path.points().size());
         }
         queue.finish(queued);
+        lastWord = LastWord.arrived(queued.command());
         announcements.add(l -> l.onCompleted(boatId, queued.command()));
     }
 }

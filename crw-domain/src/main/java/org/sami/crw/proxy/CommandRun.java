@@ -42,8 +42,8 @@ abstract class CommandRun {
     /** How far the try is, in words. */
     abstract String state();
 
-    /** The path that this try brings to the boat, if it brings one. */
-    Optional<Upload> upload() {
+    /** How the boat comes along its path, once it is to be under way. */
+    Optional<Headway> headway() {
         return Optional.empty();
     }
 

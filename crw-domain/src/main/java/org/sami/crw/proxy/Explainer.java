@@ -1,48 +1,72 @@
 package org.sami.crw.proxy;
 
+import java.util.List;
 import java.util.Optional;
+import org.sami.crw.proxy.Explanation.Cause;
 
 /** Answers "why is this boat not moving?" from its proxy's link and queue. */
 final class Explainer {
+    private static final int MOST_NAMED = 3;
+
     private final BoatProxy proxy;
+    private final CommandDriver driver;
 
     Explainer(BoatProxy proxy) {
         this.proxy = proxy;
+        driver = proxy.driver();
     }
 
     Explanation explain() {
-        String obstacle = proxy.obstacle();
-        if (!obstacle.isEmpty()) {
-            int commands = proxy.driver().queue().size();
-            return waits(obstacle + (commands == 0 ? "" : "; " + counted(commands)));
+        Optional<Obstacle> obstacle = proxy.obstacle();
+        if (obstacle.isPresent()) {
+            return still(obstacle.get().cause(), obstacle.get().text() + counted());
+        } else if (isBatteryEmpty()) {
+            return still(Cause.BATTERY_EMPTY, "its battery is empty" + wanted());
+        } else if (driver.run().isPresent()) {
+            return running(driver.run().get());
+        } else if (driver.isStopping()) {
+            return still(Cause.STOPPING, "no mission wants anything of it; it is being stopped");
+        } else if (driver.queue().blockedBy().isPresent()) {
+            long blocker = driver.queue().blockedBy().get();
+            return still(Cause.BLOCKED, "mission " + blocker + " keeps it where it is" + counted());
         }
-        if (proxy.driver().run().isPresent()) {
-            return running(proxy.driver().run().get());
-        }
-        if (proxy.driver().isStopping()) {
-            return waits("no mission wants anything of it; it is being stopped");
-        }
-        Optional<Long> blocker = proxy.driver().queue().blockedBy();
-        if (blocker.isPresent()) {
-            int commands = proxy.driver().queue().size();
-            return waits("mission " + blocker.get() + " keeps it where it is"
-                    + (commands == 0 ? "" : "; " + counted(commands)));
-        }
-        return waits("no mission wants anything of it");
+        LastWord last = driver.lastWord();
+        return still(
+                last.cause(), "no mission wants anything of it" + (last.text().isEmpty() ? "" : "; " + last.text()));
     }
 
-    private Explanation running(CommandRun run) {
-        BoatCommand command = run.queued().command();
-        String name = command.commandId() + " of mission " + command.mission();
-        boolean empty = proxy.status()
+    private boolean isBatteryEmpty() {
+        return proxy.status()
                 .battery()
                 .filter(battery -> battery.percent() <= 0)
                 .isPresent();
-        if (empty) {
-            return waits("its battery is empty; it should do " + name);
+    }
+
+    private String wanted() {
+        return driver.run().map(run -> "; it should do " + name(run.queued())).orElse("");
+    }
+
+    private Explanation running(CommandRun run) {
+        String visited = visited(run.queued());
+        Optional<Headway> stuck = run.headway().filter(Headway::isShown);
+        if (stuck.isPresent()) {
+            return new Explanation(
+                    false,
+                    Cause.NO_PROGRESS,
+                    proxy.boatId() + " does not get on: " + stuck.get().words() + "; it does " + name(run.queued())
+                            + visited + waiting(run.queued()));
         }
-        String state = name + ": " + run.state() + visited(run.queued()) + sends();
-        return new Explanation(run.isDriving(), proxy.boatId() + (run.isDriving() ? " does " : " waits: ") + state);
+        String words = name(run.queued()) + ": " + run.state() + visited + sends() + waiting(run.queued());
+        return run.isDriving()
+                ? new Explanation(true, Cause.UNDER_WAY, proxy.boatId() + " does " + words)
+                : new Explanation(
+                        false,
+                        run.queued().command() instanceof FollowPath ? Cause.UPLOADING : Cause.STOPPING,
+                        proxy.boatId() + " waits: " + words);
+    }
+
+    private static String name(QueuedCommand queued) {
+        return queued.command().commandId() + " of mission " + queued.command().mission();
     }
 
     private static String visited(QueuedCommand queued) {
@@ -52,15 +76,45 @@ final class Explainer {
     }
 
     private String sends() {
-        int sends = proxy.driver().sends();
+        int sends = driver.sends();
         return sends > 1 ? ", sent " + sends + " times without an answer" : "";
     }
 
-    private static String counted(int commands) {
-        return commands == 1 ? "one command waits" : commands + " commands wait";
+    /** Who waits for what runs, and why it does not run itself. */
+    private String waiting(QueuedCommand running) {
+        List<QueuedCommand> waiting = driver.queue().waiting();
+        StringBuilder text = new StringBuilder();
+        for (QueuedCommand queued : waiting.subList(0, Math.min(MOST_NAMED, waiting.size()))) {
+            text.append("; ").append(name(queued)).append(" waits: ").append(whyNot(queued, running));
+        }
+        if (waiting.size() > MOST_NAMED) {
+            text.append("; ").append(waiting.size() - MOST_NAMED).append(" more wait");
+        }
+        return text.toString();
     }
 
-    private Explanation waits(String why) {
-        return new Explanation(false, proxy.boatId() + " does not move: " + why);
+    private String whyNot(QueuedCommand queued, QueuedCommand running) {
+        Optional<Long> blocker = driver.queue().blockedBy();
+        if (queued.isInterrupted()) {
+            return "it is interrupted and returns afterwards";
+        } else if (blocker.isPresent() && blocker.get() != queued.command().mission()) {
+            return "mission " + blocker.get() + " keeps the boat";
+        } else if (queued.command().priority() != running.command().priority()) {
+            return "its priority is " + queued.command().priority() + ", not "
+                    + running.command().priority();
+        }
+        return "the other came first";
+    }
+
+    private String counted() {
+        int commands = driver.queue().size();
+        if (commands == 0) {
+            return "";
+        }
+        return commands == 1 ? "; one command waits" : "; " + commands + " commands wait";
+    }
+
+    private Explanation still(Cause cause, String why) {
+        return new Explanation(false, cause, proxy.boatId() + " does not move: " + why);
     }
 }

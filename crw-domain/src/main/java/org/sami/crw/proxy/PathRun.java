@@ -21,25 +21,24 @@ import org.sami.spn.value.GeoPoint;
 final class PathRun extends CommandRun {
 
     private enum Phase {
-        UPLOADING("the path is being uploaded", Upload.State.SENT),
-        READING_BACK("the upload is acknowledged and being read back", Upload.State.ACKNOWLEDGED),
-        STARTING("the upload is read back equal and being started", Upload.State.READ_BACK_EQUAL),
-        DRIVING("under way", Upload.State.READ_BACK_EQUAL);
+        UPLOADING("the path is being uploaded"),
+        READING_BACK("the upload is acknowledged and being read back"),
+        STARTING("the upload is read back equal and being started"),
+        DRIVING("under way");
 
         private final String words;
-        private final Upload.State upload;
 
-        Phase(String words, Upload.State upload) {
+        Phase(String words) {
             this.words = words;
-            this.upload = upload;
         }
     }
 
     private final String listId;
     private final Requests requests;
-    private final Consumer<Upload.State> reached;
+    private final Consumer<Upload> reached;
     private final List<Waypoint> waypoints;
     private Phase phase = Phase.UPLOADING;
+    private Optional<Headway> headway = Optional.empty();
     private int starts;
 
     /**
@@ -53,7 +52,7 @@ final class PathRun extends CommandRun {
             String wireId,
             double cruiseSpeedMps,
             Requests requests,
-            Consumer<Upload.State> reached) {
+            Consumer<Upload> reached) {
         super(queued);
         this.reached = reached;
         this.listId = wireId;
@@ -71,8 +70,8 @@ final class PathRun extends CommandRun {
     }
 
     @Override
-    Optional<Upload> upload() {
-        return Optional.of(new Upload(listId, phase.upload));
+    Optional<Headway> headway() {
+        return headway;
     }
 
     @Override
@@ -82,7 +81,7 @@ final class PathRun extends CommandRun {
 
     @Override
     void begin(long nowMs) {
-        reached.accept(Upload.State.SENT);
+        reach(Upload.State.SENT);
         requests.send(new UploadWaypoints(listId + "/upload", listId, waypoints), nowMs);
     }
 
@@ -90,22 +89,28 @@ final class PathRun extends CommandRun {
     Verdict answered(CommandMessage asked, LinkMessage answer, long nowMs) {
         if (asked instanceof UploadWaypoints) {
             phase = Phase.READING_BACK;
-            reached.accept(Upload.State.ACKNOWLEDGED);
+            reach(Upload.State.ACKNOWLEDGED);
             requests.send(new ReadBack(listId + "/readback"), nowMs);
         } else if (answer instanceof HeldWaypoints held) {
             if (!held.listId().equals(listId) || !held.waypoints().equals(waypoints)) {
                 return because(Verdict.RETRY, "the boat does not hold the path that was sent");
             }
-            reached.accept(Upload.State.READ_BACK_EQUAL);
+            reach(Upload.State.READ_BACK_EQUAL);
             start(nowMs);
         } else if (asked instanceof StartWaypoints) {
             phase = Phase.DRIVING;
+            headway = Optional.of(new Headway(nowMs));
         }
         return Verdict.GO_ON;
     }
 
+    private void reach(Upload.State state) {
+        reached.accept(Upload.of(listId, queued().command().commandId(), waypoints.size(), state));
+    }
+
     private void start(long nowMs) {
         phase = Phase.STARTING;
+        headway = Optional.empty();
         String wireId = listId + "/start" + ++starts;
         requests.send(new StartWaypoints(wireId, listId, queued().visited()), nowMs);
     }

@@ -1,19 +1,50 @@
 package org.sami.crw.proxy;
 
+import java.util.Objects;
+
 /**
  * How far a waypoint list has come on its way to the boat.
  *
  * @param listId names the list on the link; never used for another
+ * @param commandId the command whose path it is
+ * @param waypoints how many it holds
+ * @param why in words why it failed; empty in the other states
  */
-public record Upload(String listId, State state) {
+public record Upload(String listId, String commandId, int waypoints, State state, String why) {
 
-    /** How far it has come; one after the other. */
+    /** How far it has come; one after the other, and failed after either of the first two. */
     public enum State {
         /** It has been sent; what the boat holds is not known. */
         SENT,
         /** The boat has said that it took it whole. */
         ACKNOWLEDGED,
         /** The boat has said what it holds, and that is equal to the last bit. */
-        READ_BACK_EQUAL
+        READ_BACK_EQUAL,
+        /** It is given up; what the boat holds is not known, and is not started from here. */
+        FAILED;
+
+        /** Whether nothing more comes of it. */
+        public boolean isFinal() {
+            return this == READ_BACK_EQUAL || this == FAILED;
+        }
+    }
+
+    /** Refuses a reason without a failure, and a failure without a reason. */
+    public Upload {
+        Objects.requireNonNull(listId, "listId");
+        Objects.requireNonNull(commandId, "commandId");
+        if (why.isEmpty() == (state == State.FAILED)) {
+            throw new IllegalArgumentException("an upload that is " + state + " because of: " + why);
+        }
+    }
+
+    /** One that has gone so far and has not failed. */
+    static Upload of(String listId, String commandId, int waypoints, State state) {
+        return new Upload(listId, commandId, waypoints, state, "");
+    }
+
+    /** The same, given up for a reason in words. */
+    Upload failed(String reason) {
+        return new Upload(listId, commandId, waypoints, State.FAILED, reason);
     }
 }

@@ -6,15 +6,17 @@ package org.sami.crw.proxy;
  * @param sent each counted once, however often it was sent again
  * @param acknowledged the boat has said that it took them whole
  * @param readBackEqual the boat has said what it holds, and that was equal
+ * @param failed given up before that, for whatever reason
  */
-public record UploadCount(int sent, int acknowledged, int readBackEqual) {
-    static final UploadCount NONE = new UploadCount(0, 0, 0);
+public record UploadCount(int sent, int acknowledged, int readBackEqual, int failed) {
+    static final UploadCount NONE = new UploadCount(0, 0, 0, 0);
 
     UploadCount oneMore(Upload.State reached) {
         return switch (reached) {
-            case SENT -> new UploadCount(sent + 1, acknowledged, readBackEqual);
-            case ACKNOWLEDGED -> new UploadCount(sent, acknowledged + 1, readBackEqual);
-            case READ_BACK_EQUAL -> new UploadCount(sent, acknowledged, readBackEqual + 1);
+            case SENT -> new UploadCount(sent + 1, acknowledged, readBackEqual, failed);
+            case ACKNOWLEDGED -> new UploadCount(sent, acknowledged + 1, readBackEqual, failed);
+            case READ_BACK_EQUAL -> new UploadCount(sent, acknowledged, readBackEqual + 1, failed);
+            case FAILED -> new UploadCount(sent, acknowledged, readBackEqual, failed + 1);
         };
     }
 }

@@ -409,7 +409,8 @@ class BoatProxyTest {
     void explainsWhyNothingMoves() {
         link("b1");
         assertThat(proxy.explain())
-                .isEqualTo(new Explanation(false, "boat1 does not move: no mission wants anything of it"));
+                .isEqualTo(new Explanation(
+                        false, Explanation.Cause.NO_COMMAND, "boat1 does not move: no mission wants anything of it"));
 
         proxy.submit(new Stop("s", 4, 1, Priority.LOW, true));
         proxy.submit(path("c", 1));
@@ -420,7 +421,10 @@ class BoatProxyTest {
         readBackEqual();
         acknowledge(StartWaypoints.class);
         assertThat(proxy.explain())
-                .isEqualTo(new Explanation(true, "boat1 does c of mission 1: under way, 0 of 2 points visited"));
+                .isEqualTo(new Explanation(
+                        true,
+                        Explanation.Cause.UNDER_WAY,
+                        "boat1 does c of mission 1: under way, 0 of 2 points visited"));
     }
 
     private static Telemetry telemetry(double speedMps, BoatMode mode) {

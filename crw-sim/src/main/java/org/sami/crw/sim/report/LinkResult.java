@@ -27,20 +27,24 @@ public record LinkResult(String words, String bootId, int lost, int reconnected,
      * @param sent each counted once, however often it was sent again
      * @param acknowledged the boat said that it took them
      * @param readBackEqual the boat said what it holds, and that was equal
+     * @param failed given up before that
      */
-    public record Uploads(int sent, int acknowledged, int readBackEqual) {
+    public record Uploads(int sent, int acknowledged, int readBackEqual, int failed) {
         /** None. */
-        public static final Uploads NONE = new Uploads(0, 0, 0);
+        public static final Uploads NONE = new Uploads(0, 0, 0, 0);
 
         /** As a proxy has counted them. */
         public static Uploads of(UploadCount count) {
-            return new Uploads(count.sent(), count.acknowledged(), count.readBackEqual());
+            return new Uploads(count.sent(), count.acknowledged(), count.readBackEqual(), count.failed());
         }
 
         /** These and others. */
         public Uploads and(Uploads others) {
             return new Uploads(
-                    sent + others.sent, acknowledged + others.acknowledged, readBackEqual + others.readBackEqual);
+                    sent + others.sent,
+                    acknowledged + others.acknowledged,
+                    readBackEqual + others.readBackEqual,
+                    failed + others.failed);
         }
     }
 }

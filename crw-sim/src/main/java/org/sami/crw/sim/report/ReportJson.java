@@ -73,7 +73,8 @@ public final class ReportJson {
             node.putObject("uploads")
                     .put("sent", link.uploads().sent())
                     .put("acknowledged", link.uploads().acknowledged())
-                    .put("readBackEqual", link.uploads().readBackEqual());
+                    .put("readBackEqual", link.uploads().readBackEqual())
+                    .put("failed", link.uploads().failed());
             node.put("distanceM", decimal(boat.distanceM(), 2))
                     .put("batteryPercent", decimal(boat.batteryPercent(), 2))
                     .put("recharges", boat.recharges())

@@ -85,7 +85,8 @@ final class SessionNotes {
                 JSON.createObjectNode()
                         .put("sent", uploads.sent())
                         .put("acknowledged", uploads.acknowledged())
-                        .put("readBackEqual", uploads.readBackEqual()));
+                        .put("readBackEqual", uploads.readBackEqual())
+                        .put("failed", uploads.failed()));
     }
 
     void message(NoteResult note) {
@@ -167,7 +168,8 @@ final class SessionNotes {
                         new LinkResult.Uploads(
                                 json.path("sent").asInt(),
                                 json.path("acknowledged").asInt(),
-                                json.path("readBackEqual").asInt()));
+                                json.path("readBackEqual").asInt(),
+                                json.path("failed").asInt()));
             case MESSAGE ->
                 reader.message(new NoteResult(
                         row.atMillis(),

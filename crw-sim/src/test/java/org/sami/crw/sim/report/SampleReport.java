@@ -8,7 +8,7 @@ import java.util.Random;
 /** A made-up report in which every kind of row occurs. */
 final class SampleReport {
     private static final LinkResult LINK =
-            new LinkResult("in-process", "boot1", 0, 0, new LinkResult.Uploads(2, 2, 2), "it does what it should");
+            new LinkResult("in-process", "boot1", 0, 0, new LinkResult.Uploads(3, 3, 2, 1), "it does what it should");
 
     private SampleReport() {}
 

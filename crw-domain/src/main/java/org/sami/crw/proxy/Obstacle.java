@@ -1,0 +1,14 @@
+package org.sami.crw.proxy;
+
+import java.util.Optional;
+
+/**
+ * What keeps every command from a boat.
+ *
+ * @param text in words
+ */
+record Obstacle(Explanation.Cause cause, String text) {
+    static Optional<Obstacle> because(Explanation.Cause cause, String text) {
+        return Optional.of(new Obstacle(cause, text));
+    }
+}

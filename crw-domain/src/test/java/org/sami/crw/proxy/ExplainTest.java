@@ -1,0 +1,128 @@
+package org.sami.crw.proxy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.sami.boat.link.BatteryLevel;
+import org.sami.boat.link.BatteryReport;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.Goodbye;
+import org.sami.boat.link.Nack;
+import org.sami.boat.link.NackReason;
+import org.sami.boat.link.Progress;
+import org.sami.boat.link.Role;
+import org.sami.boat.link.StopMotors;
+import org.sami.boat.link.Telemetry;
+import org.sami.boat.link.UploadWaypoints;
+import org.sami.boat.link.Welcome;
+import org.sami.crw.proxy.Explanation.Cause;
+import org.sami.crw.service.Geodesy;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
+
+/** "Why is this boat not moving?" */
+class ExplainTest {
+    private static final GeoPoint HERE = GeoPoint.of(45, 10);
+    private static final List<GeoPoint> POINTS = List.of(Geodesy.offset(HERE, 0, 100), Geodesy.offset(HERE, 0, 200));
+
+    private final TalkedBoat boat = new TalkedBoat(new BoatListener() {});
+    private final Set<Cause> seen = EnumSet.noneOf(Cause.class);
+
+    private void assertWhy(Cause cause, String words) {
+        Explanation explanation = boat.proxy.explain();
+        assertThat(explanation.text()).contains("boat1").contains(words);
+        assertThat(explanation.cause()).isEqualTo(cause);
+        assertThat(explanation.shouldMove()).isEqualTo(cause == Cause.UNDER_WAY);
+        seen.add(cause);
+    }
+
+    private static FollowPath path(String id, long mission, Priority priority) {
+        return FollowPath.of(id, mission, 1, POINTS, priority);
+    }
+
+    /** One boat's day: every cause that there is, one after the other. */
+    @Test
+    void everyCauseIsNamed() {
+        assertWhy(Cause.NEVER_ANSWERED, "has not answered yet");
+        boat.says(new Goodbye("boat1", "too many clients"));
+        assertWhy(Cause.REFUSES, "too many clients");
+        boat.says(new Welcome("boat1", "b1", Role.OBSERVER, ""));
+        assertWhy(Cause.COMMANDED_ELSEWHERE, "another client commands");
+        boat.says(new Welcome("boat1", "b1", Role.COMMANDER, ""));
+        assertWhy(Cause.COMPARING, "has not said yet what it holds");
+        boat.says(new Progress("", 0, false));
+        assertWhy(Cause.NO_COMMAND, "no mission wants anything");
+
+        boat.proxy.submit(path("c", 1, Priority.MEDIUM));
+        assertWhy(Cause.UPLOADING, "c of mission 1: the path is being uploaded");
+        boat.setsOut();
+        assertWhy(Cause.UNDER_WAY, "0 of 2 points visited");
+        boat.onPathAt(HERE, 80, 90);
+        assertWhy(Cause.NO_PROGRESS, "no nearer to point 1 for 89 s");
+        boat.says(new BatteryReport(0, BatteryLevel.CRITICAL));
+        boat.onPathAt(HERE, 0, 2);
+        assertWhy(Cause.BATTERY_EMPTY, "its battery is empty; it should do c of mission 1");
+        boat.says(new BatteryReport(90, BatteryLevel.NOMINAL));
+        boat.silent(5);
+        assertWhy(Cause.LINK_LOST, "the link has been lost for 5 s; one command waits");
+        boat.linked("b2");
+        assertWhy(Cause.STARTED_ANEW, "nobody has allowed it to move again; one command waits");
+        boat.proxy.confirmRestart();
+        boat.proxy.teleoperate(1, 0);
+        assertWhy(Cause.TAKEN_OVER, "driven by hand");
+        boat.proxy.release();
+        boat.says(new Telemetry(45, 10, 0, 0, 90, BoatMode.FLEET_STOP, 1));
+        assertWhy(Cause.FLEET_STOPPED, "the fleet stop is latched");
+        boat.says(new Telemetry(45, 10, 0, 0, 90, BoatMode.STOPPED, 1));
+
+        boat.proxy.withdraw(1);
+        assertWhy(Cause.STOPPING, "being stopped");
+        boat.acknowledges(StopMotors.class);
+        assertWhy(Cause.WITHDRAWN, "c of mission 1 was withdrawn");
+        boat.proxy.submit(path("d", 1, Priority.MEDIUM));
+        boat.setsOut();
+        boat.says(new Progress(boat.last(UploadWaypoints.class).listId(), 2, true));
+        assertWhy(Cause.ARRIVED, "it has arrived at the end of d of mission 1");
+        boat.proxy.submit(path("e", 1, Priority.MEDIUM));
+        boat.says(new Nack(boat.last(UploadWaypoints.class).commandId(), NackReason.TOO_LONG, "at most 1 point"));
+        boat.acknowledges(StopMotors.class);
+        assertWhy(Cause.FAILED, "e of mission 1 failed: the boat refused it: TOO_LONG, at most 1 point");
+        boat.proxy.submit(new Stop("s", 4, 1, Priority.LOW, true));
+        boat.acknowledges(StopMotors.class);
+        assertWhy(Cause.BLOCKED, "mission 4 keeps it where it is");
+
+        assertThat(seen).containsExactlyInAnyOrder(Cause.values());
+    }
+
+    @Test
+    void itSaysForWhomTheOtherMissionsWait() {
+        boat.linked("b1");
+        boat.proxy.submit(path("c", 1, Priority.MEDIUM));
+        boat.proxy.submit(path("later", 2, Priority.MEDIUM));
+        boat.proxy.submit(path("lesser", 3, Priority.LOW));
+        boat.proxy.submit(path("now", 4, Priority.CRITICAL));
+        boat.setsOut();
+
+        assertThat(boat.proxy.explain().text())
+                .startsWith("boat1 does now of mission 4: under way")
+                .contains("; c of mission 1 waits: it is interrupted and returns afterwards")
+                .contains("; later of mission 2 waits: its priority is MEDIUM, not CRITICAL")
+                .contains("; lesser of mission 3 waits: its priority is LOW, not CRITICAL");
+
+        boat.says(new Progress(boat.last(UploadWaypoints.class).listId(), 2, true));
+        assertThat(boat.proxy.explain().text()).contains("; later of mission 2 waits: the other came first");
+    }
+
+    @Test
+    void itSaysWhichMissionKeepsTheBoatFromTheOthers() {
+        boat.linked("b1");
+        boat.proxy.submit(path("c", 1, Priority.MEDIUM).blocking());
+        boat.proxy.submit(path("other", 2, Priority.HIGH));
+        boat.setsOut();
+
+        assertThat(boat.proxy.explain().text()).endsWith("; other of mission 2 waits: mission 1 keeps the boat");
+    }
+}
