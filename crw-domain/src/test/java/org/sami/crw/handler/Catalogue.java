@@ -31,7 +31,12 @@ final class Catalogue {
     record Row(String event, Seen seen, String effect, Check check) {}
 
     private static final List<Consumer<Catalogue>> CHAPTERS = List.of(
-            MotionChapter::add, ServiceChapter::add, NewsChapter::add, OperatorChapter::add, MissionChapter::add);
+            MotionChapter::add,
+            AbortChapter::add,
+            ServiceChapter::add,
+            NewsChapter::add,
+            OperatorChapter::add,
+            MissionChapter::add);
 
     private final Map<String, Row> rows = new LinkedHashMap<>();
 

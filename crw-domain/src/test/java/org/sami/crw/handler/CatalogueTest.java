@@ -120,7 +120,6 @@ class CatalogueTest {
     /** Events without a row in the catalogue. It only gets shorter. */
     private static final List<String> NO_ROW_YET = List.of(
             "ApplyAllocation",
-            "BatteryLevelSubscription",
             "BlockMovementDone",
             "ConnectExistingProxy",
             "ConnectExistingProxyId",
@@ -135,10 +134,7 @@ class CatalogueTest {
             "PanoramaTaken",
             "PathRequest",
             "PathResponse",
-            "ProxyAbortMission",
-            "ProxyAbortMissionReceived",
             "ProxyAreaSubscription",
-            "ProxyEmergencyAbort",
             "ProxyEnteredArea",
             "ProxyExecutePathAndBlock",
             "ProxyExploreArea",
@@ -151,9 +147,6 @@ class CatalogueTest {
             "ProxyStationKeep",
             "ReconnectServer",
             "RefreshTasks",
-            "SendAbortMission",
-            "SendProxyAbortAllMissions",
-            "SendProxyAbortFutureMissions",
             "SetGains",
             "SetGainsFailed",
             "SetGainsSucceeded",

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.sami.crw.handler.Catalogue.Seen;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.value.TextValue;
 
@@ -43,7 +45,69 @@ final class NewsChapter {
                         "BatteryCritical",
                         Seen.IN_THE_MARKING,
                         "a boat whose battery is nearly empty moves on, with the charge in the variable",
-                        () -> battery(100, 2, "BatteryCritical"));
+                        () -> battery(100, 2, "BatteryCritical"))
+                .shows(
+                        "BatteryLevelSubscription",
+                        Seen.IN_THE_MARKING,
+                        "a boat moves on by the subscription's thresholds, not by its own",
+                        NewsChapter::subscription)
+                .shows(
+                        "ProxyTakenOver",
+                        Seen.IN_THE_MARKING,
+                        "the boat that a person drives moves on, with who has it in the variable",
+                        () -> assertThat(takenOver().stands(Scene.boat("boat-2"), "going"))
+                                .isTrue())
+                .shows(
+                        "ProxyReleased",
+                        Seen.ON_A_BOAT,
+                        "the boat that the person gives back moves on, and drives to where it was sent",
+                        NewsChapter::released);
+    }
+
+    private static void subscription() {
+        Scene scene = new Scene(
+                new PlanSketch()
+                        .asks(
+                                "here",
+                                "BatteryLevelSubscription",
+                                "low",
+                                new RealValue(60),
+                                "critical",
+                                new RealValue(40))
+                        .on("here", "BatteryLow", "low"),
+                1);
+        scene.run(2);
+        assertThat(scene.stands(Scene.boat("boat-1"), "here")).isTrue();
+        scene.world.hull("boat-1").setBatteryPercent(50);
+        scene.untilBoat("boat-1", "low");
+    }
+
+    /** Two boats go somewhere; a person takes the first. */
+    private static Scene takenOver() {
+        Scene scene = new Scene(
+                new PlanSketch()
+                        .variable("@by", "text")
+                        .asks("going", "ProxyGotoLatLon", "location", Scene.at(0, 60))
+                        .on("going", "ProxyTakenOver", "by hand")
+                        .writing("by", "@by")
+                        .on("by hand", "ProxyReleased", "free"),
+                2);
+        scene.run(5);
+        scene.world.boats.find("boat-1").orElseThrow().teleoperate(1, 0.5);
+        scene.untilBoat("boat-1", "by hand");
+        assertThat(((TextValue) scene.variable("@by")).value()).isEqualTo("operator");
+        return scene;
+    }
+
+    private static void released() {
+        Scene scene = takenOver();
+        BoatProxy boat = scene.world.boats.find("boat-1").orElseThrow();
+        scene.run(5);
+        assertThat(scene.stands(Scene.boat("boat-1"), "by hand")).isTrue();
+        boat.release();
+        scene.untilBoat("boat-1", "free");
+        scene.until(
+                "it arrives", () -> Geodesy.distanceM(scene.world.hull("boat-1").position(), Scene.at(0, 60)) < 4);
     }
 
     private static void message() {
