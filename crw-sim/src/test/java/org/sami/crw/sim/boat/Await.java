@@ -4,13 +4,13 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 
 /** Waits for what happens on other threads, for a bounded time. */
-final class Await {
+public final class Await {
     private static final long PAUSE_NANOS = 3_000_000;
 
     private Await() {}
 
     /** Returns after how many ms the condition held; fails after the time. */
-    static double until(String what, double seconds, BooleanSupplier condition) {
+    public static double until(String what, double seconds, BooleanSupplier condition) {
         long start = System.nanoTime();
         while (!condition.getAsBoolean()) {
             if (System.nanoTime() - start > seconds * 1e9) {
@@ -22,7 +22,7 @@ final class Await {
     }
 
     /** Fails if the condition ceases to hold within the time. */
-    static void holds(String what, double seconds, BooleanSupplier condition) {
+    public static void holds(String what, double seconds, BooleanSupplier condition) {
         long start = System.nanoTime();
         while (System.nanoTime() - start < seconds * 1e9) {
             if (!condition.getAsBoolean()) {
@@ -33,7 +33,7 @@ final class Await {
     }
 
     /** How many threads of this process have a name that begins so. */
-    static long threads(String prefix) {
+    public static long threads(String prefix) {
         return Thread.getAllStackTraces().keySet().stream()
                 .filter(thread -> thread.isAlive() && thread.getName().startsWith(prefix))
                 .count();

@@ -19,17 +19,17 @@ import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 
 /** A router between base and boat: carries frames, and cuts, swallows or holds back as a test says. */
-final class TestRelay implements Closeable {
+public final class TestRelay implements Closeable {
 
     /** Where in a frame the link is cut. */
-    enum Where {
+    public enum Where {
         BEFORE,
         MIDDLE,
         AFTER
     }
 
     /** Cuts the link, once, at the next message of a kind that comes through, in either direction. */
-    record Cut(Class<? extends LinkMessage> at, Where where) {}
+    public record Cut(Class<? extends LinkMessage> at, Where where) {}
 
     private final InetSocketAddress boat;
     private final ServerSocket socket;
@@ -40,23 +40,23 @@ final class TestRelay implements Closeable {
     private volatile double lossProbability;
     private volatile boolean swallows;
 
-    TestRelay(InetSocketAddress boat) throws IOException {
+    public TestRelay(InetSocketAddress boat) throws IOException {
         this.boat = boat;
         socket = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
         start("accepts", this::accept);
     }
 
-    InetSocketAddress address() {
+    public InetSocketAddress address() {
         return (InetSocketAddress) socket.getLocalSocketAddress();
     }
 
     /** From now on nothing gets through, either way, and no connection is closed: as a router that is off. */
-    void setSwallows(boolean value) {
+    public void setSwallows(boolean value) {
         swallows = value;
     }
 
     /** From now on a part of the frames is lost, either way. */
-    void setLoss(double probability) {
+    public void setLoss(double probability) {
         lossProbability = probability;
     }
 
@@ -64,16 +64,16 @@ final class TestRelay implements Closeable {
         return random.nextDouble() < lossProbability;
     }
 
-    void arm(Cut cut) {
+    public void arm(Cut cut) {
         armed.set(Optional.of(cut));
     }
 
-    boolean isArmed() {
+    public boolean isArmed() {
         return armed.get().isPresent();
     }
 
     /** Closes every connection that stands. */
-    void cut() {
+    public void cut() {
         for (Socket each : open) {
             closeQuietly(each);
         }

@@ -5,8 +5,9 @@ import java.io.StringWriter;
 import picocli.CommandLine;
 
 /** A command line that was executed in this process. */
-record Ran(int exitCode, String out, String err) {
-    static Ran crw(String... args) {
+public record Ran(int exitCode, String out, String err) {
+    /** Executes it. */
+    public static Ran crw(String... args) {
         StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();
         CommandLine line = Crw.commandLine()

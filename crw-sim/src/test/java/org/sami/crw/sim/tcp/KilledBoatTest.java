@@ -1,0 +1,140 @@
+package org.sami.crw.sim.tcp;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.StreamSupport;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.UploadWaypoints;
+import org.sami.boat.server.LocalFrame;
+import org.sami.crw.decision.DomainQuestion;
+import org.sami.crw.sim.boat.Await;
+import org.sami.crw.sim.boat.TestRelay;
+
+/** Boats of a running mission that are killed as by {@code kill -9} and started again, with and without what they knew. */
+@Timeout(240)
+class KilledBoatTest {
+    private static final long END_S = 120;
+
+    @TempDir
+    private Path folder;
+
+    private CrwProcess run(String addresses) throws Exception {
+        return CrwProcess.start(
+                folder,
+                List.of(
+                        "run",
+                        "clv",
+                        "--connect",
+                        addresses,
+                        "--area",
+                        "24",
+                        "--locations",
+                        "4",
+                        "--answer-after",
+                        "2",
+                        "--for",
+                        "120",
+                        "--json",
+                        "--report",
+                        folder.resolve("report").toString()));
+    }
+
+    private Path state(boolean kept) {
+        return kept ? folder : folder.resolve("empty");
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void killedInMidPathItWaitsForTheOperatorAndTheMissionEnds(boolean withItsState) throws Exception {
+        try (Fleet fleet = new Fleet(folder).with("anna", "bert");
+                CrwProcess run = run(fleet.addresses())) {
+            Await.until("bert is under way", 60, () -> executed(fleet, "bert", StartWaypoints.class) > 0);
+            run.awaitErr("visited 1/4");
+            fleet.kill("bert");
+            run.awaitErr("The link to bert is lost; its commands wait");
+            fleet.startAgain("bert", state(withItsState));
+            run.awaitErr("bert has started anew; it does not move until it is allowed to");
+
+            assertThat(run.await(END_S)).as(run.err()).isZero();
+            assertEndedAfterTheOperatorWasAsked(fleet, run);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void killedInMidUploadItWaitsForTheOperatorAndTheMissionEnds(boolean withItsState) throws Exception {
+        try (Fleet fleet = new Fleet(folder).with("anna", "bert");
+                TestRelay relay = relayTo(fleet, "bert")) {
+            relay.arm(new TestRelay.Cut(UploadWaypoints.class, TestRelay.Where.MIDDLE));
+            try (CrwProcess run = run("127.0.0.1:" + fleet.port("anna") + ",127.0.0.1:"
+                    + relay.address().getPort())) {
+                Await.until("half an upload has gone", 60, () -> !relay.isArmed());
+                fleet.kill("bert");
+                assertThat(executed(fleet, "bert", UploadWaypoints.class)).isZero();
+                run.awaitErr("The link to bert is lost; its commands wait");
+                fleet.startAgain("bert", state(withItsState));
+                run.awaitErr("bert has started anew; it does not move until it is allowed to");
+
+                assertThat(run.await(END_S)).as(run.err()).isZero();
+                assertEndedAfterTheOperatorWasAsked(fleet, run);
+            }
+        }
+    }
+
+    private static TestRelay relayTo(Fleet fleet, String boat) throws Exception {
+        return new TestRelay(new InetSocketAddress(InetAddress.getLoopbackAddress(), fleet.port(boat)));
+    }
+
+    private static long executed(Fleet fleet, String boat, Class<?> kind) {
+        return fleet.log(boat).stream()
+                .filter(entry -> kind.isInstance(entry.command()))
+                .count();
+    }
+
+    private void assertEndedAfterTheOperatorWasAsked(Fleet fleet, CrwProcess run) throws Exception {
+        JsonNode report = new ObjectMapper().readTree(run.out());
+        assertThat(report.path("outcome").asText()).isEqualTo("ended");
+        assertThat(report.path("locationsVisited").asInt()).isEqualTo(4);
+        JsonNode bert = report.path("boats").get(1);
+        assertThat(bert.path("linkLost").asInt()).isPositive();
+        assertThat(bert.path("linkBack").asInt())
+                .isEqualTo(bert.path("linkLost").asInt());
+        JsonNode question = StreamSupport.stream(report.path("decisions").spliterator(), false)
+                .filter(decision -> decision.path("type").asText().equals(DomainQuestion.BOAT_RESTARTED.kind()))
+                .findFirst()
+                .orElseThrow();
+        assertThat(question.path("by").asText()).isEqualTo("operator");
+        assertRested(
+                fleet,
+                question.path("openedAt").asDouble(),
+                question.path("closedAt").asDouble());
+        assertThat(fleet.commandIds("anna")).doesNotHaveDuplicates();
+        assertThat(fleet.commandIds("bert")).doesNotHaveDuplicates();
+    }
+
+    /** From when the operator was asked until the answer the boat lay at its quay. */
+    private void assertRested(Fleet fleet, double fromS, double toS) throws Exception {
+        assertThat(toS).isGreaterThan(fromS + 1.5);
+        LocalFrame quay = new LocalFrame(Fleet.latDeg(), fleet.lonDeg("bert"));
+        List<String> lines = Files.readAllLines(folder.resolve("report").resolve("tracks.csv"));
+        lines.stream().skip(1).map(line -> line.split(",")).forEach(row -> {
+            double atS = Double.parseDouble(row[1]);
+            if (row[0].equals("bert") && atS > fromS + 0.5 && atS < toS) {
+                double eastM = quay.eastM(Double.parseDouble(row[2]), Double.parseDouble(row[3]));
+                double northM = quay.northM(Double.parseDouble(row[2]), Double.parseDouble(row[3]));
+                assertThat(Math.hypot(eastM, northM)).as("at %s s", row[1]).isLessThan(0.5);
+            }
+        });
+    }
+}
