@@ -37,8 +37,10 @@ class ShippedFilesTest {
         Reading<DomainLibrary> reading = DomainLibrary.fromClassPath(CRW);
 
         assertThat(reading.findings()).isEmpty();
-        assertThat(reading.orThrow().plans()).extracting(Plan::id).containsExactly("clv", "station-keep");
-        assertThat(reading.orThrow().vocabulary().markups()).hasSize(18);
+        assertThat(reading.orThrow().plans())
+                .extracting(Plan::id)
+                .containsExactly("clv", "station-keep", "clv-interrupts", "assemble", "recharge");
+        assertThat(reading.orThrow().vocabulary().markups()).hasSize(19);
     }
 
     @Test

@@ -25,25 +25,36 @@ final class AnswerForm {
     static final String VALUES = "values";
     static final String VALUE = "value";
 
+    private static final List<String> APPROVAL = List.of(YES, SILENT);
+    private static final List<String> CHOICE = List.of(BOATS, SILENT);
+
     private AnswerForm() {}
 
     /** Checks an answer to an output event's decision. */
     static void check(
             JsonNode answer, String pointer, DecisionType decision, Vocabulary vocabulary, List<Finding> findings) {
-        Optional<String> member = only(answer, pointer, membersFor(decision), findings);
-        if (member.isEmpty()) {
-            return;
-        }
-        checkMember(answer.get(member.get()), pointer + "/" + member.get(), member.get(), findings);
-        if (decision.form() == DecisionForm.PROVIDE && member.get().equals(VALUES)) {
+        Optional<String> member = check(answer, pointer, membersFor(decision), findings);
+        if (decision.form() == DecisionForm.PROVIDE && member.equals(Optional.of(VALUES))) {
             checkFields(answer.get(VALUES), pointer + "/" + VALUES, decision.accepted(), vocabulary, findings);
         }
     }
 
-    /** Checks an answer to a question that is no plan's. */
+    /** Checks an answer to a question that no event asks and that is answered by yes or no. */
     static void checkYesNo(JsonNode answer, String pointer, List<Finding> findings) {
-        only(answer, pointer, List.of(YES, SILENT), findings)
-                .ifPresent(member -> checkMember(answer.get(member), pointer + "/" + member, member, findings));
+        check(answer, pointer, APPROVAL, findings);
+    }
+
+    /** Checks an answer to the question whom an interrupt is for. */
+    static void checkInterrupt(JsonNode answer, String pointer, List<Finding> findings) {
+        check(answer, pointer, CHOICE, findings);
+    }
+
+    /** The one member that the answer has; empty where it is another than allowed. */
+    private static Optional<String> check(
+            JsonNode answer, String pointer, List<String> allowed, List<Finding> findings) {
+        Optional<String> member = only(answer, pointer, allowed, findings);
+        member.ifPresent(name -> checkMember(answer.get(name), pointer + "/" + name, name, findings));
+        return member;
     }
 
     /** Checks an answer to what is asked at the start. */
@@ -53,8 +64,8 @@ final class AnswerForm {
 
     private static List<String> membersFor(DecisionType decision) {
         return switch (decision.form()) {
-            case APPROVE -> List.of(YES, SILENT);
-            case CHOOSE_PROXIES -> List.of(BOATS, SILENT);
+            case APPROVE -> APPROVAL;
+            case CHOOSE_PROXIES -> CHOICE;
             case CHOOSE_OPTION, CHOOSE_VARIABLE ->
                 decision.rejected().isEmpty() ? List.of(OPTION, SILENT) : List.of(OPTION, REJECT, SILENT);
             case PROVIDE, REDEFINE_VARIABLE, DEFINE_VARIABLES -> List.of(VALUES, SILENT);

@@ -9,7 +9,8 @@ import java.util.OptionalInt;
  * One rule of an answers file: which decision it answers, and how (docs/answers-file.md).
  *
  * @param pointer where it stands in the file
- * @param event name of the output event type that asks; for a start rule, the field or variable that is asked for
+ * @param event name of the output event type that asks, or the type of what the engine asks ({@code Decision#type}); for a
+ *     start rule, the field or variable that is asked for
  * @param start whether it gives a value that is asked for when a mission starts
  * @param plan the plan that asks; empty = any
  * @param nth the how-many-th such decision of the run, from 1; empty = each

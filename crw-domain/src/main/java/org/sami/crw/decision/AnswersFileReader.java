@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.Reading;
+import org.sami.spn.protocol.Decision;
 import org.sami.spn.vocabulary.DecisionType;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -110,6 +111,14 @@ public final class AnswersFileReader {
     }
 
     private void checkEvent(String event, JsonNode answer, String pointer) {
+        if (event.startsWith(Decision.INTERRUPT)) {
+            AnswerForm.checkInterrupt(answer, pointer + "/answer", findings);
+            return;
+        }
+        if (event.startsWith(Decision.ABORTED)) {
+            AnswerForm.checkYesNo(answer, pointer + "/answer", findings);
+            return;
+        }
         Optional<EventType> type = vocabulary.event(event);
         if (DomainQuestion.of(event).isPresent()) {
             AnswerForm.checkYesNo(answer, pointer + "/answer", findings);

@@ -12,8 +12,10 @@ import org.sami.spn.json.ValueJson;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Question;
+import org.sami.spn.value.EnumValue;
 import org.sami.spn.value.NamedType;
 import org.sami.spn.value.Value;
+import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -25,11 +27,13 @@ import org.sami.spn.vocabulary.Vocabulary;
 public final class SimulatedOperator {
     private final Vocabulary vocabulary;
     private final List<CountedRule> rules = new ArrayList<>();
+    private final OperatorDefaults defaults;
     private final MadeUpValues madeUp;
 
     /** An operator with rules and what it does without them. */
     public SimulatedOperator(Vocabulary vocabulary, OperatorDefaults defaults, AnswersFile answers) {
         this.vocabulary = vocabulary;
+        this.defaults = defaults;
         madeUp = new MadeUpValues(defaults);
         answers.rules().forEach(rule -> rules.add(new CountedRule(rule)));
     }
@@ -128,7 +132,7 @@ public final class SimulatedOperator {
             if (given.isPresent() && item.editable()) {
                 value = read(given.get(), item, findings);
             } else {
-                value = item.defaultValue().or(() -> madeUp.of(item.type()));
+                value = item.defaultValue().or(() -> proposed(decision, item)).or(() -> madeUp.of(item.type()));
                 if (value.isEmpty()) {
                     findings.add(Finding.error(
                             "E-NO-ANSWER", "", "The simulated operator has no value for \"" + item.key() + "\""));
@@ -137,6 +141,17 @@ public final class SimulatedOperator {
             value.ifPresent(v -> values.put(item.key(), v));
         }
         return new Answer.Fields(values);
+    }
+
+    /** What the plan's author proposes, where it can be known (markup Default Location). */
+    private Optional<Value> proposed(Decision decision, Question.Item item) {
+        boolean atQuay = item.type().equals(ValueType.Simple.POINT)
+                && decision.markups().stream()
+                        .filter(markup -> markup.type().equals("DefaultLocation"))
+                        .flatMap(markup -> markup.option("location").stream())
+                        .anyMatch(option -> option instanceof EnumValue value
+                                && value.constant().equals("QUAY"));
+        return atQuay ? Optional.of(defaults.quay()) : Optional.empty();
     }
 
     private Optional<Value> read(Given given, Question.Item item, List<Finding> findings) {

@@ -39,7 +39,7 @@ public sealed interface TestStep {
         }
     }
 
-    /** A named interrupt is pressed, for the given proxies or in general. */
+    /** A named interrupt of the plan or of one of its running sub-missions is pressed, for the given proxies or in general. */
     record Press(String interrupt, List<String> proxies) implements TestStep {
         public Press {
             Objects.requireNonNull(interrupt, "interrupt");

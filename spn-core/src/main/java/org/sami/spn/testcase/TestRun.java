@@ -1,12 +1,14 @@
 package org.sami.spn.testcase;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.EngineView;
@@ -50,7 +52,7 @@ final class TestRun {
         } else if (step instanceof TestStep.Occur s) {
             return occur(s);
         } else if (step instanceof TestStep.Press s) {
-            step(new Input.Interrupt(mission, s.interrupt(), s.proxies()));
+            step(new Input.Interrupt(Ids.NONE, s.interrupt(), s.proxies()));
         } else if (step instanceof TestStep.Join s) {
             step(new Input.ProxyJoined(s.proxy()));
         } else if (step instanceof TestStep.Drop s) {
@@ -134,15 +136,20 @@ final class TestRun {
             step(new Input.Received(Occurrence.news(s.type(), s.proxies(), s.values())));
             return Optional.empty();
         }
-        Optional<Activation> asked = activations.values().stream()
-                .filter(a -> a.event().equals(s.answers()))
-                .filter(a -> s.proxies().isEmpty() || a.proxies().containsAll(s.proxies()))
-                .findFirst();
+        Optional<Activation> asked = asked(view().openActivations(), s).or(() -> asked(activations.values(), s));
         asked.ifPresent(
                 a -> step(new Input.Received(Occurrence.answer(s.type(), a, s.proxies(), List.of(), s.values()))));
         return asked.isPresent()
                 ? Optional.empty()
                 : Optional.of("\"" + s.answers() + "\" has asked for nothing that " + s.type() + " could answer");
+    }
+
+    /** Robots that are named answer to what they were asked last; who answers without a name, to the oldest question. */
+    private static Optional<Activation> asked(Collection<Activation> activations, TestStep.Occur s) {
+        Stream<Activation> fitting = activations.stream()
+                .filter(a -> a.event().equals(s.answers()))
+                .filter(a -> a.proxies().containsAll(s.proxies()));
+        return s.proxies().isEmpty() ? fitting.findFirst() : fitting.reduce((older, newer) -> newer);
     }
 
     private Optional<String> compare(TestStep.ExpectTokens s) {

@@ -8,8 +8,10 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.function.Consumer;
+import org.sami.boat.link.Ack;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.LocalFrame;
@@ -68,6 +70,9 @@ public final class BoatOnTcp implements Closeable {
 
     private void answered(long nowMs, CommandMessage command, LinkMessage answer) {
         log.ifPresent(file -> file.answered(nowMs, command, answer));
+        if (command instanceof StartWaypoints && answer instanceof Ack) {
+            hull.putToUse();
+        }
     }
 
     /** The boat takes back entry by entry: a log grows for ever, and only its last list counts. */

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.crw.sim.run.BoatAddress;
+import org.sami.crw.sim.run.Charges;
 import org.sami.crw.sim.run.RunSettings;
 import org.sami.crw.sim.run.Speed;
 import picocli.CommandLine.Mixin;
@@ -112,6 +113,12 @@ final class RunOptions {
                     + "several times. 'crw plans' names a plan's interrupts.")
     private List<String> interrupts = new ArrayList<>();
 
+    @Option(
+            names = "--battery",
+            paramLabel = "PERCENT[,PERCENT...]",
+            description = "Charge of the boats' batteries at the start, one for all or one for each (default: full).")
+    private String battery;
+
     @Mixin
     private ConditionsOptions conditions;
 
@@ -125,7 +132,7 @@ final class RunOptions {
             return new RunSettings(
                     plan,
                     mission,
-                    new RunSettings.Fleet(count, locations, areaM, seed, conditions.conditions()),
+                    new RunSettings.Fleet(count, locations, areaM, seed, conditions.conditions(), charges()),
                     Optional.ofNullable(speed).orElse(addresses.isEmpty() ? DEFAULT_SPEED : Speed.REAL),
                     Optional.ofNullable(limitMillis).map(OptionalLong::of).orElse(OptionalLong.empty()),
                     parameters,
@@ -136,6 +143,10 @@ final class RunOptions {
         } catch (IllegalArgumentException e) {
             throw new UsageFault(e.getMessage());
         }
+    }
+
+    private Charges charges() {
+        return battery == null ? Charges.FULL : Charges.parse(battery);
     }
 
     /** How long boats behind TCP may take to answer at the start. */

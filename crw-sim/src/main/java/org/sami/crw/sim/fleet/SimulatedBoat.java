@@ -3,6 +3,10 @@ package org.sami.crw.sim.fleet;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.sami.boat.link.Ack;
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.LocalFrame;
 import org.sami.boat.server.ServerConfig;
@@ -47,17 +51,20 @@ public final class SimulatedBoat {
         instruments = new Instruments(hull, config.conditions(), seeds.instruments(), fieldSeed);
         ServerConfig.Builder defaults = ServerConfig.of(id, id + "-boot1")
                 .fullThrustSpeedMps(config.hull().topSpeedMps());
-        server = new BoatServer(
-                config.server().apply(defaults).build(),
-                instruments,
-                (nowMs, command, answer) ->
-                        executed.add(new ExecutedCommand(nowMs, command.commandId(), command, answer)));
+        server = new BoatServer(config.server().apply(defaults).build(), instruments, this::answered);
         toBoat = new InMemoryPipe(clock, config.pipe(), seeds.toBoat());
         toBase = new InMemoryPipe(clock, config.pipe(), seeds.toBase());
         proxy = new BoatProxy(id, toBoat, listener, config.proxy());
         ServerSession session = server.connect(toBase);
         toBoat.connect(session::receive);
         toBase.connect(proxy::receive);
+    }
+
+    private void answered(long nowMs, CommandMessage command, LinkMessage answer) {
+        executed.add(new ExecutedCommand(nowMs, command.commandId(), command, answer));
+        if (command instanceof StartWaypoints && answer instanceof Ack) {
+            hull.putToUse();
+        }
     }
 
     /** Names the boat. */

@@ -122,6 +122,11 @@ public final class SimulatedHull implements Vehicle {
         swap = Optional.of(new BatterySwap(quay));
     }
 
+    /** The boat was told to go somewhere, even if it is there already: at the quay its battery is looked after from now on. */
+    public void putToUse() {
+        swap.ifPresent(BatterySwap::use);
+    }
+
     /** Somebody swaps or fills the battery. */
     public void recharge() {
         batteryPercent = 100;

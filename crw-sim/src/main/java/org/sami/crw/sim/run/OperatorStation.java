@@ -14,19 +14,26 @@ import org.sami.spn.finding.Finding;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.json.Reading;
+import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.value.DurationValue;
+import org.sami.spn.vocabulary.Reserved;
 
 /** Where the simulated operator sits: sees a decision when it opens, answers it a while later. */
 public final class OperatorStation implements HostListener {
+    private static final String WORK = "OperatorBackgroundAction";
+
     private final SimulatedOperator operator;
     private final Scheduler clock;
     private final long answerAfterMillis;
     private final Map<Long, String> planOfMission = new TreeMap<>();
     private final Map<Long, Decision> open = new TreeMap<>();
+    private final Map<Long, Long> work =
+            new TreeMap<>(); // milliseconds that it takes beside answering, by open decision
     private final List<String> troubles = new ArrayList<>();
     private final Set<Long> thinkingOf = new HashSet<>();
     private Consumer<Input> door = input -> {}; // while the past of a run is gone through, it has been answered already
@@ -34,7 +41,7 @@ public final class OperatorStation implements HostListener {
     /**
      * An operator who has not been asked yet.
      *
-     * @param answerAfterMillis how long every answer takes
+     * @param answerAfterMillis how long every answer takes; what is work takes its own time beside
      */
     public OperatorStation(SimulatedOperator operator, Scheduler clock, long answerAfterMillis) {
         this.operator = operator;
@@ -48,26 +55,40 @@ public final class OperatorStation implements HostListener {
      */
     public void connect(EngineHost answered) {
         door = answered::post;
-        open().stream().filter(decision -> !thinkingOf.contains(decision.id())).forEach(this::asked);
+        open().stream().filter(decision -> !thinkingOf.contains(decision.id())).forEach(this::think);
     }
 
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        Map<Long, Long> workMillis = new TreeMap<>();
         for (Effect effect : effects) {
             if (effect instanceof Effect.MissionStarted started) {
                 planOfMission.put(started.mission(), started.plan());
+            } else if (effect instanceof Effect.Activated activated) {
+                workMillis.put(activated.activation().id(), workMillis(activated.activation()));
             } else if (effect instanceof Effect.DecisionOpened opened) {
-                asked(opened.decision());
+                Decision decision = opened.decision();
+                open.put(decision.id(), decision);
+                work.put(decision.id(), workMillis.getOrDefault(decision.activation(), 0L));
+                think(decision);
             } else if (effect instanceof Effect.DecisionClosed closed) {
                 open.remove(closed.decision());
+                work.remove(closed.decision());
             }
         }
     }
 
-    private void asked(Decision decision) {
-        open.put(decision.id(), decision);
+    /** How long the operator is busy with what is asked, beside answering (thesis 8.1). */
+    private static long workMillis(Activation activation) {
+        return activation.type().equals(WORK)
+                        && activation.values().get(Reserved.DURATION) instanceof DurationValue duration
+                ? duration.millis()
+                : 0;
+    }
+
+    private void think(Decision decision) {
         thinkingOf.add(decision.id());
-        clock.after(answerAfterMillis, () -> {
+        clock.after(answerAfterMillis + work.get(decision.id()), () -> {
             thinkingOf.remove(decision.id());
             if (open.containsKey(decision.id())) {
                 answer(decision);

@@ -43,6 +43,7 @@ public record RunSettings(
     public static final long LONGEST_MILLIS = 86_400_000;
 
     private static final String PARAMETER = "set.";
+    private static final String BATTERY = "battery";
     private static final String CONNECT = "connect";
     private static final String INTERRUPT = "interrupt.";
 
@@ -51,8 +52,9 @@ public record RunSettings(
      *
      * @param areaM side of the square in which locations lie, in metres
      * @param conditions on the water of boats in this process; others have their own
+     * @param charges of the batteries of boats in this process; others have their own
      */
-    public record Fleet(int boats, int locations, double areaM, long seed, Conditions conditions) {
+    public record Fleet(int boats, int locations, double areaM, long seed, Conditions conditions, Charges charges) {
         /** The greatest number of boats (DESIGN, Numbers to design for). */
         public static final int MOST_BOATS = 250;
 
@@ -73,16 +75,25 @@ public record RunSettings(
                 throw new IllegalArgumentException("the area's side is 10 to 20000 m, not " + areaM);
             }
             Objects.requireNonNull(conditions, "conditions");
+            if (!charges.fit(boats)) {
+                throw new IllegalArgumentException(
+                        "the batteries of " + boats + " boats have one charge for all or one for each, not " + charges);
+            }
         }
 
-        /** A fleet in calm water. */
+        /** A fleet with full batteries in calm water. */
         public Fleet(int boats, int locations, double areaM, long seed) {
-            this(boats, locations, areaM, seed, Conditions.CALM);
+            this(boats, locations, areaM, seed, Conditions.CALM, Charges.FULL);
         }
 
         /** The same fleet on other water. */
         public Fleet on(Conditions water) {
-            return new Fleet(boats, locations, areaM, seed, water);
+            return new Fleet(boats, locations, areaM, seed, water, charges);
+        }
+
+        /** The same fleet with other charges. */
+        public Fleet with(Charges others) {
+            return new Fleet(boats, locations, areaM, seed, conditions, others);
         }
 
         /** The names of the boats, in order. */
@@ -118,6 +129,9 @@ public record RunSettings(
             throw new IllegalArgumentException(
                     "boats behind TCP have their own water and sensors: see crw boat --help");
         }
+        if (!connect.isEmpty() && !fleet.charges().equals(Charges.FULL)) {
+            throw new IllegalArgumentException("boats behind TCP have their own batteries: see crw boat --help");
+        }
     }
 
     /** A run on boats in this process, in which nobody presses an interrupt. */
@@ -138,7 +152,13 @@ public record RunSettings(
         return new RunSettings(
                 plan,
                 mission,
-                new Fleet(addresses.size(), fleet.locations(), fleet.areaM(), fleet.seed(), fleet.conditions()),
+                new Fleet(
+                        addresses.size(),
+                        fleet.locations(),
+                        fleet.areaM(),
+                        fleet.seed(),
+                        fleet.conditions(),
+                        fleet.charges()),
                 Speed.REAL,
                 limitMillis,
                 parameters,
@@ -193,6 +213,9 @@ public record RunSettings(
             map.put(CONNECT, connect.stream().map(BoatAddress::toString).collect(Collectors.joining(",")));
         }
         map.putAll(fleet.conditions().toMap());
+        if (!fleet.charges().equals(Charges.FULL)) {
+            map.put(BATTERY, fleet.charges().toString());
+        }
         parameters.forEach((name, value) -> map.put(PARAMETER + name, value));
         for (int i = 0; i < interrupts.size(); i++) {
             map.put(INTERRUPT + i, interrupts.get(i));
@@ -217,7 +240,8 @@ public record RunSettings(
                 Integer.parseInt(needed(map, "locations")),
                 Double.parseDouble(needed(map, "areaM")),
                 Long.parseLong(needed(map, "seed")),
-                Conditions.fromMap(map));
+                Conditions.fromMap(map),
+                map.containsKey(BATTERY) ? Charges.parse(map.get(BATTERY)) : Charges.FULL);
         String limit = map.get("limitMillis");
         return new RunSettings(
                 needed(map, "plan"),

@@ -26,6 +26,7 @@ final class SimulatedWater {
 
     private final VirtualClock clock;
     private final LocalFrame plane;
+    private final GeoPoint quay;
     private final SimulatedFleet fleet;
 
     /**
@@ -39,6 +40,7 @@ final class SimulatedWater {
         plane = new LocalFrame(centre.latDeg(), centre.lonDeg());
         double eastM = -(settings.boats() - 1) * SPACING_M / 2;
         double northM = -settings.areaM() / 2 - QUAY_M;
+        quay = GeoPoint.of(plane.latDeg(0, northM), plane.lonDeg(0, northM));
         fleet = new SimulatedFleet(
                 clock,
                 settings.seed(),
@@ -47,10 +49,18 @@ final class SimulatedWater {
                 plane.lonDeg(eastM, northM),
                 listeners,
                 FleetConfig.DEFAULT.withConditions(settings.conditions()));
+        for (int i = 0; i < settings.boats(); i++) {
+            fleet.boats().get(i).hull().setBatteryPercent(settings.charges().of(i));
+        }
     }
 
     VirtualClock clock() {
         return clock;
+    }
+
+    /** The middle of the quay, where the boats lie at the start. */
+    GeoPoint quay() {
+        return quay;
     }
 
     SimulatedFleet fleet() {

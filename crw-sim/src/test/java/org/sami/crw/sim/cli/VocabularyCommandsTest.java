@@ -60,7 +60,7 @@ class VocabularyCommandsTest {
     void markupsIsOneArrayWithTheWordsOfEnumerations() throws Exception {
         Map<String, JsonNode> markups = byName(Ran.crw("markups", "--json"));
 
-        assertThat(markups).hasSize(18);
+        assertThat(markups).hasSize(19);
         assertThat(markups.get("Sort").get("aliases").toString()).contains("SortOptions");
         assertThat(markups.get("Optimize")
                         .get("options")

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.server.LocalFrame;
 
-/** Batteries are swapped at the quay, of boats that come back and lie still. */
+/** Batteries are swapped at the quay, of boats that have something to do and lie still. */
 class QuayTest {
     private final SimulatedHull hull = new SimulatedHull(HullConfig.DEFAULT, new LocalFrame(45.7, 10.72), 0, 0, 1);
 
@@ -21,6 +21,18 @@ class QuayTest {
 
         assertThat(hull.batteryPercent()).isEqualTo(40);
         assertThat(hull.recharges()).isZero();
+    }
+
+    @Test
+    void boatThatWasToldToGoWhereItLiesHasAFullBattery() {
+        pass(60, 0);
+        hull.putToUse();
+        pass(9, 0);
+        assertThat(hull.recharges()).isZero();
+        pass(60, 0);
+
+        assertThat(hull.batteryPercent()).isEqualTo(100);
+        assertThat(hull.recharges()).isEqualTo(1);
     }
 
     @Test

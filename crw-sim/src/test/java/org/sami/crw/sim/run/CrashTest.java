@@ -10,7 +10,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.OptionalLong;
 import java.util.Set;
-import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.sim.fleet.ExecutedCommand;
@@ -20,9 +19,6 @@ import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.resume.ResumedJournal;
 import org.sami.crw.sim.resume.RunRecord;
 import org.sami.crw.sim.resume.WrittenJournal;
-import org.sami.spn.host.Durability;
-import org.sami.spn.host.InputJournal;
-import org.sami.spn.host.JournalEntry;
 import org.sami.spn.json.ProjectWriter;
 
 /** A run that dies after any entry of its journal and is taken up again is the run that never died. */
@@ -69,7 +65,7 @@ class CrashTest {
         Path file = folder.resolve("twice");
         assertThat(crashAfter(6, file)).isTrue();
         try (ResumedJournal journal = ResumedJournal.open(file)) {
-            assertThatExceptionOfType(Crash.class)
+            assertThatExceptionOfType(CrashingJournal.Crash.class)
                     .isThrownBy(() -> sample(new CrashingJournal(journal, 15)).run(Pacer.UNPACED, RunObserver.NONE));
         }
 
@@ -134,7 +130,7 @@ class CrashTest {
         try (WrittenJournal journal = WrittenJournal.create(file, record())) {
             sample(new CrashingJournal(journal, entry)).run(Pacer.UNPACED, RunObserver.NONE);
             return false;
-        } catch (Crash crash) {
+        } catch (CrashingJournal.Crash crash) {
             return true;
         }
     }
@@ -161,82 +157,5 @@ class CrashTest {
             }
         }
         return commands;
-    }
-
-    /** The death of the process: nothing catches it on its way out of the run. */
-    private static final class Crash extends Error {}
-
-    private static final class CrashingJournal implements RunJournal {
-        private final RunJournal real;
-        private final long after;
-
-        CrashingJournal(RunJournal real, long after) {
-            this.real = real;
-            this.after = after;
-        }
-
-        @Override
-        public InputJournal inputs() {
-            InputJournal inputs = real.inputs();
-            return new InputJournal() {
-                @Override
-                public long lastIndex() {
-                    return inputs.lastIndex();
-                }
-
-                @Override
-                public long lastMillis() {
-                    return inputs.lastMillis();
-                }
-
-                @Override
-                public void append(List<JournalEntry> entries, Durability durability) throws IOException {
-                    inputs.append(entries, durability);
-                    if (inputs.lastIndex() >= after) {
-                        throw new Crash();
-                    }
-                }
-
-                @Override
-                public void offerSnapshot(Supplier<byte[]> state) throws IOException {
-                    inputs.offerSnapshot(state);
-                }
-
-                @Override
-                public void sync() throws IOException {
-                    inputs.sync();
-                }
-
-                @Override
-                public void close() throws IOException {
-                    inputs.close();
-                }
-            };
-        }
-
-        @Override
-        public void mark(long atMillis, String fingerprint) throws IOException {
-            real.mark(atMillis, fingerprint);
-        }
-
-        @Override
-        public void stopped(long atMillis) throws IOException {
-            real.stopped(atMillis);
-        }
-
-        @Override
-        public boolean isCatchingUp() {
-            return real.isCatchingUp();
-        }
-
-        @Override
-        public OptionalLong resumedFrom() {
-            return real.resumedFrom();
-        }
-
-        @Override
-        public void over() throws IOException {
-            real.over();
-        }
     }
 }

@@ -29,7 +29,7 @@ class RoughRunTest {
         RunSettings settings = new RunSettings(
                 "clv",
                 "clv",
-                new RunSettings.Fleet(2, 6, 300, seed, conditions),
+                new RunSettings.Fleet(2, 6, 300, seed).on(conditions),
                 Speed.MAX,
                 OptionalLong.of(7_200_000),
                 Map.of(),

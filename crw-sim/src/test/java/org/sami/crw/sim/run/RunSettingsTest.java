@@ -55,6 +55,33 @@ class RunSettingsTest {
                 .hasMessageContaining("their own water");
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"25.5", "100,0,20,19.9,80"})
+    void comesBackWithTheChargesOfItsBatteries(String charges) {
+        RunSettings low = new RunSettings(
+                "visit",
+                "visit",
+                FULL.fleet().with(Charges.parse(charges)),
+                Speed.MAX,
+                OptionalLong.empty(),
+                Map.of(),
+                0,
+                "");
+
+        assertThat(RunSettings.fromMap(low.toMap())).isEqualTo(low);
+        assertThat(FULL.toMap()).doesNotContainKey("battery");
+        assertThatThrownBy(() -> low.connectedTo(BoatAddress.parseAll("a:1,b:2,c:3,d:4,e:5")))
+                .hasMessageContaining("their own batteries");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "full", "101", "-1", "NaN", "50,", "50,60"})
+    void refusesChargesThatAreNoneOrTooFew(String charges) {
+        assertThatThrownBy(() -> FULL.fleet().with(Charges.parse(charges)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining(", not ");
+    }
+
     @Test
     void comesBackWithTheAddressesOfItsBoats() {
         RunSettings connected = FULL.connectedTo(BoatAddress.parseAll("[::1]:5001,quay:5002"));

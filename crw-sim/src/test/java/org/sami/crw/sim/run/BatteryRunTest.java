@@ -1,0 +1,139 @@
+package org.sami.crw.sim.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.OptionalLong;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.sim.report.InterruptResult;
+import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.TrackPoint;
+
+/** Boats whose batteries turn critical are pulled out (thesis 7.1.1): {@code recharge@battery}. */
+class BatteryRunTest {
+    private static final double CRITICAL_PERCENT = 15;
+
+    @Test
+    void boatIsPulledOutAtTheMomentAtWhichItTurnsCritical() {
+        RunReport report = run("100,27,100", "recharge@battery");
+
+        assertAllVisited(report);
+        assertThat(report.interrupts()).singleElement().satisfies(pressed -> {
+            assertThat(pressed.boat()).isEqualTo("boat2");
+            assertThat(pressed.trigger()).isEqualTo(InterruptResult.BATTERY);
+            assertThat(pressed.taken()).isTrue();
+        });
+        long pressed = report.interrupts().get(0).pressedAtMillis().getAsLong();
+        List<TrackPoint> track = report.boats().get(1).track();
+        assertThat(track)
+                .filteredOn(p -> p.atMillis() < pressed - 2_000)
+                .allMatch(p -> p.batteryPercent() >= CRITICAL_PERCENT);
+        assertThat(track)
+                .filteredOn(p -> p.atMillis() >= pressed)
+                .first()
+                .satisfies(p -> assertThat(p.batteryPercent()).isBetween(CRITICAL_PERCENT - 0.3, CRITICAL_PERCENT));
+        assertThat(report.boats()).extracting(BoatResult::recharges).containsExactly(0, 1, 0);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"15", "100,15,15.1", "29.9", "30", "90"})
+    void lowIsNotCritical(String charges) {
+        RunReport report = Runs.run(plan(), settings(charges, 1, "recharge@battery"));
+
+        // nobody drives before the allocation is accepted
+        assertThat(report.interrupts())
+                .allSatisfy(pressed ->
+                        assertThat(pressed.pressedAtMillis().getAsLong()).isGreaterThan(15_000));
+    }
+
+    @Test
+    void boatThatIsCriticalFromTheStartIsRechargedWhereItLies() {
+        RunReport report = run("14.99", "recharge@battery");
+
+        assertAllVisited(report);
+        assertThat(report.interrupts()).hasSize(3).allMatch(InterruptResult::taken);
+        assertThat(report.boats()).extracting(BoatResult::recharges).containsExactly(1, 1, 1);
+    }
+
+    @Test
+    void boatThatIsCriticalAtLaunchIsPulledOutAsSoonAsItsPlanOffersIt() {
+        RunReport report = run("100,14.99,100", "recharge:2@battery");
+
+        InterruptResult pressed = report.interrupts().get(0);
+        assertThat(pressed.boat()).isEqualTo("boat2");
+        assertThat(pressed.pressedAtMillis().getAsLong()).isLessThan(1_000);
+        assertThat(pressed.presses()).isGreaterThan(1);
+        assertThat(pressed.takenAtMillis())
+                .hasValue(report.firings().stream()
+                        .filter(firing -> firing.transition().equals("Start recharge"))
+                        .findFirst()
+                        .orElseThrow()
+                        .atMillis());
+    }
+
+    @Test
+    void onlyTheNamedBoatIsPulledOut() {
+        RunReport report = run("30,30,100", "recharge:1@battery");
+
+        assertThat(report.interrupts())
+                .isNotEmpty()
+                .allMatch(pressed -> pressed.boat().equals("boat1"));
+        assertThat(report.boats().get(0).recharges()).isEqualTo(1);
+        assertThat(report.boats().get(1).recharges()).isZero();
+    }
+
+    @Test
+    void boatThatTurnsCriticalAgainIsPulledOutAgain() {
+        RunPlan plan = plan();
+        RunSettings settings = new RunSettings(
+                        plan.plan().id(),
+                        plan.plan().name(),
+                        new RunSettings.Fleet(1, 120, 400, 3).with(Charges.parse("25")),
+                        Speed.MAX,
+                        OptionalLong.of(20_000_000),
+                        java.util.Map.of(),
+                        5_000,
+                        "")
+                .withInterrupts(List.of("recharge@battery"));
+
+        RunReport report = Runs.run(plan, settings);
+
+        assertThat(report.result().outcome()).as(report.result().reason()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.locations()).hasSize(120).allMatch(LocationResult::visited);
+        assertThat(report.interrupts()).hasSizeGreaterThan(1).allMatch(InterruptResult::taken);
+        assertThat(report.boats().get(0).recharges())
+                .isEqualTo(report.interrupts().size());
+    }
+
+    private static RunReport run(String charges, String... interrupts) {
+        return Runs.run(plan(), settings(charges, 12, interrupts));
+    }
+
+    private static RunPlan plan() {
+        return Runs.plan("clv-interrupts");
+    }
+
+    private static RunSettings settings(String charges, int locations, String... interrupts) {
+        RunPlan plan = plan();
+        return new RunSettings(
+                        plan.plan().id(),
+                        plan.plan().name(),
+                        new RunSettings.Fleet(3, locations, 600, 1).with(Charges.parse(charges)),
+                        Speed.MAX,
+                        OptionalLong.of(7_200_000),
+                        java.util.Map.of(),
+                        5_000,
+                        "")
+                .withInterrupts(List.of(interrupts));
+    }
+
+    private static void assertAllVisited(RunReport report) {
+        assertThat(report.result().outcome()).as(report.result().reason()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.locations()).hasSize(12).allMatch(LocationResult::visited);
+    }
+}

@@ -1,0 +1,87 @@
+package org.sami.crw.sim.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalLong;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.sim.report.InterruptResult;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.resume.ResumedJournal;
+import org.sami.crw.sim.resume.RunRecord;
+import org.sami.crw.sim.resume.WrittenJournal;
+import org.sami.spn.json.ProjectWriter;
+
+/** A run with interrupts that dies after any entry of its journal is, taken up again, the run that never died. */
+class InterruptCrashTest {
+    private static final RunPlan PLAN = Runs.plan("clv-interrupts");
+    private static final RunSettings SETTINGS = new RunSettings(
+                    "clv-interrupts",
+                    "visits",
+                    new RunSettings.Fleet(2, 5, 120, 4).with(Charges.parse("100,15.5")),
+                    Speed.MAX,
+                    OptionalLong.of(3_600_000),
+                    Map.of(),
+                    4_000,
+                    "")
+            .withInterrupts(List.of("recharge:1@25", "recharge@battery", "alarm@70", "recharge:1@71", "alarm@5000"));
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void crashAfterAnyEntryAndResumeIsTheSameRun() throws Exception {
+        RunReport whole = run(RunJournal.none());
+        assertThat(whole.result().outcome()).isEqualTo(RunOutcome.ENDED);
+        assertThat(whole.interrupts()).hasSize(5);
+        assertThat(whole.interrupts()).filteredOn(InterruptResult::taken).hasSize(4);
+        int crashes = 0;
+
+        for (long entry = 1; ; entry++) {
+            Path file = folder.resolve("crash-" + entry);
+            if (!crashAfter(entry, file)) {
+                break;
+            }
+            crashes++;
+            try (ResumedJournal journal = ResumedJournal.open(file)) {
+                RunReport resumed = run(journal);
+
+                assertThat(resumed.result().reason())
+                        .as("crash after entry %d", entry)
+                        .isEmpty();
+                assertThat(resumed.result().runHash())
+                        .as("crash after entry %d", entry)
+                        .isEqualTo(whole.result().runHash());
+                assertThat(resumed.interrupts())
+                        .as("crash after entry %d", entry)
+                        .isEqualTo(whole.interrupts());
+            }
+        }
+
+        assertThat(crashes).isGreaterThan(40);
+    }
+
+    /** Whether it came to that entry; false: the run ended before. */
+    private static boolean crashAfter(long entry, Path file) throws Exception {
+        RunRecord record = new RunRecord(
+                SETTINGS,
+                "clv-interrupts.json",
+                new ProjectWriter(PLAN.vocabulary()).text(PLAN.project()),
+                Runs.LIBRARY.files().texts());
+        try (WrittenJournal journal = WrittenJournal.create(file, record)) {
+            run(new CrashingJournal(journal, entry));
+            return false;
+        } catch (CrashingJournal.Crash crash) {
+            return true;
+        }
+    }
+
+    private static RunReport run(RunJournal journal) {
+        return new InProcessRun(PLAN, SETTINGS, AnswersFile.EMPTY, journal).run(Pacer.UNPACED, RunObserver.NONE);
+    }
+}

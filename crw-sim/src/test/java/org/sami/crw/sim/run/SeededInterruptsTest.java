@@ -1,0 +1,70 @@
+package org.sami.crw.sim.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalLong;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+
+/** Whoever is interrupted by what, and whenever: every location is visited, and the mission ends. */
+class SeededInterruptsTest {
+    private static final int RUNS = 30;
+    private static final List<String> NAMES =
+            List.of("recharge", "recharge:", "recharge:", "recharge:", "alarm", "alarm over");
+
+    static IntStream seeds() {
+        return IntStream.rangeClosed(1, RUNS);
+    }
+
+    @ParameterizedTest
+    @MethodSource("seeds")
+    void everyLocationIsVisitedAndTheMissionEnds(int seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        int boats = random.nextInt(1, 6);
+        int locations = random.nextInt(1, 16);
+        List<String> interrupts = new ArrayList<>(List.of("recharge@battery"));
+        for (int i = random.nextInt(1, 9); i > 0; i--) {
+            interrupts.add(press(random, boats));
+        }
+        RunPlan plan = Runs.plan("clv-interrupts");
+        RunSettings settings = new RunSettings(
+                        plan.plan().id(),
+                        plan.plan().name(),
+                        new RunSettings.Fleet(boats, locations, 300, seed).with(charges(random, boats)),
+                        Speed.MAX,
+                        OptionalLong.of(20_000_000),
+                        Map.of(),
+                        random.nextLong(20_000),
+                        "")
+                .withInterrupts(interrupts);
+
+        RunReport report = Runs.run(plan, settings);
+
+        String what = boats + " boats, " + locations + " locations, " + interrupts;
+        assertThat(report.result().outcome())
+                .as("%s: %s", what, report.result().reason())
+                .isEqualTo(RunOutcome.ENDED);
+        assertThat(report.locations()).as(what).hasSize(locations).allMatch(LocationResult::visited);
+    }
+
+    private static String press(SplittableRandom random, int boats) {
+        String name = NAMES.get(random.nextInt(NAMES.size()));
+        String boat = name.endsWith(":") ? String.valueOf(1 + random.nextInt(boats)) : "";
+        return name + boat + String.format(Locale.ROOT, "@%.1f", random.nextDouble(400));
+    }
+
+    private static Charges charges(SplittableRandom random, int boats) {
+        return new Charges(IntStream.range(0, boats)
+                .mapToObj(i -> random.nextDouble(16, 100))
+                .toList());
+    }
+}
