@@ -270,6 +270,41 @@ class SubMissionRulesTest {
     }
 
     @Test
+    void whenOneOfSeveralVisitsByNobodyIsCompleteTheOthersGoOn() {
+        Plan errand = new NetBuilder("child")
+                .start("c")
+                .output("c", "Do")
+                .end("e")
+                .transition("over", "Done")
+                .in("c", "over", "always")
+                .out("over", "e", "always")
+                .build();
+        Plan sender = new NetBuilder("parent")
+                .start("s")
+                .transition("send", "News")
+                .in("s", "send", "always")
+                .out("send", "sub", "always")
+                .sub("sub", "child")
+                .transition("back")
+                .in("sub", "back", "always")
+                .out("back", "x", "add 1 generic")
+                .build();
+        Session s = new Session(sender, errand);
+        long m = s.join("A").start("parent");
+        s.news("News", "A");
+        s.news("News", "A");
+
+        s.answer("Done", s.activations("c").get(0));
+
+        assertThat(s.fired()).containsExactly("over", "back");
+        assertThat(s.view().missions()).as("parent and the second errand").hasSize(2);
+
+        s.answer("Done", s.activations("c").get(1));
+        assertThat(s.fired()).containsExactly("over", "back");
+        assertThat(s.marking(m, "x")).isEqualTo("generic generic");
+    }
+
+    @Test
     void aStaticInstanceIsJoinedAndReturnsThroughItsEndPlaces() {
         Plan parent = new NetBuilder("parent")
                 .start("s")
