@@ -10,7 +10,7 @@ import org.sami.spn.protocol.Activation;
 
 /**
  * Block Movement: the boats stop and wait for this mission's next command; the block ends with the mission. Where the mission has
- * ended already (its end place asks for it), they stop and are not kept.
+ * ended already (its end place asks for it), they stop and are not kept. Each answers when it has stopped.
  */
 final class BlockMovementHandler implements ActivationHandler {
     static final String TYPE = "BlockMovement";
@@ -23,8 +23,7 @@ final class BlockMovementHandler implements ActivationHandler {
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
-        boolean running =
-                context.query(view -> view.mission(activation.mission()).isPresent());
+        boolean running = Move.mayBlock(activation, context);
         List<Move> moves = new ArrayList<>();
         for (Addressee addressee : Addressee.of(activation, context)) {
             Stop stop = new Stop(
@@ -33,7 +32,7 @@ final class BlockMovementHandler implements ActivationHandler {
                     activation.id(),
                     activation.priority(),
                     running);
-            moves.add(new Move(addressee, stop, Optional.empty(), false));
+            moves.add(new Move(addressee, stop, Optional.empty(), running ? Reply.STOP_IF_AWAITED : Reply.NONE));
         }
         motion.send(activation, context, moves);
     }

@@ -38,20 +38,23 @@ public final class CrwDomain implements AutoCloseable {
             BoatConnector connector) {
         NewBoats newBoats = new NewBoats();
         MotionCommands motion = new MotionCommands(boats, messages);
+        BoatSettings settings = new BoatSettings(boats, messages);
         BoatQuestions questions = new BoatQuestions(host, boats, fleet);
         BatterySubscriptions batteries = new BatterySubscriptions(boats, fleet);
         boatListener = new BoatListeners(
                 motion,
+                settings,
                 questions,
                 batteries,
                 new BoatNews(host, newBoats, messages, batteries),
                 new TakeOverNews(host, boats));
         BoatPositions positions =
                 boat -> boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
-        handlers.put(ExecutePathHandler.TYPE, new ExecutePathHandler(motion));
-        handlers.put(GotoPointHandler.TYPE, new GotoPointHandler(motion));
-        handlers.put(GotoLatLonHandler.TYPE, new GotoLatLonHandler(motion));
-        handlers.put(BlockMovementHandler.TYPE, new BlockMovementHandler(motion));
+        handlers.putAll(movers(motion));
+        Withdrawals withdrawals = new Withdrawals(handlers.keySet(), motion, fleet);
+        handlers.put(ResendWaypointsHandler.TYPE, new ResendWaypointsHandler(motion));
+        handlers.put(SetGainsHandler.TYPE, new SetGainsHandler(settings));
+        handlers.put(VelocityMultiplierHandler.TYPE, new VelocityMultiplierHandler(settings));
         handlers.put(AllocationHandler.TYPE, new AllocationHandler(services.allocation(), positions, messages));
         handlers.put(PathHandler.TYPE, new PathHandler(services.paths(), positions, messages));
         handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions));
@@ -68,9 +71,22 @@ public final class CrwDomain implements AutoCloseable {
         handlers.put(CreateSimulatedProxyHandler.TYPE, new CreateSimulatedProxyHandler(connector, newBoats));
         handlers.put(UnknownRequestHandler.TYPE, new UnknownRequestHandler(messages));
         handlers.forEach((type, handler) -> registrations.add(host.register(type, handler, fleet)));
-        registrations.add(host.addListener(new Withdrawals(motion, fleet)));
+        registrations.add(host.addListener(withdrawals));
         registrations.add(host.addListener(questions));
         registrations.add(host.addListener(batteries));
+    }
+
+    /** The handlers of what moves boats or keeps them: what they ask can be withdrawn. */
+    private static Map<String, ActivationHandler> movers(MotionCommands motion) {
+        Map<String, ActivationHandler> movers = new LinkedHashMap<>();
+        movers.put(ExecutePathHandler.TYPE, new ExecutePathHandler(motion, false));
+        movers.put(ExecutePathHandler.BLOCKING_TYPE, new ExecutePathHandler(motion, true));
+        movers.put(GotoPointHandler.TYPE, new GotoPointHandler(motion, false));
+        movers.put(GotoPointHandler.BLOCKING_TYPE, new GotoPointHandler(motion, true));
+        movers.put(GotoLatLonHandler.TYPE, new GotoLatLonHandler(motion));
+        movers.put(GotoLocationListHandler.TYPE, new GotoLocationListHandler(motion));
+        movers.put(BlockMovementHandler.TYPE, new BlockMovementHandler(motion));
+        return movers;
     }
 
     /**

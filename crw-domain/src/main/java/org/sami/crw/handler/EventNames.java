@@ -6,6 +6,12 @@ import org.sami.boat.link.BatteryLevel;
 public final class EventNames {
     static final String PATH_COMPLETED = "ProxyPathCompleted";
     static final String PATH_FAILED = "ProxyPathFailed";
+    static final String LIST_COMPLETED = "ProxyListCompleted";
+    static final String BLOCK_DONE = "BlockMovementDone";
+    static final String GAINS_SUCCEEDED = "SetGainsSucceeded";
+    static final String GAINS_FAILED = "SetGainsFailed";
+    static final String MULTIPLIER_SUCCEEDED = "SetVelocityMultiplierSucceeded";
+    static final String MULTIPLIER_FAILED = "SetVelocityMultiplierFailed";
     static final String ALLOCATION_RESPONSE = "AllocationResponse";
     static final String PATH_RESPONSE = "PathResponse";
     static final String ASSEMBLE_RESPONSE = "AssembleLocationResponse";

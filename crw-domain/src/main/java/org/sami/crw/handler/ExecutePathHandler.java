@@ -14,16 +14,21 @@ import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.Value;
 
 /**
- * Proxy Execute Path: each boat follows its own path of the map, from the first location that it has not visited in this mission
+ * Proxy Execute Path, and Proxy Execute Path and Block: each boat follows its own path of the map, from the first location that it has not visited in this mission
  * (DESIGN, Commands and missions). A boat without a path, or with nothing left of it, completes at once.
+ * With block, the boat is kept for the mission until the mission ends.
  */
 final class ExecutePathHandler implements ActivationHandler {
     static final String TYPE = "ProxyExecutePath";
+    static final String BLOCKING_TYPE = "ProxyExecutePathAndBlock";
     private static final String PATHS = "paths";
 
     private final MotionCommands motion;
+    private final boolean block;
 
-    ExecutePathHandler(MotionCommands motion) {
+    /** The handler of the type that blocks, or of the one that does not. */
+    ExecutePathHandler(MotionCommands motion, boolean block) {
+        this.block = block;
         this.motion = motion;
     }
 
@@ -46,7 +51,7 @@ final class ExecutePathHandler implements ActivationHandler {
         return new GeoPath(List.of());
     }
 
-    private static Move move(Activation activation, HandlerContext context, Addressee addressee, GeoPath path) {
+    private Move move(Activation activation, HandlerContext context, Addressee addressee, GeoPath path) {
         String key = PathProgress.key(addressee.boat(), path);
         int visited = PathProgress.visited(
                 context, activation.mission(), key, path.points().size());
@@ -58,7 +63,7 @@ final class ExecutePathHandler implements ActivationHandler {
                 OptionalDouble.empty(),
                 visited,
                 activation.priority(),
-                false);
-        return new Move(addressee, command, Optional.of(key), true);
+                block && Move.mayBlock(activation, context));
+        return new Move(addressee, command, Optional.of(new PathProgress.Along(key, 0)), Reply.WAY);
     }
 }

@@ -28,6 +28,10 @@ final class Fields {
     }
 
     static double metres(Activation activation, String field) {
+        return number(activation, field);
+    }
+
+    static double number(Activation activation, String field) {
         return Numbers.real(required(activation, field));
     }
 

@@ -31,7 +31,7 @@ final class GotoLatLonHandler implements ActivationHandler {
             if (points.isEmpty()) {
                 Fields.required(activation, LOCATION);
             }
-            moves.add(GotoPointHandler.go(activation, addressee, points));
+            moves.add(GotoPointHandler.go(activation, addressee, points, false));
         }
         motion.send(activation, context, moves);
     }

@@ -12,21 +12,26 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 
 /**
- * Proxy Goto Point: each boat goes straight to its own point of the map, again each time it is asked. A boat without a point
- * completes at once.
+ * Proxy Goto Point, and Proxy Goto Point and Block: each boat goes straight to its own point of the map, again each time it is asked.
+ * A boat without a point completes at once. With block, the boat is kept for the mission there until the mission ends (thesis 6.3.3).
  */
 final class GotoPointHandler implements ActivationHandler {
     static final String TYPE = "ProxyGotoPoint";
+    static final String BLOCKING_TYPE = "ProxyGotoPointAndBlock";
     private static final String POINTS = "points";
 
     private final MotionCommands motion;
+    private final boolean block;
 
-    GotoPointHandler(MotionCommands motion) {
+    /** The handler of the type that blocks, or of the one that does not. */
+    GotoPointHandler(MotionCommands motion, boolean block) {
+        this.block = block;
         this.motion = motion;
     }
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
+        boolean keep = block && Move.mayBlock(activation, context);
         List<Move> moves = new ArrayList<>();
         for (Addressee addressee : Addressee.of(activation, context)) {
             List<GeoPoint> points = new ArrayList<>();
@@ -34,18 +39,18 @@ final class GotoPointHandler implements ActivationHandler {
                 Optional.ofNullable(ProxyMaps.read(byBoat, GeoPoint.class).get(addressee.boat()))
                         .ifPresent(points::add);
             }
-            moves.add(go(activation, addressee, points));
+            moves.add(go(activation, addressee, points, keep));
         }
         motion.send(activation, context, moves);
     }
 
-    static Move go(Activation activation, Addressee addressee, List<GeoPoint> points) {
-        FollowPath command = FollowPath.of(
+    static Move go(Activation activation, Addressee addressee, List<GeoPoint> points, boolean keep) {
+        FollowPath free = FollowPath.of(
                 Move.commandId(activation, addressee),
                 activation.mission(),
                 activation.id(),
                 points,
                 activation.priority());
-        return new Move(addressee, command, Optional.empty(), true);
+        return new Move(addressee, keep ? free.blocking() : free, Optional.empty(), Reply.WAY);
     }
 }

@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import org.sami.crw.decision.MessageSink;
-import org.sami.crw.decision.OperatorMessage;
 import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatProxy;
@@ -19,8 +19,6 @@ import org.sami.crw.proxy.Withdrawal;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
-import org.sami.spn.protocol.Priority;
-import org.sami.spn.value.TextValue;
 
 /**
  * The commands that activations have sent to boats, and what the plan hears of each: its progress, and one answer (path completed
@@ -28,9 +26,12 @@ import org.sami.spn.value.TextValue;
  * For the fleet's thread.
  */
 final class MotionCommands implements BoatListener {
+    static final String UNKNOWN_BOAT = "no boat of that name is known";
+
     private final ProxyRegistry boats;
     private final MessageSink messages;
-    private final Map<String, Sent> sent = new LinkedHashMap<>();
+    private final Map<String, SentCommand> sent = new LinkedHashMap<>();
+    private final Map<String, List<SentCommand>> again = new LinkedHashMap<>(); // by command, who had it sent once more
     private final Map<Long, Set<String>> takenBack = new HashMap<>();
 
     MotionCommands(ProxyRegistry boats, MessageSink messages) {
@@ -47,16 +48,39 @@ final class MotionCommands implements BoatListener {
             if (without.contains(move.addressee().boat())) {
                 continue;
             }
-            Sent one = new Sent(activation, context, move);
+            SentCommand one = new SentCommand(activation, context, move);
             Optional<BoatProxy> boat = boats.find(move.addressee().boat());
-            if (move.command() instanceof FollowPath path
-                    && path.startIndex() == path.points().size()) {
+            if (move.command() instanceof FollowPath path && path.nothingIsLeft() && !path.block()) {
                 settled.addAll(one.completed());
             } else if (boat.isEmpty()) {
-                settled.addAll(failed(one, "no boat of that name is known"));
+                settled.addAll(failed(one, UNKNOWN_BOAT));
             } else {
                 sent.put(move.command().commandId(), one);
                 boat.get().submit(move.command());
+            }
+        }
+        if (!settled.isEmpty()) {
+            context.post(settled);
+        }
+    }
+
+    /**
+     * Has boats be sent the waypoints of their present command once more, whichever mission's that is. The plan hears of this
+     * command too what becomes of it; a boat that has no waypoints now has nothing left of them.
+     */
+    void sendAgain(Activation activation, HandlerContext context, List<Addressee> addressees) {
+        List<Input> settled = new ArrayList<>();
+        for (Addressee addressee : addressees) {
+            Optional<BoatProxy> boat = boats.find(addressee.boat());
+            Optional<BoatCommand> command = boat.flatMap(BoatProxy::sendPathAgain);
+            SentCommand one = new SentCommand(activation, context, addressee, Reply.WAY_IF_AWAITED);
+            if (boat.isEmpty()) {
+                settled.addAll(failed(one, UNKNOWN_BOAT));
+            } else if (command.isEmpty()) {
+                settled.addAll(one.completed());
+            } else {
+                again.computeIfAbsent(command.get().commandId(), id -> new ArrayList<>())
+                        .add(one);
             }
         }
         if (!settled.isEmpty()) {
@@ -71,9 +95,15 @@ final class MotionCommands implements BoatListener {
 
     /** Takes back what a mission has for boats; no boats named = for all. */
     void withdraw(long mission, List<String> named) {
+        again.values()
+                .forEach(all -> all.removeIf(
+                        one -> one.mission() == mission && (named.isEmpty() || named.contains(one.boat()))));
         for (String boat : named.isEmpty() ? boats.boatIds() : named) {
             boats.find(boat)
-                    .ifPresent(proxy -> proxy.withdraw(mission).forEach(command -> sent.remove(command.commandId())));
+                    .ifPresent(proxy -> proxy.withdraw(mission).forEach(command -> {
+                        sent.remove(command.commandId());
+                        tellAgain(command, one -> failed(one, "the mission that wanted it took it back"));
+                    }));
         }
     }
 
@@ -85,7 +115,7 @@ final class MotionCommands implements BoatListener {
 
     @Override
     public void onProgress(String boatId, BoatCommand command, int visitedCount) {
-        Sent one = sent.get(command.commandId());
+        SentCommand one = sent.get(command.commandId());
         if (one != null) {
             one.post(one.progress(visitedCount));
         }
@@ -93,96 +123,45 @@ final class MotionCommands implements BoatListener {
 
     @Override
     public void onCompleted(String boatId, BoatCommand command) {
-        Sent one = sent.remove(command.commandId());
+        SentCommand one = sent.remove(command.commandId());
         if (one != null) {
             one.post(one.completed());
         }
+        tellAgain(command, SentCommand::completed);
     }
 
     @Override
     public void onFailed(String boatId, BoatCommand command, String reason) {
-        Sent one = sent.remove(command.commandId());
+        SentCommand one = sent.remove(command.commandId());
         if (one != null) {
             one.post(failed(one, reason));
         }
+        tellAgain(command, each -> failed(each, reason));
     }
 
     /** A command that was displaced fails for whoever still waits for it. */
     @Override
     public void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {
-        Sent one = sent.remove(command.commandId());
-        if (one == null) {
-            return;
+        SentCommand one = sent.remove(command.commandId());
+        String reason = why == Withdrawal.PREEMPTED
+                ? "a command of higher priority took the boat"
+                : "a newer command of the same mission took its place";
+        if (one != null && (why == Withdrawal.PREEMPTED || one.isAwaited())) {
+            one.post(failed(one, reason));
         }
-        if (why == Withdrawal.PREEMPTED) {
-            one.post(failed(one, "a command of higher priority took the boat"));
-        } else if (one.isAwaited()) {
-            one.post(failed(one, "a newer command of the same mission took its place"));
+        tellAgain(command, each -> failed(each, reason));
+    }
+
+    /** Tells those who had a command sent once more, and still wait, what has become of it. */
+    private void tellAgain(BoatCommand command, Function<SentCommand, List<Input>> news) {
+        List<SentCommand> all = again.remove(command.commandId());
+        if (all != null) {
+            all.stream().filter(SentCommand::isAwaited).forEach(one -> one.post(news.apply(one)));
         }
     }
 
-    private List<Input> failed(Sent one, String reason) {
-        Activation activation = one.activation;
-        String boat = one.move.addressee().boat();
-        messages.tell(new OperatorMessage(
-                one.context.nowMillis(),
-                activation.mission(),
-                OperatorMessage.Source.DOMAIN,
-                Priority.HIGH,
-                boat + " could not do what " + activation.place() + " asked: " + reason,
-                List.of(boat),
-                ""));
-        return one.move.answered()
-                ? List.of(new Input.Received(one.move
-                        .addressee()
-                        .answer(EventNames.PATH_FAILED, activation, Map.of("reason", new TextValue(reason)))))
-                : List.of();
-    }
-
-    /** A command that a boat has, and whom it concerns. */
-    private static final class Sent {
-        private final Activation activation;
-        private final HandlerContext context;
-        private final Move move;
-        private int remembered;
-
-        Sent(Activation activation, HandlerContext context, Move move) {
-            this.activation = activation;
-            this.context = context;
-            this.move = move;
-            remembered = move.command() instanceof FollowPath path ? path.startIndex() : 0;
-        }
-
-        List<Input> progress(int visited) {
-            if (visited <= remembered || move.progressKey().isEmpty()) {
-                return List.of();
-            }
-            remembered = visited;
-            return List.of(PathProgress.remember(
-                    activation.mission(), move.progressKey().get(), visited));
-        }
-
-        List<Input> completed() {
-            List<Input> inputs = new ArrayList<>();
-            if (move.command() instanceof FollowPath path) {
-                inputs.addAll(progress(path.points().size()));
-            }
-            if (move.answered()) {
-                inputs.add(
-                        new Input.Received(move.addressee().answer(EventNames.PATH_COMPLETED, activation, Map.of())));
-            }
-            return inputs;
-        }
-
-        boolean isAwaited() {
-            return context.query(
-                    view -> view.openActivations().stream().anyMatch(open -> open.id() == activation.id()));
-        }
-
-        void post(List<Input> inputs) {
-            if (!inputs.isEmpty()) {
-                context.post(inputs);
-            }
-        }
+    private List<Input> failed(SentCommand one, String reason) {
+        messages.tell(one.failure(reason));
+        return one.failed(reason);
     }
 }

@@ -3,23 +3,33 @@ package org.sami.crw.handler;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.crw.proxy.BoatCommand;
+import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 
 /**
  * A command for one boat that an activation asks for.
  *
- * @param progressKey under which the mission remembers how many points are visited; empty = it does not
- * @param answered whether the plan is told of completion and failure
+ * @param progress how the mission remembers what is visited; empty = it does not
+ * @param reply what the plan is told of completion and failure
  */
-record Move(Addressee addressee, BoatCommand command, Optional<String> progressKey, boolean answered) {
+record Move(Addressee addressee, BoatCommand command, Optional<PathProgress.Along> progress, Reply reply) {
     Move {
         Objects.requireNonNull(addressee, "addressee");
         Objects.requireNonNull(command, "command");
-        Objects.requireNonNull(progressKey, "progressKey");
+        Objects.requireNonNull(progress, "progress");
+        Objects.requireNonNull(reply, "reply");
     }
 
     /** The command's id: the same whenever the activation is delivered, and no other's. */
     static String commandId(Activation activation, Addressee addressee) {
         return "m" + activation.mission() + "-a" + activation.id() + "-" + addressee.boat();
+    }
+
+    /**
+     * Whether the mission can keep a boat for itself: not where it has ended already, when its end place asks for it, as nothing would
+     * ever give the boat back.
+     */
+    static boolean mayBlock(Activation activation, HandlerContext context) {
+        return context.query(view -> view.mission(activation.mission()).isPresent());
     }
 }

@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
+import java.util.List;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.value.GeoPath;
@@ -20,14 +21,36 @@ final class PathProgress {
 
     private PathProgress() {}
 
+    /**
+     * Where a command's progress is remembered.
+     *
+     * @param key in the mission's memory
+     * @param behind points that were visited before the first one of the command
+     */
+    record Along(String key, int behind) {
+
+        /** So many points of the command are visited. */
+        Input remember(long mission, int visited) {
+            return new Input.Remember(mission, key, new IntegerValue(behind + visited));
+        }
+    }
+
     /** The key in the mission's memory. */
     static String key(String boat, GeoPath path) {
-        ByteBuffer bytes = ByteBuffer.allocate(path.points().size() * 2 * Double.BYTES);
-        for (GeoPoint point : path.points()) {
+        return "path/" + boat + "/" + digest(path.points());
+    }
+
+    /** The key of a list that a boat goes through one by one. */
+    static String listKey(String boat, List<GeoPoint> locations) {
+        return "list/" + boat + "/" + digest(locations);
+    }
+
+    private static String digest(List<GeoPoint> points) {
+        ByteBuffer bytes = ByteBuffer.allocate(points.size() * 2 * Double.BYTES);
+        for (GeoPoint point : points) {
             bytes.putDouble(point.latDeg()).putDouble(point.lonDeg());
         }
-        byte[] digest = sha256().digest(bytes.array());
-        return "path/" + boat + "/" + HexFormat.of().formatHex(digest, 0, DIGEST_BYTES);
+        return HexFormat.of().formatHex(sha256().digest(bytes.array()), 0, DIGEST_BYTES);
     }
 
     /** Number of points that are behind the boat. */
@@ -35,10 +58,6 @@ final class PathProgress {
         Value remembered = context.query(view -> view.memory(mission, key)).orElse(new IntegerValue(0));
         long visited = remembered instanceof IntegerValue number ? number.value() : 0;
         return (int) Math.max(0, Math.min(visited, size));
-    }
-
-    static Input remember(long mission, String key, int visited) {
-        return new Input.Remember(mission, key, new IntegerValue(visited));
     }
 
     private static MessageDigest sha256() {

@@ -16,13 +16,13 @@ import org.sami.spn.protocol.Input;
  * and what it asks afterwards stands.
  */
 final class Withdrawals implements HostListener {
-    private static final Set<String> COMMANDS =
-            Set.of(ExecutePathHandler.TYPE, GotoPointHandler.TYPE, GotoLatLonHandler.TYPE, BlockMovementHandler.TYPE);
-
+    private final Set<String> commands;
     private final MotionCommands motion;
     private final Executor fleet;
 
-    Withdrawals(MotionCommands motion, Executor fleet) {
+    /** Watches for withdrawals of what output events of certain types have asked. */
+    Withdrawals(Set<String> commands, MotionCommands motion, Executor fleet) {
+        this.commands = Set.copyOf(commands);
         this.motion = motion;
         this.fleet = fleet;
     }
@@ -32,7 +32,7 @@ final class Withdrawals implements HostListener {
         List<Activation> asked = new ArrayList<>();
         for (Effect effect : effects) {
             if (effect instanceof Effect.Activated activated
-                    && COMMANDS.contains(activated.activation().type())) {
+                    && commands.contains(activated.activation().type())) {
                 asked.add(activated.activation());
             } else if (effect instanceof Effect.CommandsWithdrawn withdrawn) {
                 List<Activation> before = asked.stream()

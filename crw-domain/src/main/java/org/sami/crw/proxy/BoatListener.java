@@ -60,8 +60,11 @@ public interface BoatListener {
     /** The boat said which settings are in force on it: when the link came, and after each one that was set. */
     default void onTuning(String boatId, BoatTuning tuning) {}
 
+    /** The boat took a setting: that of the command that {@link BoatProxy#setGains} and its like named. */
+    default void onTuningTaken(String boatId, String commandId) {}
+
     /** The boat did not take a setting, for a reason in words. */
-    default void onTuningRefused(String boatId, String reason) {}
+    default void onTuningRefused(String boatId, String commandId, String reason) {}
 
     /** The boat refuses this base, or a hand-over that it asked for; for a reason in words. */
     default void onRefused(String boatId, String reason) {}

@@ -98,8 +98,13 @@ public final class BoatListeners implements BoatListener {
     }
 
     @Override
-    public void onTuningRefused(String boatId, String reason) {
-        each(listener -> listener.onTuningRefused(boatId, reason));
+    public void onTuningTaken(String boatId, String commandId) {
+        each(listener -> listener.onTuningTaken(boatId, commandId));
+    }
+
+    @Override
+    public void onTuningRefused(String boatId, String commandId, String reason) {
+        each(listener -> listener.onTuningRefused(boatId, commandId, reason));
     }
 
     @Override

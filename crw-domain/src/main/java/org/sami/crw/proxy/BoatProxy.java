@@ -9,6 +9,7 @@ import org.sami.boat.link.AskForCommand;
 import org.sami.boat.link.BatteryReport;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandAsked;
+import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.Frame;
@@ -154,11 +155,27 @@ public final class BoatProxy {
     }
 
     /**
+     * Sends the path of the current command to the boat once more, whole and under a new list id, and starts it at its first
+     * unvisited point; where the boat cannot be reached, as soon as it can.
+     *
+     * @return the command; empty if there is none with a path
+     */
+    public Optional<BoatCommand> sendPathAgain() {
+        Optional<BoatCommand> path = currentCommand().filter(FollowPath.class::isInstance);
+        if (path.isPresent()) {
+            driver.abandon();
+            settle();
+        }
+        return path;
+    }
+
+    /**
      * The base gives the boat up: every command fails for a reason in words, and a boat that is under way is stopped as soon as
      * it can be told.
      */
     public void retire(String reason) {
         driver.failAll(reason);
+        tuner.giveUp(reason);
         unconfirmedRestart = false;
         announcements.add(l -> l.onRetired(boatId));
         settle();
@@ -268,23 +285,39 @@ public final class BoatProxy {
         }
     }
 
-    /** Sets the gains of one of the boat's control loops; what is in force afterwards the listener is told. */
-    public void setGains(GainAxis axis, Gains gains) {
-        tuner.ask("gains " + axis, new SetGains(driver.wireId("gains"), axis, gains), nowMs);
+    /**
+     * Sets the gains of one of the boat's control loops. The listener is told whether the boat took them, and what is in force
+     * afterwards.
+     *
+     * @return the id of the command, by which the listener is told
+     */
+    public String setGains(GainAxis axis, Gains gains) {
+        return tune("gains " + axis, new SetGains(driver.wireId("gains"), axis, gains));
     }
 
     /**
-     * Scales the speed of every leg; what is in force afterwards the listener is told.
+     * Scales the speed of every leg; the listener is told as for {@link #setGains}.
      *
      * @param multiplier 0 to {@link SetVelocityMultiplier#MAX_MULTIPLIER}; the boat's own limit still holds
+     * @return the id of the command
      */
-    public void setVelocityMultiplier(double multiplier) {
-        tuner.ask("velocity", new SetVelocityMultiplier(driver.wireId("velocity"), multiplier), nowMs);
+    public String setVelocityMultiplier(double multiplier) {
+        return tune("velocity", new SetVelocityMultiplier(driver.wireId("velocity"), multiplier));
     }
 
-    /** Sets what the boat does when the link is lost; what is in force afterwards the listener is told. */
-    public void setLostLinkAction(LostLinkAction action) {
-        tuner.ask("lost-link", new SetLostLinkAction(driver.wireId("lost-link"), action), nowMs);
+    /**
+     * Sets what the boat does when the link is lost; the listener is told as for {@link #setGains}.
+     *
+     * @return the id of the command
+     */
+    public String setLostLinkAction(LostLinkAction action) {
+        return tune("lost-link", new SetLostLinkAction(driver.wireId("lost-link"), action));
+    }
+
+    private String tune(String kind, CommandMessage setting) {
+        String id = tuner.ask(kind, setting, nowMs);
+        settle();
+        return id;
     }
 
     /** The settings that the boat said last are in force; empty before it said so. */

@@ -138,6 +138,7 @@ final class CommandDriver {
         if (run.isPresent() && !isRunWanted()) {
             abandon("its command is no longer wanted");
             mustStop = true;
+            completeEmptyPaths(); // the one that took the boat may have nothing to do
         }
         Optional<QueuedCommand> wanted = queue.current();
         if (run.isEmpty() && wanted.isPresent()) {

@@ -48,6 +48,11 @@ public record FollowPath(
         return of(commandId, mission, activation, List.of(point), priority);
     }
 
+    /** Whether all its points have been visited already. */
+    public boolean nothingIsLeft() {
+        return startIndex == points.size();
+    }
+
     /** The same path, from its first unvisited point on. */
     public FollowPath startingAt(int index) {
         return new FollowPath(commandId, mission, activation, points, speedMps, index, priority, block);

@@ -28,9 +28,12 @@ final class Requests {
         return Optional.ofNullable(unanswered.remove(commandId)).map(pending -> pending.request);
     }
 
-    /** Asks for nothing any longer. */
-    void clear() {
+    /** Asks for nothing any longer. Returns what is still unanswered. */
+    List<CommandMessage> clear() {
+        List<CommandMessage> dropped =
+                unanswered.values().stream().map(pending -> pending.request).toList();
         unanswered.clear();
+        return dropped;
     }
 
     /** Whether something is unanswered. */

@@ -31,10 +31,21 @@ final class Tuner {
         return inForce;
     }
 
-    void ask(String kind, CommandMessage setting, long nowMs) {
+    /** Asks for a setting. Returns the id of the command, by which the listener hears what became of it. */
+    String ask(String kind, CommandMessage setting, long nowMs) {
         Requests requests = byKind.computeIfAbsent(kind, unused -> new Requests(link, config));
-        requests.clear();
+        requests.clear().forEach(older -> refused(older, "a newer setting took its place"));
         requests.send(setting, nowMs);
+        return setting.commandId();
+    }
+
+    /** Asks for nothing any longer, for a reason in words. */
+    void giveUp(String reason) {
+        byKind.values().forEach(requests -> requests.clear().forEach(setting -> refused(setting, reason)));
+    }
+
+    private void refused(CommandMessage setting, String reason) {
+        announcements.add(l -> l.onTuningRefused(boatId, setting.commandId(), reason));
     }
 
     void reported(SettingsReport report) {
@@ -43,8 +54,16 @@ final class Tuner {
         announcements.add(l -> l.onTuning(boatId, tuning));
     }
 
-    /** Whether an answer was to a setting. */
+    /** Whether an answer was to a setting, which the boat has taken with it. */
     boolean answered(String commandId) {
+        boolean setting = isSetting(commandId);
+        if (setting) {
+            announcements.add(l -> l.onTuningTaken(boatId, commandId));
+        }
+        return setting;
+    }
+
+    private boolean isSetting(String commandId) {
         return byKind.values().stream()
                 .anyMatch(requests -> requests.answered(commandId).isPresent());
     }
@@ -55,15 +74,15 @@ final class Tuner {
             case NOT_GREETED, NOT_COMMANDER, STALE -> true;
             default -> false;
         };
-        if (!willPass && answered(nack.commandId())) {
-            announcements.add(l -> l.onTuningRefused(boatId, nack.detail()));
+        if (!willPass && isSetting(nack.commandId())) {
+            announcements.add(l -> l.onTuningRefused(boatId, nack.commandId(), nack.detail()));
         }
     }
 
     void tick(long nowMs) {
         for (Requests requests : byKind.values()) {
             for (CommandMessage unanswered : requests.tick(nowMs)) {
-                announcements.add(l -> l.onTuningRefused(boatId, "the boat did not answer " + unanswered.type()));
+                refused(unanswered, "the boat did not answer " + unanswered.type());
             }
         }
     }

@@ -50,7 +50,7 @@ class TuningTest {
             }
 
             @Override
-            public void onTuningRefused(String boatId, String reason) {
+            public void onTuningRefused(String boatId, String commandId, String reason) {
                 heard.add(reason);
             }
         };

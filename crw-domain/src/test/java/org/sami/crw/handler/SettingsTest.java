@@ -1,0 +1,140 @@
+package org.sami.crw.handler;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
+
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.sami.boat.link.Gains;
+import org.sami.crw.decision.OperatorMessage;
+import org.sami.crw.proxy.BoatTuning;
+import org.sami.crw.service.Geodesy;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.RealValue;
+import org.sami.spn.value.TextValue;
+
+/** Settings on their way from a plan to a real boat server, and what the plan hears of them. */
+class SettingsTest {
+    private final ScriptedEngine engine = new ScriptedEngine(TestWorld.VOCABULARY);
+    private final TestWorld world = new TestWorld(engine);
+
+    @BeforeEach
+    void twoBoats() {
+        for (String set : List.of("SetGains", "SetVelocityMultiplier")) {
+            engine.awaited.addAll(List.of(set + "Succeeded", set + "Failed"));
+        }
+        world.addBoat("a", 0, 0);
+        world.addBoat("b", 5, 0);
+        world.run(1);
+    }
+
+    @Test
+    void gainsAreInForceOnEachBoatWhenItAnswers() {
+        world.cutLinks(true);
+        happens(gains(0.5, 2));
+        assertThat(engine.received("SetGainsSucceeded")).isEmpty();
+        world.cutLinks(false);
+        world.run(3);
+
+        assertThat(engine.received("SetGainsSucceeded"))
+                .extracting(Occurrence::proxies, Occurrence::activation)
+                .containsExactlyInAnyOrder(tuple(List.of("a"), 7L), tuple(List.of("b"), 7L));
+        for (String boat : List.of("a", "b")) {
+            BoatTuning tuning = world.boats.find(boat).orElseThrow().tuning().orElseThrow();
+            assertThat(tuning.heading()).isEqualTo(new Gains(0.5, 0.25, 0.125));
+            assertThat(tuning.speed()).isEqualTo(new Gains(2, 1, 0.5));
+        }
+    }
+
+    @Test
+    void gainsThatNoBoatTakesFailWithAReasonAndNothingIsSet() {
+        BoatTuning before = world.boats.find("a").orElseThrow().tuning().orElseThrow();
+        happens(gains(0.5, -2));
+        world.run(1);
+
+        assertThat(engine.received("SetGainsSucceeded")).isEmpty();
+        assertThat(engine.received("SetGainsFailed"))
+                .hasSize(2)
+                .allSatisfy(failed -> assertThat(((TextValue) failed.values().get("reason")).value())
+                        .contains("-2"));
+        assertThat(world.boats.find("a").orElseThrow().tuning()).contains(before);
+        assertThat(world.desk.messages().messages())
+                .extracting(OperatorMessage::text)
+                .anyMatch(text -> text.startsWith("a has not taken over what here set"));
+    }
+
+    @Test
+    void aBoatUnderWayIsSlowedDown() {
+        GeoPoint far = Geodesy.offset(TestWorld.HOME, 0, 300);
+        happens(new Asking("ProxyGotoLatLon").with("location", far).of("a"));
+        world.run(20);
+        double usual = world.hull("a").speedMps();
+
+        happens(new Asking("SetVelocityMultiplier")
+                .id(8)
+                .with("multiplier", new RealValue(0.25))
+                .of("a"));
+        world.run(20);
+
+        assertThat(world.hull("a").speedMps()).isBetween(0.15 * usual, 0.35 * usual);
+        assertThat(engine.received("SetVelocityMultiplierSucceeded"))
+                .extracting(Occurrence::proxies)
+                .containsExactly(List.of("a"));
+    }
+
+    @Test
+    void aMultiplierThatIsTooLargeFails() {
+        happens(new Asking("SetVelocityMultiplier")
+                .with("multiplier", new RealValue(1000))
+                .of("a", "ghost"));
+
+        assertThat(engine.received("SetVelocityMultiplierFailed"))
+                .extracting(Occurrence::proxies)
+                .containsExactly(List.of("a"), List.of("ghost"));
+    }
+
+    @Test
+    void aSettingWaitsForALostLinkAndANewerOneTakesItsPlace() {
+        world.cutLinks(true);
+        world.run(6);
+        happens(new Asking("SetVelocityMultiplier")
+                .id(8)
+                .with("multiplier", new RealValue(0.5))
+                .of("a"));
+        happens(new Asking("SetVelocityMultiplier")
+                .id(9)
+                .with("multiplier", new RealValue(0.75))
+                .of("a"));
+        world.run(30);
+        assertThat(engine.received("SetVelocityMultiplierFailed"))
+                .extracting(Occurrence::activation)
+                .containsExactly(8L);
+        assertThat(engine.received("SetVelocityMultiplierSucceeded")).isEmpty();
+
+        world.cutLinks(false);
+        world.run(6);
+
+        assertThat(engine.received("SetVelocityMultiplierSucceeded"))
+                .extracting(Occurrence::activation)
+                .containsExactly(9L);
+        assertThat(world.boats.find("a").orElseThrow().tuning().orElseThrow().velocityMultiplier())
+                .isEqualTo(0.75);
+    }
+
+    private void happens(Asking asking) {
+        world.happens(engine, asking.effect());
+    }
+
+    private static Asking gains(double rudder, double thrust) {
+        return new Asking("SetGains")
+                .with("rudderP", new RealValue(rudder))
+                .with("rudderI", new RealValue(rudder / 2))
+                .with("rudderD", new RealValue(rudder / 4))
+                .with("thrustP", new RealValue(thrust))
+                .with("thrustI", new RealValue(thrust / 2))
+                .with("thrustD", new RealValue(thrust / 4))
+                .of("a", "b");
+    }
+}
