@@ -7,7 +7,7 @@ import java.util.Optional;
  * The frames that wait for a peer to take them: bounded, in order, closed once and for all. A writer takes them on a thread of
  * its own; who sends never waits. Safe for use by several threads.
  */
-public final class FrameQueue {
+final class FrameQueue {
     private final ArrayDeque<byte[]> frames = new ArrayDeque<>();
     private final int maxFrames;
     private final int maxBytes;
@@ -15,13 +15,13 @@ public final class FrameQueue {
     private boolean closed;
 
     /** A queue for so many frames and so many bytes of them. */
-    public FrameQueue(int maxFrames, int maxBytes) {
+    FrameQueue(int maxFrames, int maxBytes) {
         this.maxFrames = maxFrames;
         this.maxBytes = maxBytes;
     }
 
     /** Adds a frame. Returns false, and takes nothing, if it does not fit; a single frame always fits. */
-    public synchronized boolean offer(byte[] frame) {
+    synchronized boolean offer(byte[] frame) {
         boolean fits = frames.isEmpty() || (frames.size() < maxFrames && bytes + frame.length <= maxBytes);
         if (fits && !closed) {
             frames.add(frame);
@@ -32,7 +32,7 @@ public final class FrameQueue {
     }
 
     /** The next frame, waited for; empty once the queue is closed. */
-    public synchronized Optional<byte[]> take() throws InterruptedException {
+    synchronized Optional<byte[]> take() throws InterruptedException {
         while (frames.isEmpty() && !closed) {
             wait();
         }
@@ -45,12 +45,12 @@ public final class FrameQueue {
     }
 
     /** Whether nothing waits. */
-    public synchronized boolean isEmpty() {
+    synchronized boolean isEmpty() {
         return frames.isEmpty();
     }
 
     /** Forgets what waits and takes nothing more. */
-    public synchronized void close() {
+    synchronized void close() {
         closed = true;
         frames.clear();
         bytes = 0;

@@ -11,7 +11,7 @@
  * WGS 84 latitude and longitude in degrees. Messages are immutable and check their values when they are made.
  *
  * <p>{@link org.sami.boat.link.SteadyClock} is the clock of both ends, {@link
- * org.sami.boat.link.FrameQueue} what waits for a slow peer.
+ * org.sami.boat.link.FramePump} what bounds both directions of a link.
  *
  * <p>Not here: sockets, threads, resending, and what a message makes a boat or a proxy do. Java 8 level, because
  * it runs on the phone on the hull.

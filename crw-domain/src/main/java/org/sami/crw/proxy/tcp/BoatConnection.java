@@ -1,19 +1,12 @@
 package org.sami.crw.proxy.tcp;
 
-import java.io.BufferedInputStream;
-import java.io.BufferedOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.UnknownHostException;
-import java.util.Optional;
-import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicBoolean;
-import org.sami.boat.link.FrameQueue;
-import org.sami.boat.link.FrameReader;
+import org.sami.boat.link.FramePump;
 import org.sami.boat.link.FrameSink;
-import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkException;
 
 /**
@@ -21,8 +14,6 @@ import org.sami.boat.link.LinkException;
  * sent waits in a bounded queue, so that nobody ever waits for a boat; a boat that sends more than the base takes waits itself.
  */
 final class BoatConnection implements FrameSink {
-    private static final int MAX_UNREAD_BYTES = 2 * LinkCodec.DEFAULT_MAX_BYTES;
-    private static final int LEAST_UNREAD_BYTES = MAX_UNREAD_BYTES / 64; // so that not many small frames wait either
     private static final int SEND_BUFFER_BYTES = 64 << 10;
 
     /** Where a connection hands what happens; called on the connection's threads. */
@@ -41,8 +32,7 @@ final class BoatConnection implements FrameSink {
     private final TcpBaseConfig config;
     private final Owner owner;
     private final Socket socket = new Socket();
-    private final FrameQueue queue;
-    private final Semaphore unread = new Semaphore(MAX_UNREAD_BYTES);
+    private final FramePump pump;
     private final AtomicBoolean closed = new AtomicBoolean();
     private final Thread reader;
     private final Thread writer;
@@ -51,7 +41,7 @@ final class BoatConnection implements FrameSink {
         this.address = address;
         this.config = config;
         this.owner = owner;
-        queue = new FrameQueue(config.maxQueuedFrames(), config.maxQueuedBytes());
+        pump = new FramePump(config.maxQueuedFrames(), config.maxQueuedBytes());
         String name = config.proxy().clientId() + "-to-" + address.getHostString() + ":" + address.getPort();
         reader = thread(this::read, name + "-reads");
         writer = thread(this::write, name + "-writes");
@@ -70,7 +60,7 @@ final class BoatConnection implements FrameSink {
 
     @Override
     public void send(byte[] frame) {
-        if (!queue.offer(frame)) {
+        if (!pump.send(frame)) {
             close("the boat does not take what it is sent");
         }
     }
@@ -78,7 +68,7 @@ final class BoatConnection implements FrameSink {
     /** Closes the socket, which ends both threads. */
     void close(String why) {
         if (closed.compareAndSet(false, true)) {
-            queue.close();
+            pump.close();
             try {
                 socket.close();
             } catch (IOException e) {
@@ -105,12 +95,7 @@ final class BoatConnection implements FrameSink {
             socket.connect(resolved, config.connectWithinMs());
             owner.opened(this);
             writer.start();
-            FrameReader frames = new FrameReader(new BufferedInputStream(socket.getInputStream()), new LinkCodec());
-            for (Optional<byte[]> next = frames.next(); next.isPresent(); next = frames.next()) {
-                int counted = Math.max(LEAST_UNREAD_BYTES, next.get().length);
-                unread.acquire(counted);
-                owner.arrived(this, next.get(), () -> unread.release(counted));
-            }
+            pump.read(socket.getInputStream(), (frame, done) -> owner.arrived(this, frame, done));
             close("the boat has closed the link");
         } catch (LinkException e) {
             close("the boat sends what is no frame: " + e.getMessage());
@@ -123,13 +108,7 @@ final class BoatConnection implements FrameSink {
 
     private void write() {
         try {
-            OutputStream out = new BufferedOutputStream(socket.getOutputStream());
-            for (Optional<byte[]> next = queue.take(); next.isPresent(); next = queue.take()) {
-                out.write(next.get());
-                if (queue.isEmpty()) {
-                    out.flush();
-                }
-            }
+            pump.write(socket.getOutputStream());
         } catch (IOException | InterruptedException e) {
             close("the link broke: " + e.getMessage());
         }

@@ -4,6 +4,7 @@ import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.server.ServerConfig;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.HullConfig;
@@ -19,6 +20,7 @@ import org.sami.spn.value.GeoPoint;
  * @param batteryPercent charge at the start
  * @param conditions on its water
  * @param fieldSeed of what there is to be measured; equal for all boats of one water
+ * @param lostLink what it does when its link is lost, until a command sets something else
  * @param logFolder where its log is kept, and taken up again after a restart; none if empty
  */
 public record BoatSettings(
@@ -30,6 +32,7 @@ public record BoatSettings(
         HullConfig hull,
         Conditions conditions,
         long fieldSeed,
+        LostLinkAction lostLink,
         Optional<Path> logFolder) {
 
     /** Refuses a name that cannot name a file, and a charge that is none. */
@@ -42,6 +45,7 @@ public record BoatSettings(
         Objects.requireNonNull(at, "at");
         Objects.requireNonNull(hull, "hull");
         Objects.requireNonNull(conditions, "conditions");
+        Objects.requireNonNull(lostLink, "lostLink");
         Objects.requireNonNull(logFolder, "logFolder");
         if (!(batteryPercent >= 0 && batteryPercent <= 100)) {
             throw new IllegalArgumentException("a charge of " + batteryPercent + " %");
@@ -50,23 +54,33 @@ public record BoatSettings(
 
     /** A boat of the fleet with a full battery, without a log. */
     public static BoatSettings of(String name, InetSocketAddress address, GeoPoint at, long seed) {
-        return new BoatSettings(name, address, at, seed, 100, HullConfig.DEFAULT, Conditions.CALM, 1, Optional.empty());
+        return new BoatSettings(
+                name,
+                address,
+                at,
+                seed,
+                100,
+                HullConfig.DEFAULT,
+                Conditions.CALM,
+                1,
+                LostLinkAction.HOLD,
+                Optional.empty());
     }
 
     /** The same with a log in a folder. */
     public BoatSettings loggingTo(Path folder) {
         return new BoatSettings(
-                name, address, at, seed, batteryPercent, hull, conditions, fieldSeed, Optional.of(folder));
+                name, address, at, seed, batteryPercent, hull, conditions, fieldSeed, lostLink, Optional.of(folder));
     }
 
     /** The same with another charge at the start. */
     public BoatSettings withBatteryPercent(double percent) {
-        return new BoatSettings(name, address, at, seed, percent, hull, conditions, fieldSeed, logFolder);
+        return new BoatSettings(name, address, at, seed, percent, hull, conditions, fieldSeed, lostLink, logFolder);
     }
 
     /** The same on other water. */
     public BoatSettings on(Conditions water) {
-        return new BoatSettings(name, address, at, seed, batteryPercent, hull, water, fieldSeed, logFolder);
+        return new BoatSettings(name, address, at, seed, batteryPercent, hull, water, fieldSeed, lostLink, logFolder);
     }
 
     /** The file of the boat's log. */
@@ -78,6 +92,7 @@ public record BoatSettings(
     ServerConfig server(String bootId) {
         return ServerConfig.of(name, bootId)
                 .fullThrustSpeedMps(hull.topSpeedMps())
+                .lostLinkAction(lostLink)
                 .build();
     }
 }

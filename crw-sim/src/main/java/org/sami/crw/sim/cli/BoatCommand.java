@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.crw.sim.boat.BoatOnTcp;
@@ -103,6 +104,14 @@ final class BoatCommand implements Callable<Integer> {
     private long fieldSeed;
 
     @Option(
+            names = "--lost-link",
+            paramLabel = "ACTION",
+            defaultValue = "hold",
+            description = "What it does when the link to its commander is lost, until a command sets something else: "
+                    + "hold, return, continue, drift (default ${DEFAULT-VALUE}).")
+    private LostLinkAction lostLink;
+
+    @Option(
             names = "--log",
             paramLabel = "DIR",
             description =
@@ -151,6 +160,7 @@ final class BoatCommand implements Callable<Integer> {
                     hull(),
                     conditions.conditions(),
                     fieldSeed,
+                    lostLink,
                     Optional.ofNullable(log));
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage());

@@ -50,6 +50,8 @@ class BoatProcessTest {
     private final AtomicReference<BoatStatus> status = new AtomicReference<>(BoatStatus.unknown("anna"));
     private final AtomicInteger restarts = new AtomicInteger();
 
+    private volatile Consumer<BoatProxy> whenFound = proxy -> {};
+
     /** A process of the command, and the port that it printed. */
     private record Boat(Process process, int port) {}
 
@@ -85,6 +87,11 @@ class BoatProcessTest {
     }
 
     private TcpBase base(int port) {
+        return base(port, proxy -> {});
+    }
+
+    private TcpBase base(int port, Consumer<BoatProxy> onFound) {
+        whenFound = onFound;
         TcpBaseConfig config = new TcpBaseConfig(
                 ProxyConfig.DEFAULT.withClientId("base").withTelemetryHz(20), 1, 50, 1000, 20, 200, 256, 4 << 20);
         TcpBase base = new TcpBase(config, SteadyClock.ofThisMachine(), new Ear());
@@ -113,6 +120,10 @@ class BoatProcessTest {
         LogLines.read(
                 folder.resolve("anna.log"), entry -> ids.add(entry.command().commandId()));
         return ids;
+    }
+
+    private double northOf(double latDeg) {
+        return status.get().pose().orElseThrow().position().latDeg() - latDeg;
     }
 
     private boolean is(BoatMode mode) {
@@ -197,8 +208,28 @@ class BoatProcessTest {
         }
     }
 
+    @ParameterizedTest
+    @CsvSource({"return, RETURN", "CONTINUE, PATH", "drift, STOPPED"})
+    void doesWhatItsOptionSaysWhenTheBaseIsGone(String action, BoatMode doing) throws Exception {
+        Boat boat = boat(0, "--lost-link", action);
+        try (TcpBase base = base(boat.port)) {
+            until("linked", () -> status.get().link() == LinkState.LINKED);
+            tell(base, proxy -> proxy.submit(farAway(50)));
+            until("under way", () -> is(BoatMode.PATH));
+            until("some 8 m from home", () -> northOf(45.4) > 8 / 111_000.0);
+        }
+        try (TcpBase watching = base(boat.port, BoatProxy::observe)) {
+            until("it does what the option says", () -> is(doing));
+            assertThat(watching.links().join()).hasSize(1);
+        }
+    }
+
     @Test
     void saysWhatIsWrongWithItsOptions() {
+        assertThat(Ran.crw("boat", "--port", "0", "--name", "anna", "--at", "45,10", "--lost-link", "explode")
+                        .err())
+                .contains("--lost-link")
+                .containsIgnoringCase("drift");
         assertThat(Ran.crw("boat", "--port", "0", "--name", "anna", "--at", "91,0")
                         .err())
                 .contains("LAT,LON");
@@ -243,6 +274,11 @@ class BoatProcessTest {
         @Override
         public BoatListener found(String boatId) {
             return this;
+        }
+
+        @Override
+        public void onBoat(BoatProxy proxy) {
+            whenFound.accept(proxy);
         }
 
         @Override

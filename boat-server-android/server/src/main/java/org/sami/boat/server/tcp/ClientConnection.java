@@ -1,18 +1,11 @@
 package org.sami.boat.server.tcp;
 
-import java.io.BufferedInputStream;
-import java.io.BufferedOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
-import java.util.Optional;
-import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicBoolean;
-import org.sami.boat.link.FrameQueue;
-import org.sami.boat.link.FrameReader;
+import org.sami.boat.link.FramePump;
 import org.sami.boat.link.FrameSink;
-import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkException;
 
 /**
@@ -20,13 +13,7 @@ import org.sami.boat.link.LinkException;
  * never waits for a client. What the client sends is handed on as long as the boat keeps up; then the client waits.
  */
 final class ClientConnection implements FrameSink {
-    /** Bytes of one client that may wait for the boat: more than the largest frame. */
-    private static final int MAX_UNREAD_BYTES = 2 * LinkCodec.DEFAULT_MAX_BYTES;
-
-    /** What a frame counts for at least: so that not many small ones wait either. */
-    private static final int LEAST_UNREAD_BYTES = MAX_UNREAD_BYTES / 64;
-
-    private static final int SEND_BUFFER_BYTES = 64 << 10; // so that it is the queue that shows how slow a client is
+    private static final int SEND_BUFFER_BYTES = 64 << 10; // so that it is the pump that shows how slow a client is
 
     /** Where a connection hands what happens; called on the connection's threads. */
     interface Owner {
@@ -41,8 +28,7 @@ final class ClientConnection implements FrameSink {
     private final Owner owner;
     private final String name;
     private final long number;
-    private final FrameQueue queue;
-    private final Semaphore unread = new Semaphore(MAX_UNREAD_BYTES);
+    private final FramePump pump;
     private final AtomicBoolean closed = new AtomicBoolean();
     private final Thread reader;
     private final Thread writer;
@@ -58,7 +44,7 @@ final class ClientConnection implements FrameSink {
         socket.setTcpNoDelay(true);
         socket.setSendBufferSize(SEND_BUFFER_BYTES);
         socket.setSoTimeout(config.silentAfterMs());
-        queue = new FrameQueue(config.maxQueuedFrames(), config.maxQueuedBytes());
+        pump = new FramePump(config.maxQueuedFrames(), config.maxQueuedBytes());
         reader = thread(this::read, boatId + "-reads-" + name);
         writer = thread(this::write, boatId + "-writes-" + name);
     }
@@ -96,7 +82,7 @@ final class ClientConnection implements FrameSink {
 
     @Override
     public void send(byte[] frame) {
-        if (!queue.offer(frame)) {
+        if (!pump.send(frame)) {
             close("it does not take what it is sent");
         }
     }
@@ -104,7 +90,7 @@ final class ClientConnection implements FrameSink {
     /** Closes the socket, which ends both threads. */
     void close(String why) {
         if (closed.compareAndSet(false, true)) {
-            queue.close();
+            pump.close();
             try {
                 socket.close();
             } catch (IOException e) {
@@ -123,12 +109,7 @@ final class ClientConnection implements FrameSink {
 
     private void read() {
         try {
-            FrameReader frames = new FrameReader(new BufferedInputStream(socket.getInputStream()), new LinkCodec());
-            for (Optional<byte[]> next = frames.next(); next.isPresent(); next = frames.next()) {
-                int counted = Math.max(LEAST_UNREAD_BYTES, next.get().length);
-                unread.acquire(counted);
-                owner.arrived(this, next.get(), () -> unread.release(counted));
-            }
+            pump.read(socket.getInputStream(), (frame, done) -> owner.arrived(this, frame, done));
             close("it has closed the link");
         } catch (LinkException e) {
             close("it sends what is no frame: " + e.getMessage());
@@ -141,13 +122,7 @@ final class ClientConnection implements FrameSink {
 
     private void write() {
         try {
-            OutputStream out = new BufferedOutputStream(socket.getOutputStream());
-            for (Optional<byte[]> next = queue.take(); next.isPresent(); next = queue.take()) {
-                out.write(next.get());
-                if (queue.isEmpty()) {
-                    out.flush();
-                }
-            }
+            pump.write(socket.getOutputStream());
         } catch (IOException | InterruptedException e) {
             close("the link broke: " + e.getMessage());
         }
