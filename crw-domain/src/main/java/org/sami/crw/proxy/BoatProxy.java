@@ -163,7 +163,7 @@ public final class BoatProxy {
     public Optional<BoatCommand> sendPathAgain() {
         Optional<BoatCommand> path = currentCommand().filter(FollowPath.class::isInstance);
         if (path.isPresent()) {
-            driver.abandon();
+            driver.abandon("its waypoints are sent to the boat again");
             settle();
         }
         return path;
