@@ -29,7 +29,8 @@ enum SamiModule {
                     "org.sami.crw.handler..",
                     "org.sami.crw.operator..",
                     "org.sami.crw.proxy..",
-                    "org.sami.crw.service.."),
+                    "org.sami.crw.service..",
+                    "org.sami.crw.task.."),
             List.of(SPN_CORE, BOAT_LINK)),
     /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */
     CRW_SIM("crw-sim", 14, List.of("org.sami.crw.sim.."), List.of(CRW_DOMAIN, BOAT_SERVER, BOAT_LINK, SPN_CORE));

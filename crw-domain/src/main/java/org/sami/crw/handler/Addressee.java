@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Occurrence;
@@ -25,16 +26,18 @@ record Addressee(String boat, boolean byProxy, List<TaskId> tasks) {
 
     /**
      * The boats to which an activation speaks, each once, in order of entry. Where it is delivered again after a crash, those that
-     * have left its place since then are not spoken to again.
+     * have left its place since then, or whose task another boat has, are not spoken to again.
      */
     static List<Addressee> of(Activation activation, HandlerContext context) {
         Map<String, Addressee> byBoat = new LinkedHashMap<>();
+        Map<TaskId, String> allocation =
+                context.redelivered() ? context.query(EngineView::allocation) : activation.allocation();
         for (Token token : tokens(activation, context)) {
             if (token instanceof Token.Proxy proxy) {
                 byBoat.merge(proxy.proxy(), new Addressee(proxy.proxy(), true, List.of()), Addressee::and);
             } else if (token instanceof Token.Task task) {
                 String boat = activation.allocation().get(task.task());
-                if (boat != null) {
+                if (boat != null && boat.equals(allocation.get(task.task()))) {
                     byBoat.merge(boat, new Addressee(boat, false, List.of(task.task())), Addressee::and);
                 }
             }

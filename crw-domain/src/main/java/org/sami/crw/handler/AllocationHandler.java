@@ -71,11 +71,10 @@ final class AllocationHandler implements ActivationHandler {
     }
 
     private static Value toValue(Division division, String reason, AllocationQuestion question) {
-        Map<String, String> boatOf = division.boatOf();
-        Map<TaskId, String> tasks = new LinkedHashMap<>();
-        question.tasks()
-                .forEach(
-                        (name, task) -> Optional.ofNullable(boatOf.get(name)).ifPresent(boat -> tasks.put(task, boat)));
+        Map<TaskId, String> tasks = new LinkedHashMap<>(); // in the order in which each boat is to do them
+        division.boatOf()
+                .forEach((name, boat) ->
+                        Optional.ofNullable(question.tasks().get(name)).ifPresent(task -> tasks.put(task, boat)));
         Allocation allocation = question.anew() ? division.toAllocation(reason) : division.toNewWork(reason);
         return allocation.withTasks(tasks).toValue();
     }

@@ -13,6 +13,8 @@ import org.sami.crw.proxy.BoatListeners;
 import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.BoatPositions;
+import org.sami.crw.task.TaskNews;
+import org.sami.crw.task.TaskQueues;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.Registration;
@@ -28,6 +30,7 @@ public final class CrwDomain implements AutoCloseable {
     private final Map<String, ActivationHandler> handlers = new LinkedHashMap<>();
     private final List<Registration> registrations = new ArrayList<>();
     private final BoatListener boatListener;
+    private final TaskQueues tasks;
 
     private CrwDomain(
             EngineHost host,
@@ -48,6 +51,11 @@ public final class CrwDomain implements AutoCloseable {
                 batteries,
                 new BoatNews(host, newBoats, messages, batteries),
                 new TakeOverNews(host, boats));
+        tasks = new TaskQueues(host, (news, names) -> {
+            if (news.kind() == TaskNews.Kind.RELEASED) {
+                fleet.execute(() -> motion.release(news.boat(), names));
+            }
+        });
         BoatPositions positions =
                 boat -> boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
         handlers.putAll(movers(motion));
@@ -69,10 +77,13 @@ public final class CrwDomain implements AutoCloseable {
         handlers.put(ConnectExistingProxyHandler.TYPE, new ConnectExistingProxyHandler(connector, newBoats));
         handlers.put(ConnectExistingProxyIdHandler.TYPE, new ConnectExistingProxyIdHandler(connector, newBoats));
         handlers.put(CreateSimulatedProxyHandler.TYPE, new CreateSimulatedProxyHandler(connector, newBoats));
+        handlers.put(TaskCompleteHandler.TYPE, new TaskCompleteHandler());
+        handlers.put(RefreshTasksHandler.TYPE, new RefreshTasksHandler(tasks));
         handlers.put(UnknownRequestHandler.TYPE, new UnknownRequestHandler(messages));
         handlers.forEach((type, handler) -> registrations.add(host.register(type, handler, fleet)));
         registrations.add(host.addListener(withdrawals));
         registrations.add(host.addListener(questions));
+        registrations.add(host.addListener(tasks));
         registrations.add(host.addListener(batteries));
     }
 
@@ -124,6 +135,11 @@ public final class CrwDomain implements AutoCloseable {
     /** What every proxy of the registry must be given; to be called on the fleet's thread. */
     public BoatListener boatListener() {
         return boatListener;
+    }
+
+    /** The tasks that boats have to do. */
+    public TaskQueues tasks() {
+        return tasks;
     }
 
     /** The output events that are handled here, by name. */

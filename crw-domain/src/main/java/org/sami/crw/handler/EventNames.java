@@ -19,6 +19,9 @@ public final class EventNames {
     static final String QUANTITY_LESS = "QuantityLess";
     static final String QUANTITY_EQUAL = "QuantityEqual";
     static final String PROXY_CREATED = "ProxyCreated";
+    /** Answer to Task Complete. */
+    public static final String TASK_COMPLETED = "TaskCompleted";
+
     static final String POSE_UPDATED = "ProxyPoseUpdated";
     /** News of a battery. */
     public static final String BATTERY_NOMINAL = "BatteryNominal";

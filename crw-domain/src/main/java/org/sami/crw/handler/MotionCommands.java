@@ -19,6 +19,7 @@ import org.sami.crw.proxy.Withdrawal;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.value.TaskId;
 
 /**
  * The commands that activations have sent to boats, and what the plan hears of each: its progress, and one answer (path completed
@@ -104,6 +105,19 @@ final class MotionCommands implements BoatListener {
                         sent.remove(command.commandId());
                         tellAgain(command, one -> failed(one, "the mission that wanted it took it back"));
                     }));
+        }
+    }
+
+    /**
+     * A boat is no longer responsible for a task, by any of its names: what was asked of it for that task alone is taken back, and what
+     * it does for others too is answered without it.
+     */
+    void release(String boat, List<TaskId> names) {
+        for (Map.Entry<String, SentCommand> one : List.copyOf(sent.entrySet())) {
+            if (one.getValue().boat().equals(boat) && one.getValue().release(names)) {
+                sent.remove(one.getKey());
+                boats.find(boat).ifPresent(proxy -> proxy.withdrawCommand(one.getKey()));
+            }
         }
     }
 

@@ -11,6 +11,7 @@ import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.TaskId;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
@@ -18,7 +19,7 @@ import org.sami.spn.value.Value;
 final class SentCommand {
     private final Activation activation;
     private final HandlerContext context;
-    private final Addressee addressee;
+    private Addressee addressee;
     private final Reply reply;
     private final Optional<PathProgress.Along> along;
     private final int points;
@@ -52,6 +53,16 @@ final class SentCommand {
 
     String boat() {
         return addressee.boat();
+    }
+
+    /** The boat has these tasks no longer; says whether the command was for them alone. */
+    boolean release(List<TaskId> names) {
+        List<TaskId> left = new ArrayList<>(addressee.tasks());
+        if (addressee.byProxy() || !left.removeAll(names)) {
+            return false;
+        }
+        addressee = new Addressee(addressee.boat(), false, left);
+        return left.isEmpty();
     }
 
     /** More of its points are behind the boat. */

@@ -170,6 +170,18 @@ public final class BoatProxy {
     }
 
     /**
+     * Takes back one command, whose mission may have others; the boat goes on with the next one, or stops. Not reported to the
+     * listener.
+     *
+     * @return whether the boat had it
+     */
+    public boolean withdrawCommand(String commandId) {
+        boolean withdrawn = driver.withdraw(commandId).isPresent();
+        settle();
+        return withdrawn;
+    }
+
+    /**
      * The base gives the boat up: every command fails for a reason in words, and a boat that is under way is stopped as soon as
      * it can be told.
      */

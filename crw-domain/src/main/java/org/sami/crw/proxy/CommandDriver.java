@@ -80,6 +80,10 @@ final class CommandDriver {
         return withdrawn;
     }
 
+    Optional<BoatCommand> withdraw(String commandId) {
+        return queue.withdraw(commandId);
+    }
+
     /** Every command fails, for a reason in words. */
     void failAll(String reason) {
         for (BoatCommand command : queue.clear()) {

@@ -107,6 +107,16 @@ final class CommandQueue {
         return withdrawn;
     }
 
+    /** Takes back one command; a block of its mission stays. Empty where it is not queued. */
+    Optional<BoatCommand> withdraw(String commandId) {
+        Optional<QueuedCommand> found = find(commandId);
+        found.ifPresent(entry -> {
+            remove(entry);
+            choose();
+        });
+        return found.map(QueuedCommand::command);
+    }
+
     /** Takes back everything, and all blocks. Returns the commands in the order of their turn. */
     List<BoatCommand> clear() {
         List<BoatCommand> all = new ArrayList<>();

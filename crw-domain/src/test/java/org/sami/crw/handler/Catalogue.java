@@ -36,7 +36,8 @@ final class Catalogue {
             ServiceChapter::add,
             NewsChapter::add,
             OperatorChapter::add,
-            MissionChapter::add);
+            MissionChapter::add,
+            TaskChapter::add);
 
     private final Map<String, Row> rows = new LinkedHashMap<>();
 

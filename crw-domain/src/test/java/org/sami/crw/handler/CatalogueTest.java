@@ -106,14 +106,11 @@ class CatalogueTest {
             "ProxySetDescription",
             "ProxyStationKeep",
             "ReconnectServer",
-            "RefreshTasks",
             "TakeMeasurement",
-            "TakePanorama",
-            "TaskComplete");
+            "TakePanorama");
 
     /** Events without a row in the catalogue. It only gets shorter. */
     private static final List<String> NO_ROW_YET = List.of(
-            "ApplyAllocation",
             "BlockMovementDone",
             "ConnectExistingProxy",
             "ConnectExistingProxyId",
@@ -121,7 +118,6 @@ class CatalogueTest {
             "DisconnectServer",
             "DistributeLocationsRequest",
             "DistributeLocationsResponse",
-            "GenerateTasks",
             "MeasurementTaken",
             "OperatorBackgroundAction",
             "OperatorBackgroundActionDone",
@@ -140,7 +136,6 @@ class CatalogueTest {
             "ProxySetDescription",
             "ProxyStationKeep",
             "ReconnectServer",
-            "RefreshTasks",
             "SetGains",
             "SetGainsFailed",
             "SetGainsSucceeded",
@@ -149,14 +144,6 @@ class CatalogueTest {
             "SetVelocityMultiplierSucceeded",
             "TakeMeasurement",
             "TakePanorama",
-            "TaskComplete",
-            "TaskCompleted",
-            "TaskDelayed",
-            "TaskReassigned",
-            "TaskReleased",
-            "TaskStarted",
-            "TaskUnassigned",
-            "TasksGenerated",
             "UnknownAnswer",
             "UnknownRequest");
 

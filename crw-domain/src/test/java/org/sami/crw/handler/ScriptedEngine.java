@@ -118,6 +118,11 @@ final class ScriptedEngine implements EngineFunction, EngineView {
     }
 
     @Override
+    public List<TaskId> namesOf(TaskId task) {
+        return tasks.containsKey(task) ? List.of(task) : List.of();
+    }
+
+    @Override
     public Optional<Map<String, Value>> task(TaskId task) {
         return Optional.ofNullable(tasks.get(task));
     }

@@ -6,9 +6,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.spn.model.TaskSpec;
+import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.MapValue;
 import org.sami.spn.value.ProxyValue;
@@ -26,7 +28,9 @@ final class Allocation {
     }
 
     /** Allocates or releases tasks, as an input. */
-    void allocate(Map<TaskId, Optional<String>> allocation) {
+    void allocate(Map<TaskId, Optional<String>> allocation, Priority priority) {
+        List<TaskState> tasks = new ArrayList<>();
+        Map<TaskId, String> before = new LinkedHashMap<>();
         allocation.forEach((task, robot) -> {
             TaskState state = rules.task(task);
             if (state == null) {
@@ -41,10 +45,38 @@ final class Allocation {
                         "Task '" + task.name() + "' cannot be allocated to '" + robot.get()
                                 + "': no such robot is known");
             } else {
-                state.allocate(robot.orElse(""));
+                TaskState owned = state.owned();
+                if (!owned.proxy().isEmpty()) {
+                    before.putIfAbsent(owned.id, owned.proxy());
+                }
+                owned.allocate(robot.orElse(""));
+                tasks.add(owned);
             }
         });
         renewNames();
+        tell(tasks, before, priority);
+    }
+
+    /** Releases what a robot had of a mission's own tasks. */
+    void release(Mission m, String robot) {
+        List<TaskState> released = new ArrayList<>();
+        Map<TaskId, String> before = new LinkedHashMap<>();
+        for (TaskState task : m.tasks.values()) {
+            if (task.original == null && task.proxy().equals(robot)) {
+                task.allocate("");
+                released.add(task);
+                before.put(task.id, robot);
+            }
+        }
+        tell(released, before, Priority.MEDIUM);
+    }
+
+    private void tell(List<TaskState> tasks, Map<TaskId, String> before, Priority priority) {
+        if (!tasks.isEmpty()) {
+            Map<TaskId, Optional<String>> robots = new LinkedHashMap<>();
+            tasks.forEach(task -> robots.put(task.id, Optional.of(task.proxy()).filter(robot -> !robot.isEmpty())));
+            rules.emit(new Effect.TasksAllocated(robots, before, priority));
+        }
     }
 
     /** Applies the allocation in an activation. */
@@ -66,7 +98,7 @@ final class Allocation {
                 allocation.put(id, Optional.of(proxy.proxy()));
             }
         });
-        allocate(allocation);
+        allocate(allocation, sent.activation.priority());
     }
 
     private void renewNames() {

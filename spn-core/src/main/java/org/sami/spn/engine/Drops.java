@@ -48,11 +48,7 @@ final class Drops {
     }
 
     private void drop(Mission m, Token token, String robot) {
-        for (TaskState task : m.tasks.values()) {
-            if (task.original == null && task.proxy().equals(robot)) {
-                task.allocate("");
-            }
-        }
+        rules.allocation.release(m, robot);
         for (List<Token> waiting : m.waiting) {
             waiting.removeIf(token::equals);
         }

@@ -10,6 +10,7 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
@@ -119,7 +120,7 @@ public final class Engine {
         } else if (input instanceof Input.ProxyDropped dropped) {
             refused = rules.drops.drop(dropped);
         } else if (input instanceof Input.AllocateTasks tasks) {
-            rules.allocation.allocate(tasks.allocation());
+            rules.allocation.allocate(tasks.allocation(), Priority.MEDIUM);
         } else if (input instanceof Input.AddTasks tasks) {
             refused = rules.allocation.add(tasks);
         } else if (input instanceof Input.SetVariable write) {

@@ -35,6 +35,12 @@ public interface EngineView {
     /** Tasks of running missions that are allocated, with their robots. */
     Map<TaskId, String> allocation();
 
+    /**
+     * A task by the names that running missions have for it: of its owner first, then of the sub-missions in which another name stands
+     * for it. Empty where there is no such task.
+     */
+    List<TaskId> namesOf(TaskId task);
+
     /** The fields of a task of a running mission. */
     Optional<Map<String, Value>> task(TaskId task);
 

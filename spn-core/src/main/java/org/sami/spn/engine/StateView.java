@@ -111,6 +111,29 @@ final class StateView implements EngineView {
     }
 
     @Override
+    public List<TaskId> namesOf(TaskId task) {
+        TaskState found = state.task(task);
+        if (found == null) {
+            return List.of();
+        }
+        TaskState owned = found.owned();
+        List<TaskId> names = new ArrayList<>(List.of(owned.id));
+        addNames(state.missions.get(owned.id.mission()), owned, names);
+        return names;
+    }
+
+    private static void addNames(Mission owner, TaskState owned, List<TaskId> names) {
+        for (Mission child : owner.children.values()) {
+            for (TaskState task : child.tasks.values()) {
+                if (task.original != null && task.owned() == owned) {
+                    names.add(task.id);
+                }
+            }
+            addNames(child, owned, names);
+        }
+    }
+
+    @Override
     public Optional<Map<String, Value>> task(TaskId task) {
         TaskState found = state.task(task);
         if (found == null) {

@@ -27,6 +27,11 @@ final class TaskState {
         return original == null ? proxy : original.proxy();
     }
 
+    /** The task itself: what this one stands for, or this one. */
+    TaskState owned() {
+        return original == null ? this : original.owned();
+    }
+
     void allocate(String robot) {
         if (original == null) {
             proxy = robot;

@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.databind.node.TextNode;
 import java.util.List;
+import java.util.Optional;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
@@ -56,6 +57,16 @@ final class EffectWriter {
                     .put("mission", e.mission())
                     .put("variable", e.variable())
                     .set("value", TaggedValues.write(e.value()));
+        } else if (effect instanceof Effect.TasksAllocated e) {
+            ArrayNode tasks = node.put("effect", "tasks-allocated")
+                    .put("priority", Words.of(e.priority()))
+                    .putArray("tasks");
+            e.robots().forEach((task, robot) -> {
+                ObjectNode entry = tasks.addObject();
+                entry.set("task", InputWriter.task(task));
+                robot.ifPresent(name -> entry.put("proxy", name));
+                Optional.ofNullable(e.before().get(task)).ifPresent(name -> entry.put("before", name));
+            });
         } else if (effect instanceof Effect.Noted e) {
             node.put("effect", "noted")
                     .put("kind", Words.of(e.kind()))

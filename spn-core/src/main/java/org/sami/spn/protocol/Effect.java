@@ -1,8 +1,12 @@
 package org.sami.spn.protocol;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
 /** Something that the engine did or asks for, in the order in which it happened. */
@@ -55,6 +59,24 @@ public sealed interface Effect {
     record CommandsWithdrawn(long mission, List<String> proxies) implements Effect {
         public CommandsWithdrawn {
             proxies = List.copyOf(proxies);
+        }
+    }
+
+    /**
+     * Tasks were allocated to robots or released, by one allocation; also where it changes no robot, as it says in which order they
+     * are to be done.
+     *
+     * @param robots the robot of each task, in the order of the allocation; empty = released. Tasks by the names of the missions
+     *     that own them
+     * @param before the robots of those that had one
+     * @param priority how urgent the allocation is
+     */
+    record TasksAllocated(Map<TaskId, Optional<String>> robots, Map<TaskId, String> before, Priority priority)
+            implements Effect {
+        public TasksAllocated {
+            robots = Collections.unmodifiableMap(new LinkedHashMap<>(robots));
+            before = Collections.unmodifiableMap(new LinkedHashMap<>(before));
+            Objects.requireNonNull(priority, "priority");
         }
     }
 

@@ -150,6 +150,7 @@ class ProtocolJsonTest {
                 new Effect.DecisionClosed(1, Optional.empty(), Optional.empty()),
                 new Effect.CommandsWithdrawn(1, List.of("b1")),
                 new Effect.QuestionAnswered("BoatRestarted", "b1", true),
+                new Effect.TasksAllocated(Map.of(TASK, Optional.of("b2")), Map.of(TASK, "b1"), Priority.HIGH),
                 new Effect.VariableWritten(0, "@x", new RealValue(2)),
                 new Effect.Noted(NoteKind.LATE, 1, "late"),
                 new Effect.MissionEnded(1, Outcome.ENDED));
@@ -162,6 +163,10 @@ class ProtocolJsonTest {
                         .map(Class::getSimpleName)
                         .toList());
         assertThat(written).allMatch(text -> text.startsWith("{\"effect\":\""));
+        assertThat(written)
+                .contains("{\"effect\":\"tasks-allocated\",\"priority\":\"high\",\"tasks\":[{\"task\":"
+                        + "{\"mission\":" + TASK.mission() + ",\"name\":\"" + TASK.name()
+                        + "\"},\"proxy\":\"b2\",\"before\":\"b1\"}]}");
         assertThat(written.get(1))
                 .isEqualTo("{\"effect\":\"fired\",\"firing\":1,\"mission\":1,\"transition\":\"t\","
                         + "\"used\":[{\"type\":\"N\"}],\"moves\":[{\"token\":\"generic\",\"from\":\"a\"}]}");

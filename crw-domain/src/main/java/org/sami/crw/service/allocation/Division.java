@@ -2,7 +2,6 @@ package org.sami.crw.service.allocation;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -78,9 +77,9 @@ public record Division(
         return Crossings.of(fresh);
     }
 
-    /** The boat of each work that somebody got, by the work's name. */
+    /** The boat of each work that somebody got, by the work's name, in the order in which each boat does it. */
     public Map<String, String> boatOf() {
-        Map<String, String> boatOf = new HashMap<>();
+        Map<String, String> boatOf = new LinkedHashMap<>();
         paths.forEach((boat, path) -> path.forEach(one -> boatOf.put(one.name(), boat)));
         return boatOf;
     }

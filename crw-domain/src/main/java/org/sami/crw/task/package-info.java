@@ -1,0 +1,6 @@
+/**
+ * Who has which tasks to do, in which order, and the news of it for plans. Which boat a task is allocated to is the engine's; how
+ * tasks are divided is decided in {@code org.sami.crw.service.allocation}; what the events of tasks do is in
+ * {@code org.sami.crw.handler}.
+ */
+package org.sami.crw.task;
