@@ -1,6 +1,7 @@
 package org.sami.crw.sim.cli;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -31,6 +32,7 @@ import picocli.CommandLine.Spec;
                         + "Runs until Ctrl-C or a signal ends it.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
+            "0:its standard input has ended (--while-input)",
             "2:wrong usage",
             "4:its port or its log cannot be had",
             "130:stopped by Ctrl-C",
@@ -126,6 +128,13 @@ final class BoatCommand implements Callable<Integer> {
                     + "Whoever reaches it can command the boat.")
     private InetAddress bind = InetAddress.getLoopbackAddress();
 
+    @Option(
+            names = "--while-input",
+            description =
+                    "End when the standard input ends: for programs that start boats and take them along when they end "
+                            + "in whatever way.")
+    private boolean whileInput;
+
     @Override
     public Integer call() throws IOException {
         BoatSettings settings = settings();
@@ -138,12 +147,35 @@ final class BoatCommand implements Callable<Integer> {
                 out.printf("%s goes on with its log: %d commands; it does not move%n", name, boat.restored());
             }
             out.flush();
-            new CountDownLatch(1).await(); // until somebody stops the process
+            if (whileInput) {
+                awaitEndOfInput();
+            } else {
+                new CountDownLatch(1).await(); // until somebody stops the process
+            }
         } catch (InterruptedException e) {
             out.printf("%s stops%n", name);
             out.flush();
         }
         return ExitCode.OK;
+    }
+
+    /** The wait for input cannot be interrupted: a thread of its own has it. */
+    private static void awaitEndOfInput() throws InterruptedException {
+        CountDownLatch ended = new CountDownLatch(1);
+        Thread reader = new Thread(
+                () -> {
+                    try {
+                        System.in.transferTo(OutputStream.nullOutputStream());
+                    } catch (IOException e) {
+                        // whoever held it is gone
+                    } finally {
+                        ended.countDown();
+                    }
+                },
+                "input");
+        reader.setDaemon(true);
+        reader.start();
+        ended.await();
     }
 
     private BoatSettings settings() {

@@ -39,7 +39,7 @@ import picocli.CommandLine.Spec;
         },
         footerHeading = "%nExamples:%n",
         footer = {
-            "  crw demo               see it work, within half a minute or so",
+            "  crw demo               see it work, within a minute or so",
             "  crw plans              which plans there are",
             "  crw run clv --boats 5 --locations 30 --speed max --report out",
             "  crw check my-plan.json",

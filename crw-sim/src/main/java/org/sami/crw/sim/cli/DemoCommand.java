@@ -1,35 +1,54 @@
 package org.sami.crw.sim.cli;
 
+import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.OptionalLong;
 import java.util.concurrent.Callable;
+import org.sami.crw.sim.boat.BoatProcess;
+import org.sami.crw.sim.run.BoatAddress;
 import org.sami.crw.sim.run.RunSettings;
 import org.sami.crw.sim.run.Speed;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
+import org.sami.spn.value.GeoPoint;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code crw demo}: the main job, to be watched: three boats visit twelve locations. */
+/** {@code crw demo}: the main job, to be watched: boats visit locations. */
 @Command(
         name = "demo",
         mixinStandardHelpOptions = true,
         description =
-                "Runs the plan 'clv' on three simulated boats, which visit twelve locations, so fast that it is over "
-                        + "within half a minute or so; shows it and writes a report with a picture.",
+                "Starts three simulated boats as processes of their own, runs the plan 'clv' on them over TCP on the loopback "
+                        + "address, shows it, and writes a report with a picture; over within a minute or so. The boats end "
+                        + "with it.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {"0:the mission ended", "3:it was aborted", "4:it failed", "5:it was stopped before its end"},
-        footerHeading = "%nExample:%n",
-        footer = {"  crw demo --report demo"})
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  crw demo --report demo",
+            "  crw demo --speed max    the same plan on boats in this process, faster than real time"
+        })
 final class DemoCommand implements Callable<Integer> {
     private static final String PLAN = "clv";
-    /** At the default speed 70 s: the demonstration ends by itself, whatever happens in it. */
-    private static final long LIMIT_MILLIS = 1_400_000;
 
+    /** The demonstration ends by itself, whatever happens in it. */
+    private static final long LIMIT_MILLIS = 150_000;
+
+    /** In process at 20 times the speed of the world this is 70 s. */
+    private static final long FAST_LIMIT_MILLIS = 1_400_000;
+
+    private static final long CONNECT_WITHIN_MILLIS = 20_000;
+    private static final List<String> NAMES = List.of("anna", "bert", "cleo");
+    private static final GeoPoint QUAY = GeoPoint.of(45.7, 10.72);
+    private static final double APART_DEG = 1e-4;
     private static final Path BUILD = Path.of("build");
 
     @Spec
@@ -45,13 +64,58 @@ final class DemoCommand implements Callable<Integer> {
     @Option(
             names = "--speed",
             paramLabel = "X|max",
-            defaultValue = "20",
             converter = SpeedConverter.class,
-            description = "Simulated seconds in one second (default ${DEFAULT-VALUE}).")
+            description =
+                    "Boats in this process instead, twelve locations, and so many simulated seconds in one second.")
     private Speed speed;
 
     @Override
     public Integer call() throws Exception {
+        return speed == null ? onBoatsThatAreProcesses() : inThisProcess();
+    }
+
+    private int inThisProcess() throws IOException {
+        return run(new RunSettings.Fleet(NAMES.size(), 12, 600, 1), FAST_LIMIT_MILLIS, List.of());
+    }
+
+    private int onBoatsThatAreProcesses() throws IOException, InterruptedException {
+        List<BoatProcess> boats = new ArrayList<>();
+        try {
+            for (String name : NAMES) {
+                GeoPoint berth = GeoPoint.of(QUAY.latDeg(), QUAY.lonDeg() + boats.size() * APART_DEG);
+                boats.add(new BoatProcess(thisProgram(), name, berth));
+            }
+            List<BoatAddress> addresses = new ArrayList<>();
+            for (BoatProcess boat : boats) {
+                addresses.add(boat.awaitAddress());
+                tell(NAMES.get(addresses.size() - 1) + " is process " + boat.pid() + ", listening on "
+                        + addresses.get(addresses.size() - 1));
+            }
+            return run(new RunSettings.Fleet(boats.size(), 9, 60, 1), LIMIT_MILLIS, addresses);
+        } finally {
+            boats.forEach(BoatProcess::close);
+        }
+    }
+
+    private void tell(String line) {
+        PrintWriter err = spec.commandLine().getErr();
+        err.println(line);
+        err.flush();
+    }
+
+    /** The command line of this program, whatever started it. */
+    private static List<String> thisProgram() {
+        return List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:TieredStopAtLevel=1",
+                "-XX:+UseSerialGC",
+                "-Xshare:auto",
+                "-cp",
+                System.getProperty("java.class.path"),
+                Crw.class.getName());
+    }
+
+    private int run(RunSettings.Fleet fleet, long limitMillis, List<BoatAddress> addresses) throws IOException {
         Path reports = folder != null
                 ? folder
                 : Files.isDirectory(BUILD) ? BUILD.resolve("demo-report") : Files.createTempDirectory("crw-demo");
@@ -61,13 +125,15 @@ final class DemoCommand implements Callable<Integer> {
         RunSettings settings = new RunSettings(
                 plan.id(),
                 plan.name(),
-                new RunSettings.Fleet(3, 12, 600, 1),
-                speed,
-                OptionalLong.of(LIMIT_MILLIS),
+                fleet,
+                addresses.isEmpty() ? speed : Speed.REAL,
+                OptionalLong.of(limitMillis),
                 Map.of(),
-                5_000,
-                "");
-        return new Execution(spec.commandLine(), library, OutputOptions.toFolder(reports))
+                addresses.isEmpty() ? 5_000 : 1_000,
+                "",
+                addresses,
+                List.of());
+        return new Execution(spec.commandLine(), library, OutputOptions.toFolder(reports), CONNECT_WITHIN_MILLIS)
                 .runNew(source, plan, settings, null);
     }
 }

@@ -42,7 +42,7 @@ final class OutputOptions {
             return;
         }
         try {
-            Files.createDirectories(folder);
+            new ReportFolder(folder).prepare();
         } catch (IOException e) {
             throw new UsageFault("--report: " + folder + " is no folder and cannot be made one");
         }

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
+import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.BoatAddress;
 import org.sami.crw.sim.run.Charges;
 import org.sami.crw.sim.run.RunSettings;
@@ -158,6 +159,10 @@ final class RunOptions {
         List<BoatAddress> addresses = addressesOf(text);
         if (!addresses.isEmpty() && boats != null) {
             throw new UsageFault("--boats and --connect exclude each other: the boats are those that are connected");
+        }
+        if (!addresses.isEmpty() && !conditions.conditions().equals(Conditions.CALM)) {
+            throw new UsageFault(
+                    "with --connect the boats have their own water, instruments and sensors: see 'crw boat --help'");
         }
         if (!addresses.isEmpty() && speed != null && !speed.equals(Speed.REAL)) {
             throw new UsageFault("--speed: boats that are connected run at speed 1, not " + speed);

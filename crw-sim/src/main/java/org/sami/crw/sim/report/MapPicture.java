@@ -26,6 +26,22 @@ final class MapPicture {
         this.report = report;
     }
 
+    /**
+     * Makes the platform ready to draw. At their first use its fonts and image writers want a word at the end of the process, and a
+     * process that is ending already refuses them: the picture of a run that Ctrl-C stops could not be drawn.
+     */
+    static void prepare() throws IOException {
+        BufferedImage image = new BufferedImage(16, 16, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        try {
+            g.setFont(font(Font.PLAIN, 12));
+            g.drawString("N", 1, 14);
+        } finally {
+            g.dispose();
+        }
+        ImageIO.write(image, "png", new ByteArrayOutputStream());
+    }
+
     byte[] png() throws IOException {
         BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();

@@ -20,6 +20,12 @@ public final class ReportFolder {
         this.folder = Objects.requireNonNull(folder, "folder");
     }
 
+    /** Makes the folder, and all else that must be ready before a signal can end the process. */
+    public void prepare() throws IOException {
+        Files.createDirectories(folder);
+        MapPicture.prepare();
+    }
+
     /** Writes all files of a report. */
     public void write(RunReport report) throws IOException {
         Files.createDirectories(folder);

@@ -116,21 +116,4 @@ final class FleetEar implements BaseListener, BoatListener {
             }
         }
     }
-
-    @Override
-    public void onCommanding(String boatId, boolean commands) {
-        if (!commands) {
-            notices.ofLink(nowMillis.getAsLong(), "this base no longer commands " + boatId);
-        }
-    }
-
-    @Override
-    public void onCommandAsked(String boatId, String clientId) {
-        notices.ofLink(nowMillis.getAsLong(), clientId + " asks for the command of " + boatId + "; it is not granted");
-    }
-
-    @Override
-    public void onRefused(String boatId, String reason) {
-        notices.ofLink(nowMillis.getAsLong(), boatId + " refuses this base: " + reason);
-    }
 }
