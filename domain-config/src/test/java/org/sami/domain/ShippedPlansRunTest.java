@@ -58,10 +58,10 @@ class ShippedPlansRunTest {
         TestCaseRunner runner = new TestCaseRunner(project, LIBRARY.vocabulary());
 
         List<String> messages = Stream.of(
-                        new TestStep.ExpectTokens("execute", 2, List.of("b1")),
+                        new TestStep.ExpectTokens("execute", 2, List.of("b1"), List.of()),
                         new TestStep.ExpectEnded(),
                         new TestStep.Answer("ask-boats", new TestStep.Reply.YesNo(true)),
-                        new TestStep.Occur("AllocationResponse", "ask-allocation", List.of("b1"), Map.of()))
+                        new TestStep.Occur("AllocationResponse", "ask-allocation", List.of("b1"), List.of(), Map.of()))
                 .map(wrong -> {
                     List<TestStep> changed = new ArrayList<>(good.steps().subList(0, 4));
                     changed.add(wrong);

@@ -72,7 +72,8 @@ final class TestCaseReader {
         if (generic < 0) {
             s.problem(Codes.BAD_VALUE, "generic", "A number of tokens is not negative: " + generic);
         }
-        return new TestStep.ExpectTokens(known(s, "place", places), Math.max(0, generic), s.texts("proxies"));
+        return new TestStep.ExpectTokens(
+                known(s, "place", places), Math.max(0, generic), s.texts("proxies"), s.texts("tasks"));
     }
 
     private Optional<TestStep> answer(Members s) {
@@ -119,6 +120,7 @@ final class TestCaseReader {
         Optional<EventType> type = parts.vocabulary().event(name).filter(t -> t.direction() == Direction.INPUT);
         String answers = s.has("answers") ? known(s, "answers", outputs) : "";
         List<String> proxies = s.texts("proxies");
+        List<String> tasks = s.texts("tasks");
         Map<String, Members.Element> given = s.map("values");
         if (type.isEmpty()) {
             s.problem(Codes.UNKNOWN_EVENT, "type", "There is no input event \"" + name + "\"");
@@ -129,6 +131,7 @@ final class TestCaseReader {
                 type.get().name(),
                 answers,
                 proxies,
+                tasks,
                 parts.fields(given, fields, "event " + type.get().name())));
     }
 

@@ -52,6 +52,7 @@ final class TestCaseWriter {
             node.put("do", "occur").put("type", s.type());
             PlanWriter.putText(node, "answers", s.answers());
             PlanWriter.putTexts(node, "proxies", s.proxies());
+            PlanWriter.putTexts(node, "tasks", s.tasks());
             if (!s.values().isEmpty()) {
                 node.set(
                         "values",
@@ -72,6 +73,7 @@ final class TestCaseWriter {
                 node.put("generic", s.generic());
             }
             PlanWriter.putTexts(node, "proxies", s.proxies());
+            PlanWriter.putTexts(node, "tasks", s.tasks());
         } else {
             node.put("expect", "ended");
         }

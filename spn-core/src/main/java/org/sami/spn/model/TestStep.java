@@ -29,12 +29,15 @@ public sealed interface TestStep {
      *
      * @param type name of the input event type
      * @param answers id of the output event whose open activation it answers; empty text for news
+     * @param tasks names of the mission's tasks that it names
      */
-    record Occur(String type, String answers, List<String> proxies, Map<String, Value> values) implements TestStep {
+    record Occur(String type, String answers, List<String> proxies, List<String> tasks, Map<String, Value> values)
+            implements TestStep {
         public Occur {
             Objects.requireNonNull(type, "type");
             Objects.requireNonNull(answers, "answers");
             proxies = List.copyOf(proxies);
+            tasks = List.copyOf(tasks);
             values = Collections.unmodifiableMap(new LinkedHashMap<>(values));
         }
     }
@@ -70,11 +73,12 @@ public sealed interface TestStep {
         }
     }
 
-    /** Exactly these tokens stand in a place: so many generic ones, and one per proxy. */
-    record ExpectTokens(String place, int generic, List<String> proxies) implements TestStep {
+    /** Exactly these tokens stand in a place: so many generic ones, one per proxy, and one per task of the mission. */
+    record ExpectTokens(String place, int generic, List<String> proxies, List<String> tasks) implements TestStep {
         public ExpectTokens {
             Objects.requireNonNull(place, "place");
             proxies = List.copyOf(proxies);
+            tasks = List.copyOf(tasks);
             if (generic < 0) {
                 throw new IllegalArgumentException("A number of tokens is not negative: " + generic);
             }

@@ -27,6 +27,7 @@ import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.protocol.Token;
+import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
 /** One test case under way. */
@@ -132,24 +133,36 @@ final class TestRun {
     }
 
     private Optional<String> occur(TestStep.Occur s) {
+        List<TaskId> tasks = tasks(s.tasks());
         if (s.answers().isEmpty()) {
-            step(new Input.Received(Occurrence.news(s.type(), s.proxies(), s.values())));
+            long about = tasks.isEmpty() ? Ids.NONE : mission;
+            step(new Input.Received(new Occurrence(s.type(), about, Ids.NONE, s.proxies(), tasks, s.values())));
             return Optional.empty();
         }
         Optional<Activation> asked = asked(view().openActivations(), s).or(() -> asked(activations.values(), s));
-        asked.ifPresent(
-                a -> step(new Input.Received(Occurrence.answer(s.type(), a, s.proxies(), List.of(), s.values()))));
+        asked.ifPresent(a -> step(new Input.Received(Occurrence.answer(s.type(), a, s.proxies(), tasks, s.values()))));
         return asked.isPresent()
                 ? Optional.empty()
                 : Optional.of("\"" + s.answers() + "\" has asked for nothing that " + s.type() + " could answer");
     }
 
-    /** Robots that are named answer to what they were asked last; who answers without a name, to the oldest question. */
+    private List<TaskId> tasks(List<String> names) {
+        return names.stream().map(name -> new TaskId(mission, name)).toList();
+    }
+
+    /** Robots and tasks that are named answer to what they were asked last; who answers without a name, to the oldest question. */
     private static Optional<Activation> asked(Collection<Activation> activations, TestStep.Occur s) {
         Stream<Activation> fitting = activations.stream()
                 .filter(a -> a.event().equals(s.answers()))
-                .filter(a -> a.proxies().containsAll(s.proxies()));
-        return s.proxies().isEmpty() ? fitting.findFirst() : fitting.reduce((older, newer) -> newer);
+                .filter(a ->
+                        a.proxies().containsAll(s.proxies()) && names(a.tasks()).containsAll(s.tasks()));
+        return s.proxies().isEmpty() && s.tasks().isEmpty()
+                ? fitting.findFirst()
+                : fitting.reduce((older, newer) -> newer);
+    }
+
+    private static List<String> names(List<TaskId> tasks) {
+        return tasks.stream().map(TaskId::name).toList();
     }
 
     private Optional<String> compare(TestStep.ExpectTokens s) {
@@ -158,6 +171,7 @@ final class TestRun {
             expected.add(Token.GENERIC);
         }
         s.proxies().forEach(p -> expected.add(new Token.Proxy(p)));
+        tasks(s.tasks()).forEach(task -> expected.add(new Token.Task(task)));
         List<Token> found = marking().getOrDefault(s.place(), List.of());
         boolean equal = count(expected).equals(count(found));
         return equal
