@@ -50,7 +50,8 @@ public final class CrwDomain implements AutoCloseable {
                 questions,
                 batteries,
                 new BoatNews(host, newBoats, messages, batteries),
-                new TakeOverNews(host, boats));
+                new TakeOverNews(host, boats),
+                new SentLists(host, boats));
         tasks = new TaskQueues(host, (news, names) -> {
             if (news.kind() == TaskNews.Kind.RELEASED) {
                 fleet.execute(() -> motion.release(news.boat(), names));

@@ -12,6 +12,8 @@ enum SessionMemory {
     BOOT("boot/"),
     /** The class of its battery that was news last. */
     BATTERY("battery/"),
+    /** The waypoint list that was sent to it last and that it took. */
+    LIST("list/"),
     /** Who has taken it out of the missions' hands, as plans were told last; empty text if nobody has. */
     TAKEN_OVER("taken-over/");
 

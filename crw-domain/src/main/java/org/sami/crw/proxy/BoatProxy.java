@@ -268,6 +268,14 @@ public final class BoatProxy {
     }
 
     /**
+     * Names the waypoint list that an earlier process of this base, in the same session, sent to the boat last. Where the boat still
+     * holds it when its command comes again, the boat goes on with it; what it has visited meanwhile is behind it.
+     */
+    public void knownList(String listId) {
+        driver.earlierList(listId);
+    }
+
+    /**
      * Drives by hand; to be called again within two seconds, or the boat stops its motors. From the first call until
      * {@link #release} the commands wait.
      *
@@ -518,6 +526,7 @@ public final class BoatProxy {
 
     private void progressed(Progress progress) {
         heldListId = Optional.of(progress.listId());
+        driver.holds(progress);
         if (awaitingProgress && link.isCommanding()) {
             awaitingProgress = false;
             driver.resume(progress, nowMs);

@@ -27,6 +27,8 @@ final class CommandDriver {
     private LastWord lastWord = LastWord.NONE;
     private int wireIds;
     private boolean mustStop;
+    private Progress held = new Progress("", 0, false);
+    private String earlierList = "";
 
     CommandDriver(String boatId, ProxyConfig config, ProxyLink link, Announcements announcements) {
         this.boatId = boatId;
@@ -57,6 +59,16 @@ final class CommandDriver {
     /** The paths that went to the boat. */
     Uploads uploads() {
         return uploads;
+    }
+
+    /** What the boat said last that it holds, and how far it is. */
+    void holds(Progress progress) {
+        held = progress;
+    }
+
+    /** Names the list that an earlier process of this base sent to the boat last. */
+    void earlierList(String listId) {
+        earlierList = listId;
     }
 
     /** What became of the command that left the queue last. */
@@ -171,10 +183,23 @@ final class CommandDriver {
         requests.clear();
         String wireId = wireId(queued.command().commandId());
         CommandRun next = queued.command() instanceof FollowPath path
-                ? new PathRun(queued, path, wireId, config.cruiseSpeedMps(), requests, uploads::reached)
+                ? new PathRun(
+                        queued, path, wireId, adoptable(queued), config.cruiseSpeedMps(), requests, uploads::reached)
                 : new StopRun(queued, wireId, requests);
         run = Optional.of(next);
         next.begin(nowMs);
+    }
+
+    /** The list that the boat holds, if it may be the command's path from an earlier process; asked about once. */
+    private Optional<PathRun.Adopted> adoptable(QueuedCommand queued) {
+        String listId = earlierList;
+        earlierList = "";
+        boolean may = !listId.isEmpty()
+                && listId.equals(held.listId())
+                && listId.startsWith(queued.command().commandId() + "#");
+        return may
+                ? Optional.of(new PathRun.Adopted(listId, () -> held, count -> visited(queued, count)))
+                : Optional.empty();
     }
 
     private boolean isRunWanted() {

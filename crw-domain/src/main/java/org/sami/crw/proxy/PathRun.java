@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.IntConsumer;
+import java.util.function.Supplier;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.LinkMessage;
@@ -33,7 +35,9 @@ final class PathRun extends CommandRun {
         }
     }
 
+    private final String wireId; // what is asked in this try has ids of its own, also where the list is an earlier one
     private final String listId;
+    private final Optional<Adopted> adopted;
     private final Requests requests;
     private final Consumer<Upload> reached;
     private final List<Waypoint> waypoints;
@@ -42,20 +46,32 @@ final class PathRun extends CommandRun {
     private int starts;
 
     /**
+     * A list that the boat holds already, since an earlier process of this base sent it for the same command.
+     *
+     * @param held gives what the boat said last of its progress
+     * @param visited is told how many points are behind the boat, once it is sure that the list is this path
+     */
+    record Adopted(String listId, Supplier<Progress> held, IntConsumer visited) {}
+
+    /**
      * A try.
      *
+     * @param adopted goes on with the list that the boat holds, if that is the path; else the path is sent under a new id
      * @param reached hears how far the upload has come, once for each state
      */
     PathRun(
             QueuedCommand queued,
             FollowPath path,
             String wireId,
+            Optional<Adopted> adopted,
             double cruiseSpeedMps,
             Requests requests,
             Consumer<Upload> reached) {
         super(queued);
         this.reached = reached;
-        this.listId = wireId;
+        this.wireId = wireId;
+        this.adopted = adopted;
+        this.listId = adopted.map(Adopted::listId).orElse(wireId);
         this.requests = requests;
         double speedMps = path.speedMps().orElse(cruiseSpeedMps);
         waypoints = new ArrayList<>(path.points().size());
@@ -81,27 +97,47 @@ final class PathRun extends CommandRun {
 
     @Override
     void begin(long nowMs) {
-        reach(Upload.State.SENT);
-        requests.send(new UploadWaypoints(listId + "/upload", listId, waypoints), nowMs);
+        if (adopted.isPresent()) {
+            readBack(nowMs);
+        } else {
+            reach(Upload.State.SENT);
+            requests.send(new UploadWaypoints(wireId + "/upload", listId, waypoints), nowMs);
+        }
     }
 
     @Override
     Verdict answered(CommandMessage asked, LinkMessage answer, long nowMs) {
         if (asked instanceof UploadWaypoints) {
-            phase = Phase.READING_BACK;
             reach(Upload.State.ACKNOWLEDGED);
-            requests.send(new ReadBack(listId + "/readback"), nowMs);
+            readBack(nowMs);
         } else if (answer instanceof HeldWaypoints held) {
             if (!held.listId().equals(listId) || !held.waypoints().equals(waypoints)) {
                 return because(Verdict.RETRY, "the boat does not hold the path that was sent");
             }
-            reach(Upload.State.READ_BACK_EQUAL);
-            start(nowMs);
+            return adopted.isPresent() ? goOn(adopted.get(), nowMs) : startUploaded(nowMs);
         } else if (asked instanceof StartWaypoints) {
             phase = Phase.DRIVING;
             headway = Optional.of(new Headway(nowMs));
         }
         return Verdict.GO_ON;
+    }
+
+    private void readBack(long nowMs) {
+        phase = Phase.READING_BACK;
+        requests.send(new ReadBack(wireId + "/readback"), nowMs);
+    }
+
+    private Verdict startUploaded(long nowMs) {
+        reach(Upload.State.READ_BACK_EQUAL);
+        start(nowMs);
+        return Verdict.GO_ON;
+    }
+
+    /** What the boat has visited while nobody commanded it is behind it. */
+    private Verdict goOn(Adopted list, long nowMs) {
+        phase = Phase.STARTING;
+        list.visited().accept(list.held().get().nextIndex());
+        return resume(list.held().get(), nowMs);
     }
 
     private void reach(Upload.State state) {
@@ -111,8 +147,7 @@ final class PathRun extends CommandRun {
     private void start(long nowMs) {
         phase = Phase.STARTING;
         headway = Optional.empty();
-        String wireId = listId + "/start" + ++starts;
-        requests.send(new StartWaypoints(wireId, listId, queued().visited()), nowMs);
+        requests.send(new StartWaypoints(wireId + "/start" + ++starts, listId, queued().visited()), nowMs);
     }
 
     @Override

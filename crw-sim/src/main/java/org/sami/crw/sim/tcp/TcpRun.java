@@ -80,6 +80,7 @@ public final class TcpRun {
                 }
             }
             station.notes().begun();
+            station.desk().begunAnew();
             earlier.area().ifPresent(area -> area.boats().forEach(station.base()::expect));
             RollCall roll = new RollCall(station.base(), settings.connect(), station.desk(), station.notes());
             boolean ready =
