@@ -8,6 +8,7 @@ import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
@@ -29,7 +30,7 @@ public final class ClickCount {
 
     /** Counts one input that was taken in, with what followed from it. */
     public void count(Input input, List<Effect> effects) {
-        clicks += clicksOf(input);
+        clicks += wasRefused(input, effects) ? 0 : clicksOf(input);
         for (Effect effect : effects) {
             if (effect instanceof Effect.DecisionOpened opened) {
                 open.put(opened.decision().id(), opened.decision().question());
@@ -37,6 +38,16 @@ public final class ClickCount {
                 open.remove(closed.decision());
             }
         }
+    }
+
+    /** A person sees that a button is not there; who presses all the same, again and again, is a simulated operator. */
+    private static boolean wasRefused(Input input, List<Effect> effects) {
+        return input instanceof Input.Interrupt
+                && effects.stream()
+                        .anyMatch(effect ->
+                                effect instanceof Effect.Noted noted && noted.kind() == NoteKind.INTERRUPT_REFUSED)
+                && effects.stream()
+                        .noneMatch(effect -> effect instanceof Effect.Fired || effect instanceof Effect.DecisionOpened);
     }
 
     /** Clicks so far. */

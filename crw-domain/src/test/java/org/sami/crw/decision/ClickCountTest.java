@@ -12,6 +12,7 @@ import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.value.GeoArea;
@@ -40,6 +41,15 @@ class ClickCountTest {
         assertClicks(answered(new Answer.YesNo(false)), 1);
         assertClicks(answered(new Answer.Option(0)), 1);
         assertClicks(answered(new Answer.Rejected()), 1);
+    }
+
+    @Test
+    void interruptThatIsRefusedIsNoClick() {
+        Input press = new Input.Interrupt(1, "Recharge", List.of("boat-1"));
+
+        count.count(press, List.of(new Effect.Noted(NoteKind.INTERRUPT_REFUSED, 1, "Nobody is there")));
+
+        assertThat(count.clicks()).isZero();
     }
 
     @Test
