@@ -4,13 +4,28 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.link.StopMotors;
+import org.sami.boat.server.log.LoggedCommand;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.ProxyConfig;
+import org.sami.crw.proxy.tcp.BaseListener;
+import org.sami.crw.proxy.tcp.TcpBase;
+import org.sami.crw.proxy.tcp.TcpBaseConfig;
+import org.sami.crw.sim.boat.Await;
 import org.sami.crw.sim.cli.Ran;
 
 /** Missions of {@code crw run --connect} on boats that are processes of their own. */
@@ -67,6 +82,95 @@ class RunOverTcpTest {
             assertThat(Files.readString(report.resolve("boats.csv")))
                     .contains("anna,tcp 127.0.0.1:" + fleet.port("anna") + ",");
             assertThat(Files.readString(report.resolve("tracks.csv"))).contains("anna,", "bert,", "cleo,");
+        }
+    }
+
+    private Fleet underWay(Fleet fleet) {
+        Await.until(
+                "all are under way",
+                60,
+                () -> Stream.of("anna", "bert")
+                        .allMatch(boat ->
+                                fleet.log(boat).stream().anyMatch(entry -> entry.command() instanceof StartWaypoints)));
+        return fleet;
+    }
+
+    @Test
+    void signalStopsTheBoatsAndTheRunCanBeTakenUp() throws Exception {
+        Path journal = folder.resolve("journal");
+        try (Fleet fleet = new Fleet(folder).with("anna", "bert");
+                CrwProcess run = CrwProcess.start(
+                        folder,
+                        mission(
+                                fleet,
+                                "--journal",
+                                journal.toString(),
+                                "--report",
+                                folder.resolve("report").toString()))) {
+            underWay(fleet);
+            run.terminate();
+
+            assertThat(run.await(30)).isEqualTo(143); // as the system says it of SIGTERM
+            assertThat(run.err()).contains("stopped; go on with: crw resume " + journal);
+            assertThat(run.out())
+                    .contains("outcome             running", "boats when the run stopped", "anna does m1-");
+            assertThat(folder.resolve("report").resolve("map.png")).isNotEmptyFile();
+            for (String boat : List.of("anna", "bert")) {
+                List<LoggedCommand> log = fleet.log(boat);
+                assertThat(log.get(log.size() - 1).command()).isInstanceOf(StopMotors.class);
+            }
+
+            JsonNode json = JSON.readTree(
+                    crw(List.of("resume", journal.toString(), "--json")).out());
+            assertThat(json.path("outcome").asText()).isEqualTo("ended");
+            assertThat(json.path("locationsVisited").asInt()).isEqualTo(5);
+            assertThat(json.path("boats").findValuesAsText("linkLost")).containsOnly("0");
+        }
+    }
+
+    @Test
+    void whyABoatStandsStillIsSaidAtOnceAndInTheReport() throws Exception {
+        try (Fleet fleet = new Fleet(folder).with("anna", "bert");
+                CrwProcess run = CrwProcess.start(folder, mission(fleet));
+                TcpBase other = new TcpBase(
+                        TcpBaseConfig.of(ProxyConfig.DEFAULT.withClientId("other"), 1),
+                        SteadyClock.ofThisMachine(),
+                        new Watcher())) {
+            underWay(fleet);
+            other.connect(new InetSocketAddress(InetAddress.getLoopbackAddress(), fleet.port("anna")));
+            Await.until("the other base watches anna", 20, () -> isLinked(other));
+            other.query(boats -> {
+                        boats.find("anna").orElseThrow().takeCommand();
+                        return true;
+                    })
+                    .join();
+
+            run.awaitErr("Another base commands anna now; its commands wait");
+            run.awaitErr("anna does not move: another client commands the boat; one command waits");
+            run.terminate();
+            run.await(30);
+            assertThat(run.out())
+                    .contains("\n  anna does not move: another client commands the boat; one command waits\n");
+        }
+    }
+
+    private static boolean isLinked(TcpBase base) {
+        return base.query(boats -> boats.find("anna")
+                        .filter(boat -> boat.status().link() == LinkState.LINKED)
+                        .isPresent())
+                .join();
+    }
+
+    /** Only watches, until it takes the command. */
+    private static final class Watcher implements BaseListener {
+        @Override
+        public BoatListener found(String boatId) {
+            return new BoatListener() {};
+        }
+
+        @Override
+        public void onBoat(BoatProxy proxy) {
+            proxy.observe();
         }
     }
 }

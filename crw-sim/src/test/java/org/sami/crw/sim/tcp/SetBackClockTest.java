@@ -1,0 +1,107 @@
+package org.sami.crw.sim.tcp;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalLong;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.sim.boat.BoatOnTcp;
+import org.sami.crw.sim.boat.BoatSettings;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.BoatAddress;
+import org.sami.crw.sim.run.RunObserver;
+import org.sami.crw.sim.run.RunPlan;
+import org.sami.crw.sim.run.RunSettings;
+import org.sami.crw.sim.run.Runs;
+import org.sami.crw.sim.run.Speed;
+import org.sami.spn.value.GeoPoint;
+
+/** The clock under a run and its boat is set back by an hour while the mission's timer runs. */
+@Timeout(120)
+class SetBackClockTest {
+    private static final long HOUR_MS = 3_600_000;
+    private static final double WATCH_S = 5;
+
+    @TempDir
+    private Path folder;
+
+    private final AtomicLong setBackMs = new AtomicLong();
+
+    /** A clock of this machine that can be set. */
+    private SteadyClock clock() {
+        return new SteadyClock(() -> TimeUnit.NANOSECONDS.toMillis(System.nanoTime()) - setBackMs.get());
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {0, HOUR_MS})
+    void nothingFiresEarlyOrLate(long byMs) throws Exception {
+        RunPlan plan = Runs.plan("station-keep");
+        InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
+        BoatSettings settings =
+                BoatSettings.of("anna", anyPort, GeoPoint.of(45.4, 10.9), 1).loggingTo(folder);
+        try (BoatOnTcp boat = new BoatOnTcp(settings, clock(), TcpServerListener.NONE)) {
+            long start = System.nanoTime();
+            RunReport report = new TcpRun(
+                            plan,
+                            settings(boat),
+                            AnswersFile.EMPTY,
+                            SessionJournal.none(),
+                            new SessionStart(clock(), "base", 20_000),
+                            line -> {})
+                    .run(new RunObserver(
+                            progress -> {
+                                if (progress.firings() >= 2) { // the timer runs
+                                    setBackMs.set(byMs);
+                                }
+                            },
+                            () -> false));
+            double wallS = (System.nanoTime() - start) / 1e9;
+
+            assertThat(setBackMs).hasValue(byMs);
+            assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
+            assertThat(at(report, "Watch over") - at(report, "Stations found")).isCloseTo(WATCH_S, within(0.5));
+            assertThat(at(report, "End confirmed") - at(report, "Watch over")).isCloseTo(1, within(0.5));
+            assertThat(report.result().simulatedMillis() / 1000.0).isCloseTo(wallS, within(1.5));
+            assertThat(report.boats())
+                    .singleElement()
+                    .satisfies(anna -> assertThat(anna.link().lost()).isZero());
+        }
+    }
+
+    private static RunSettings settings(BoatOnTcp boat) {
+        return new RunSettings(
+                "station-keep",
+                "station-keep",
+                new RunSettings.Fleet(1, 1, 20, 1),
+                Speed.REAL,
+                OptionalLong.of(60_000),
+                Map.of("watch-time.duration", WATCH_S + "s"),
+                1_000,
+                "",
+                List.of(new BoatAddress("127.0.0.1", boat.address().getPort())),
+                List.of());
+    }
+
+    private static double at(RunReport report, String transition) {
+        return report.firings().stream()
+                        .filter(firing -> firing.transition().equals(transition))
+                        .findFirst()
+                        .orElseThrow()
+                        .atMillis()
+                / 1000.0;
+    }
+}
