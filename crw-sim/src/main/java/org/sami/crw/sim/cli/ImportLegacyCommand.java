@@ -4,13 +4,24 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.sami.crw.sim.legacy.ImportReport;
 import org.sami.crw.sim.legacy.ImportedProjectFile;
+import org.sami.crw.sim.legacy.PlanTrial;
+import org.sami.crw.sim.legacy.PlanTrials;
+import org.sami.crw.sim.legacy.TrialReport;
+import org.sami.crw.sim.legacy.TrialSettings;
+import org.sami.crw.sim.run.RunObserver;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.legacy.LegacyImport;
 import org.sami.spn.legacy.LegacyTable;
 import org.sami.spn.legacy.LegacyTableReader;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -27,12 +38,13 @@ import picocli.CommandLine.Spec;
                         + "counts what arrived and names what did not.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
-            "0:imported; findings say what arrived otherwise than it stood there",
+            "0:imported; findings say what arrived otherwise than it stood there, and what is wrong with the plans",
             "1:the export has errors: nothing is written",
-            "2:wrong usage, FILE cannot be read, or OUT is there already"
+            "2:wrong usage, FILE cannot be read, or OUT is there already",
+            "4:with --run: an engine error, a livelock, an event that nothing handles, or stopped before all had run"
         },
         footerHeading = "%nExamples:%n",
-        footer = {"  crw import-legacy thesis.json fleet.json", "  crw import-legacy thesis.json fleet --json"})
+        footer = {"  crw import-legacy thesis.json fleet.json", "  crw import-legacy thesis.json fleet --run --json"})
 final class ImportLegacyCommand implements Callable<Integer> {
     static final String TABLE = "/org/sami/domain/crw/legacy.json";
 
@@ -48,6 +60,21 @@ final class ImportLegacyCommand implements Callable<Integer> {
             description = "The project to write: a file where the name ends in .json, else a folder. "
                     + "It must not be there yet.")
     private Path out;
+
+    @Option(
+            names = "--run",
+            description =
+                    "Then run every root plan that has a start place, each alone: 3 simulated boats, the simulated "
+                            + "operator, and interrupts pressed at random, for 30 simulated minutes.")
+    private boolean run;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "S",
+            defaultValue = "1",
+            description =
+                    "Where chance in these runs comes from; equal seeds give equal runs (default ${DEFAULT-VALUE}).")
+    private long seed;
 
     @Option(names = "--json", description = "Print one JSON object on standard output, and nothing else there.")
     private boolean json;
@@ -68,15 +95,54 @@ final class ImportLegacyCommand implements Callable<Integer> {
         if (result.project().isPresent()) {
             target.write(result.project().get(), vocabulary);
         }
-        ImportReport report = new ImportReport(String.valueOf(file), String.valueOf(out), result);
         PrintWriter writer = spec.commandLine().getOut();
-        if (json) {
-            writer.println(report.json().toPrettyString());
-        } else {
+        ImportReport imported = new ImportReport(String.valueOf(file), String.valueOf(out), result, Optional.empty());
+        if (!json) {
             FindingsText.print(writer, String.valueOf(file), result.findings());
-            writer.print(report.text());
+            writer.print(imported.text());
+            writer.flush();
+        }
+        Optional<TrialReport> trials = run ? result.project().map(p -> tried(p, result, vocabulary)) : Optional.empty();
+        if (json) {
+            writer.println(new ImportReport(String.valueOf(file), String.valueOf(out), result, trials)
+                    .json()
+                    .toPrettyString());
+        } else {
+            trials.ifPresent(t -> writer.print(t.text()));
         }
         writer.flush();
-        return result.project().isPresent() ? ExitCode.OK : ExitCode.FINDINGS;
+        if (result.project().isEmpty()) {
+            return ExitCode.FINDINGS;
+        }
+        return trials.map(TrialReport::isSound).orElse(true) ? ExitCode.OK : ExitCode.FAILED;
+    }
+
+    private TrialReport tried(Project project, LegacyImport.Result result, Vocabulary vocabulary) {
+        PrintWriter err = spec.commandLine().getErr();
+        PlanTrials trials = new PlanTrials(vocabulary, project, TrialSettings.of(seed));
+        Map<String, String> servers = trials.boatOfServer();
+        if (!json) {
+            spec.commandLine().getOut().print(ImportReport.servers(servers));
+            spec.commandLine().getOut().flush();
+        }
+        List<PlanTrial> done = new ArrayList<>();
+        ProgressDisplay progress = new ProgressDisplay(err, Terminal.onStandardError(), System::nanoTime);
+        try (StopOnInterrupt stop = new StopOnInterrupt()) {
+            for (String root : result.roots()) {
+                Plan plan = project.plan(root).orElseThrow();
+                err.printf(
+                        "plan %d of %d: %s%n", done.size() + 1, result.roots().size(), plan.title());
+                err.flush();
+                PlanTrial trial = trials.run(plan, new RunObserver(progress, stop));
+                progress.end();
+                if (stop.getAsBoolean()) {
+                    err.println("stopped");
+                    err.flush();
+                    break;
+                }
+                done.add(trial);
+            }
+        }
+        return new TrialReport(servers, done, result.roots().size());
     }
 }

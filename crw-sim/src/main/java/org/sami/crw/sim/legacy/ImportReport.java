@@ -4,7 +4,9 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Severity;
 import org.sami.spn.legacy.CountedKind;
@@ -15,12 +17,14 @@ import org.sami.spn.legacy.LegacyImport;
  *
  * @param source the export as it was named
  * @param target where the project was written
+ * @param trials of its plans; empty where none were wanted
  */
-public record ImportReport(String source, String target, LegacyImport.Result result) {
+public record ImportReport(String source, String target, LegacyImport.Result result, Optional<TrialReport> trials) {
     public ImportReport {
         Objects.requireNonNull(source, "source");
         Objects.requireNonNull(target, "target");
         Objects.requireNonNull(result, "result");
+        Objects.requireNonNull(trials, "trials");
     }
 
     /** For people: a table of the counts, and how it went. */
@@ -49,6 +53,13 @@ public record ImportReport(String source, String target, LegacyImport.Result res
         return text.toString();
     }
 
+    /** Which simulated boats stand for which servers, for people. */
+    public static String servers(Map<String, String> boatOfServer) {
+        StringBuilder text = new StringBuilder("each server is a simulated boat on loopback in this process:\n");
+        boatOfServer.forEach((server, boat) -> text.append(String.format(Locale.ROOT, "  %-22s %s%n", server, boat)));
+        return text.toString();
+    }
+
     private long count(Severity severity) {
         return result.findings().stream().filter(f -> f.severity() == severity).count();
     }
@@ -68,6 +79,11 @@ public record ImportReport(String source, String target, LegacyImport.Result res
         result.explained().byLabel().forEach(explained::put);
         ArrayNode findings = json.putArray("findings");
         result.findings().forEach(f -> findings.add(finding(f)));
+        trials.ifPresent(tried -> {
+            json.set("servers", tried.serversJson());
+            json.put("sound", tried.isSound());
+            json.set("plans", tried.plansJson());
+        });
         return json;
     }
 

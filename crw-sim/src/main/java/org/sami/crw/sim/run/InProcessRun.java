@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.OperatorDefaults;
 import org.sami.crw.decision.SimulatedOperator;
@@ -14,7 +15,9 @@ import org.sami.crw.sim.report.LinkResult;
 import org.sami.crw.sim.report.LinkResult.Uploads;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.HostListener;
 import org.sami.spn.host.HostStatus;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Outcome;
@@ -39,6 +42,7 @@ public final class InProcessRun {
     private final RunJournal journal;
     private final LoopExecutor executor = new LoopExecutor();
     private final VirtualClock clock = new VirtualClock();
+    private final SimulatedHarbour harbour;
     private final SimulatedWater water;
     private final OperatorStation operator;
     private final InterruptStation interrupts;
@@ -51,6 +55,7 @@ public final class InProcessRun {
     private boolean started;
     private boolean catchingUp = true;
     private long markedIndex;
+    private boolean endsWhenStuck = true;
 
     /**
      * Puts the world together; nothing happens in it yet.
@@ -66,7 +71,7 @@ public final class InProcessRun {
         RunSettings.Fleet fleet = settings.fleet();
         GeoPoint centre = new PlanLocations(plan.project(), plan.plan(), parameters.values())
                 .centre(SimulatedWater.CENTRE, fleet.areaM());
-        SimulatedHarbour harbour = new SimulatedHarbour();
+        harbour = new SimulatedHarbour();
         base = new BaseStation(plan, journal.inputs(), new ScheduledHostClock(clock), executor, harbour);
         water = new SimulatedWater(clock, fleet, centre, boat -> base.boatListener());
         harbour.open(water, base);
@@ -122,6 +127,26 @@ public final class InProcessRun {
                 proxy.explain().text());
     }
 
+    /** Lets it run to its time also when nothing can happen in the mission any longer. To be called before it runs. */
+    public void goOnWhenStuck() {
+        endsWhenStuck = false;
+    }
+
+    /** Somebody else watches the engine. To be called before it runs. */
+    public void addListener(HostListener listener) {
+        base.host().addListener(listener);
+    }
+
+    /** Asks the engine's state, between or after runs. */
+    public <T> T ask(Function<EngineView, T> question) {
+        return base.host().ask(question);
+    }
+
+    /** What the simulated operator could not answer, in words, oldest first. */
+    public List<String> operatorTroubles() {
+        return operator.troubles();
+    }
+
     /** The boats and their time, for tests. */
     SimulatedWater water() {
         return water;
@@ -149,7 +174,9 @@ public final class InProcessRun {
         });
         repeat(TRACK_MILLIS, () -> tracks.look(now(), water.boats()));
         repeat(MARK_MILLIS, this::mark);
-        repeat(MARK_MILLIS, () -> stall.look(now(), water.boats()).ifPresent(this::fail));
+        if (endsWhenStuck) {
+            repeat(MARK_MILLIS, () -> stall.look(now(), water.boats()).ifPresent(this::fail));
+        }
         water.fleet().start();
     }
 

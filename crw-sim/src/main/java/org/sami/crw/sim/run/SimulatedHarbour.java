@@ -65,11 +65,6 @@ final class SimulatedHarbour implements BoatConnector {
         return created;
     }
 
-    /** Which simulated boats stand for which servers, in the order in which they were connected. */
-    Map<String, String> boatOfServer() {
-        return new LinkedHashMap<>(boatOfServer);
-    }
-
     private void join(String id, double eastM, double northM) {
         if (fleet().boats().size() >= RunSettings.Fleet.MOST_BOATS) {
             throw new IllegalArgumentException("a run has at most " + RunSettings.Fleet.MOST_BOATS + " boats");

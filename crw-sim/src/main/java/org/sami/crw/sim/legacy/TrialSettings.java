@@ -1,0 +1,20 @@
+package org.sami.crw.sim.legacy;
+
+/**
+ * How imported plans are tried.
+ *
+ * @param boats simulated boats that each run begins with
+ * @param locations how many the simulated operator gives where it is asked for some
+ * @param areaM side of the square in which they lie, in metres
+ * @param millis how long each run takes at most, in simulated milliseconds
+ * @param answerAfterMillis after how long the simulated operator answers, in simulated milliseconds
+ * @param pressEveryMillis how far apart the presses of one interrupt are on average, in simulated milliseconds
+ * @param seed where all chance comes from
+ */
+public record TrialSettings(
+        int boats, int locations, double areaM, long millis, long answerAfterMillis, long pressEveryMillis, long seed) {
+    /** Three boats, thirty minutes. */
+    public static TrialSettings of(long seed) {
+        return new TrialSettings(3, 8, 200, 1_800_000, 5_000, 300_000, seed);
+    }
+}

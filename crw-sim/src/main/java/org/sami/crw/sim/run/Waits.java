@@ -1,0 +1,164 @@
+package org.sami.crw.sim.run;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.engine.MissionView;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.model.Transition;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.Reserved;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/** Finds out what missions that go on wait for, place by place. */
+public final class Waits {
+    /** They can come at any time to any mission: nobody waits for them. */
+    private static final Set<EventRole> ANY_TIME = EnumSet.of(EventRole.ABORT_RECEIVED, EventRole.COMPLETE_RECEIVED);
+
+    private final Vocabulary vocabulary;
+    private final Project project;
+    private final EngineView view;
+
+    private Waits(Vocabulary vocabulary, Project project, EngineView view) {
+        this.vocabulary = vocabulary;
+        this.project = project;
+        this.view = view;
+    }
+
+    /** What all missions wait for, parents before their sub-missions, each by its places in the plan's order; like ones once. */
+    public static List<Wait> of(Vocabulary vocabulary, Project project, EngineView view) {
+        Waits waits = new Waits(vocabulary, project, view);
+        List<Wait> all = new ArrayList<>();
+        view.missions()
+                .forEach(mission -> project.plan(mission.plan()).ifPresent(plan -> waits.add(mission, plan, all)));
+        return merged(all);
+    }
+
+    private static List<Wait> merged(List<Wait> all) {
+        Map<Wait, Integer> counts = new LinkedHashMap<>();
+        all.forEach(wait -> counts.merge(wait, 1, Integer::sum));
+        return counts.entrySet().stream()
+                .map(e -> new Wait(
+                        e.getValue(),
+                        e.getKey().plan(),
+                        e.getKey().place(),
+                        e.getKey().tokens(),
+                        e.getKey().occurrence()))
+                .toList();
+    }
+
+    private static List<String> words(List<Token> tokens) {
+        Map<String, Integer> counts = new LinkedHashMap<>();
+        tokens.forEach(token -> counts.merge(Words.token(token), 1, Integer::sum));
+        return counts.entrySet().stream()
+                .map(e -> e.getValue() == 1 ? e.getKey() : e.getKey() + " x" + e.getValue())
+                .toList();
+    }
+
+    private void add(MissionView mission, Plan plan, List<Wait> all) {
+        Map<String, List<Token>> standing = new LinkedHashMap<>();
+        Set<String> visited = view.openActivations().stream()
+                .filter(activation -> activation.mission() == mission.id())
+                .map(activation -> activation.place())
+                .collect(Collectors.toSet());
+        for (Place place : plan.places()) {
+            List<Token> tokens = mission.marking().getOrDefault(place.id(), List.of());
+            if (!tokens.isEmpty() || visited.contains(place.id())) {
+                standing.put(place.id(), tokens);
+            }
+        }
+        if (mission.status() != MissionView.Status.RUNNING) {
+            String place = standing.keySet().stream().findFirst().orElse("");
+            all.add(new Wait(
+                    1,
+                    plan.id(),
+                    name(plan, place),
+                    List.of(),
+                    mission.status() == MissionView.Status.HALTED
+                            ? "nothing: halted as a livelock"
+                            : "the values that the plan asks at its start"));
+            return;
+        }
+        standing.forEach((place, tokens) -> all.add(new Wait(
+                1,
+                plan.id(),
+                name(plan, place),
+                words(tokens),
+                occurrence(mission, plan, place))));
+        if (standing.isEmpty()) {
+            all.add(new Wait(1, plan.id(), "", List.of(), unmarked(plan)));
+        }
+    }
+
+    private static String name(Plan plan, String place) {
+        return plan.place(place).map(Place::name).filter(n -> !n.isEmpty()).orElse(place);
+    }
+
+    private String occurrence(MissionView mission, Plan plan, String place) {
+        Set<String> events = new LinkedHashSet<>();
+        Set<String> reasons = new LinkedHashSet<>();
+        plan.place(place).stream()
+                .flatMap(p -> p.subMissions().stream())
+                .forEach(child -> events.add("the end of "
+                        + project.plan(child.plan()).map(Plan::title).orElse(child.plan())));
+        for (InEdge edge : plan.inEdges()) {
+            if (!edge.place().equals(place)) {
+                continue;
+            }
+            plan.transition(edge.transition()).ifPresent(transition -> {
+                if (transition.inputs().isEmpty()) {
+                    reasons.addAll(
+                            view.whyNotEnabled(mission.id(), transition.id()).reasons());
+                } else if (!comesAtAnyTime(transition)) {
+                    events.add(words(transition));
+                }
+            });
+        }
+        if (!events.isEmpty()) {
+            return String.join(" or ", events);
+        }
+        return reasons.isEmpty() ? "nothing: only an abort or completion leads on" : String.join(" ", reasons);
+    }
+
+    private String unmarked(Plan plan) {
+        String events = plan.transitions().stream()
+                .filter(t -> !t.inputs().isEmpty() && !comesAtAnyTime(t))
+                .filter(t -> plan.inEdgesOf(t.id()).isEmpty())
+                .map(Waits::words)
+                .distinct()
+                .collect(Collectors.joining(" or "));
+        return events.isEmpty() ? "nothing: no place is marked" : events;
+    }
+
+    private boolean comesAtAnyTime(Transition transition) {
+        return transition.inputs().stream()
+                .allMatch(input -> vocabulary
+                        .event(input.type())
+                        .map(EventType::role)
+                        .filter(ANY_TIME::contains)
+                        .isPresent());
+    }
+
+    private static String words(Transition transition) {
+        return transition.inputs().stream().map(Waits::words).collect(Collectors.joining(" and "));
+    }
+
+    private static String words(InputEventSpec input) {
+        return input.fields().get(Reserved.INTERRUPT_NAME) instanceof TextValue name
+                ? input.type() + " '" + name.value() + "'"
+                : input.type();
+    }
+}
