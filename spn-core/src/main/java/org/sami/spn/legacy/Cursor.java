@@ -59,8 +59,11 @@ final class Cursor {
 
     /** A text that must be there; empty text after an error. */
     String text(String member) {
-        if (node(member).isEmpty()) {
+        Optional<JsonNode> found = node(member);
+        if (found.isEmpty()) {
             error(LegacyCodes.MISSING, "", "The member \"" + member + "\" is missing");
+        } else if (found.get().isTextual() && found.get().textValue().isEmpty()) {
+            error(LegacyCodes.MISSING, member, "\"" + member + "\" is empty");
         }
         return text(member, "");
     }

@@ -9,6 +9,10 @@ import org.sami.spn.finding.Severity;
 final class Findings {
     private final List<Finding> findings = new ArrayList<>();
 
+    void add(Finding finding) {
+        findings.add(finding);
+    }
+
     void error(String code, String pointer, String message, String... elements) {
         findings.add(Finding.error(code, pointer, message, elements));
     }

@@ -12,6 +12,8 @@ final class LegacyCodes {
     static final String UNKNOWN_WORD = "E-UNKNOWN-WORD";
     static final String DUPLICATE = "E-DUPLICATE";
     static final String DANGLING = "E-DANGLING";
+    static final String UNREADABLE = "E-NO-PROJECT";
+    static final String CYCLE = "E-CYCLE";
     static final String TABLE = "E-TABLE";
 
     // arrived otherwise than it stood there

@@ -10,6 +10,9 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.json.ProjectReader;
+import org.sami.spn.json.ProjectWriter;
+import org.sami.spn.json.Reading;
 import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -141,8 +144,29 @@ public final class LegacyImport {
                 .filter(p -> p.role() == LegacyPlan.Role.ROOT && p.hasStart())
                 .map(LegacyPlan::id)
                 .toList();
+        refuseWhatCannotBeReadBack(project, findings);
+        if (findings.hasErrors()) {
+            return nothing(findings.list(), source);
+        }
         Counts written = Counts.of(project).minus(added.counts());
         return new Result(Optional.of(project), findings.list(), source, written, explained.counts(), roots);
+    }
+
+    /** What the earlier system's format holds and this one cannot: nobody gets a file that is then refused. */
+    private void refuseWhatCannotBeReadBack(Project project, Findings findings) {
+        Reading<Project> again = new ProjectReader(vocabulary).read(new ProjectWriter(vocabulary).text(project));
+        if (again.result().isEmpty()) {
+            again.findings().stream()
+                    .filter(Finding::isError)
+                    .forEach(f -> findings.error(
+                            LegacyCodes.UNREADABLE,
+                            "",
+                            "The project that came of it is none: at " + f.pointer() + " of it, " + f.message(),
+                            f.elements().toArray(String[]::new)));
+        } else if (!again.result().get().equals(project)) {
+            findings.error(
+                    LegacyCodes.UNREADABLE, "", "The project that came of it would be read otherwise than written");
+        }
     }
 
     private static MissionTreeNode node(LegacyProject.TreeNode node, Copies copies) {

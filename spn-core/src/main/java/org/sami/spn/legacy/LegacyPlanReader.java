@@ -73,7 +73,7 @@ final class LegacyPlanReader {
     /** A word that may be missing. */
     private static <E> E oneOf(Cursor c, String member, Map<String, E> words, E absent) {
         String word = c.text(member, "");
-        if (word.isEmpty()) {
+        if (word.isEmpty() && !c.node(member).filter(JsonNode::isTextual).isPresent()) {
             return absent;
         }
         E constant = words.get(word);

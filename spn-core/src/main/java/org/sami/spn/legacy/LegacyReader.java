@@ -102,6 +102,7 @@ final class LegacyReader {
             unique(ids, plan.id(), Findings.at(plan.pointer(), "id"), "The plan id " + plan.id());
         }
         plans.forEach(plan -> checkReferences(plan, ids));
+        new SubMissionCycles(plans).findings().forEach(findings::add);
         Optional<LegacyProject.TreeNode> tree = root.object("missionTree").map(t -> node(t, ids));
         List<String> notes = root.texts("notes");
         root.done();

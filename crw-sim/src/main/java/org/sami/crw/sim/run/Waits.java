@@ -92,12 +92,8 @@ public final class Waits {
                             : "the values that the plan asks at its start"));
             return;
         }
-        standing.forEach((place, tokens) -> all.add(new Wait(
-                1,
-                plan.id(),
-                name(plan, place),
-                words(tokens),
-                occurrence(mission, plan, place))));
+        standing.forEach((place, tokens) ->
+                all.add(new Wait(1, plan.id(), name(plan, place), words(tokens), occurrence(mission, plan, place))));
         if (standing.isEmpty()) {
             all.add(new Wait(1, plan.id(), "", List.of(), unmarked(plan)));
         }

@@ -114,4 +114,96 @@ class ImportLegacyCommandTest {
                 .satisfies(r -> assertThat(r.exitCode()).isEqualTo(2))
                 .satisfies(r -> assertThat(r.err()).contains("there is no folder"));
     }
+
+    /** A plan that connects a boat, one that asks where to go and waits to be interrupted, and one without a start. */
+    private static final String TO_RUN = """
+            {"format": "sami-legacy-project", "version": 1, "plans": [
+              {"id": "p1", "name": "Connect RED", "role": "root",
+               "vertices": [
+                {"key": "v1", "type": "place", "isStart": true, "events": [
+                  {"key": "v1.e0", "class": "crw.event.output.proxy.ConnectExistingProxy", "direction": "output",
+                   "fieldValues": {"name": {"type": "string", "value": "RED"},
+                    "color": {"type": "color", "value": "#f40000"},
+                    "server": {"type": "string", "value": "192.168.1.105:11411"}}}]},
+                {"key": "v2", "type": "transition", "events": [
+                  {"key": "v2.e0", "class": "crw.event.input.proxy.ProxyCreated", "direction": "input"}]},
+                {"key": "v3", "type": "place", "isEnd": true}],
+               "edges": [
+                {"key": "e1", "type": "in", "from": "v1", "to": "v2", "requirements": [
+                  {"kind": "Generic", "match": "GreaterThanEqualTo", "quantity": 1}]},
+                {"key": "e2", "type": "out", "from": "v2", "to": "v3", "requirements": [
+                  {"kind": "RelevantToken", "match": "All", "action": "Add"}]}]},
+              {"id": "p2", "name": "Stay", "role": "root",
+               "vertices": [
+                {"key": "v1", "type": "place", "isStart": true, "name": "Idle"},
+                {"key": "v2", "type": "transition", "events": [
+                  {"key": "v2.e0", "class": "sami.event.OperatorInterruptReceived", "direction": "input",
+                   "fieldValues": {"interruptName": {"type": "string", "value": "Greet"}}}]},
+                {"key": "v3", "type": "place", "name": "Greeted", "events": [
+                  {"key": "v3.e0", "class": "crw.event.output.ui.DisplayMessage", "direction": "output",
+                   "fieldValues": {"message": {"type": "string", "value": "Hello"}}}]}],
+               "edges": [
+                {"key": "e1", "type": "in", "from": "v1", "to": "v2", "requirements": [
+                  {"kind": "Generic", "match": "GreaterThanEqualTo", "quantity": 1}]},
+                {"key": "e2", "type": "out", "from": "v2", "to": "v3", "requirements": [
+                  {"kind": "Generic", "match": "Number", "quantity": 1, "action": "Add"}]}]},
+              {"id": "p3", "name": "HEADING", "role": "root", "vertices": [], "edges": []}]}
+            """;
+
+    private JsonNode tried(String seed, String out) throws IOException {
+        Ran ran = Ran.crw(
+                "import-legacy",
+                export(TO_RUN).toString(),
+                folder.resolve(out).toString(),
+                "--run",
+                "--json",
+                "--seed",
+                seed);
+        assertThat(ran.exitCode()).as(ran.err() + ran.out()).isZero();
+        return new ObjectMapper().readTree(ran.out());
+    }
+
+    @Test
+    void runsEachPlanThatHasAStartPlaceAndSaysWhatItWaitsFor() throws IOException {
+        JsonNode json = tried("1", "a.json");
+
+        assertThat(json.path("plans")).hasSize(2);
+        JsonNode connect = json.path("plans").get(0);
+        assertThat(connect.path("name").asText()).isEqualTo("Connect RED");
+        assertThat(connect.path("outcome").asText()).isEqualTo("ended");
+        assertThat(connect.path("firings").asInt()).isEqualTo(1);
+        assertThat(connect.path("waitsFor")).isEmpty();
+        JsonNode stay = json.path("plans").get(1);
+        assertThat(stay.path("outcome").asText()).isEqualTo("running");
+        assertThat(stay.path("simulatedSeconds").asDouble()).isEqualTo(1800);
+        assertThat(stay.path("firings").asInt()).isPositive(); // random interrupts
+        assertThat(stay.path("messages").asInt()).isEqualTo(stay.path("firings").asInt());
+        assertThat(stay.at("/waitsFor/0/place").asText()).isEqualTo("Idle");
+        assertThat(stay.at("/waitsFor/0/occurrence").asText()).isEqualTo("OperatorInterruptReceived 'Greet'");
+        assertThat(json.at("/servers/192.168.1.105:11411").asText()).isEqualTo("RED");
+    }
+
+    @Test
+    void equalSeedsGiveEqualRuns() throws IOException {
+        assertThat(tried("7", "a.json").path("plans"))
+                .isEqualTo(tried("7", "b.json").path("plans"));
+    }
+
+    @Test
+    void printsATableOfTheRunsAndWhereServersAre() throws IOException {
+        Ran ran = Ran.crw(
+                "import-legacy",
+                export(TO_RUN).toString(),
+                folder.resolve("n.json").toString(),
+                "--run");
+
+        assertThat(ran.exitCode()).isZero();
+        assertThat(ran.out())
+                .containsPattern("192.168.1.105:11411 +RED")
+                .containsPattern("p1 +Connect RED +ended .* 1 +0 +")
+                .contains(
+                        "p2 (Stay) waits in 'Idle' (generic, boat1, boat2, boat3) for OperatorInterruptReceived 'Greet'")
+                .contains("2 of 2 plans tried: 1 ended, 1 running; no engine error, no livelock, no event");
+        assertThat(ran.err()).contains("plan 1 of 2: Connect RED");
+    }
 }
