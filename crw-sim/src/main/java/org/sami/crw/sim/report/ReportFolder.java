@@ -9,7 +9,7 @@ import java.util.Objects;
 
 /**
  * Writes a report's files into a folder: {@code report.json}, {@code boats.csv}, {@code locations.csv},
- * {@code firings.csv}, {@code tracks.csv}, {@code readings.csv}, {@code decisions.csv}, {@code interrupts.csv} and
+ * {@code firings.csv}, {@code tracks.csv}, {@code readings.csv}, {@code decisions.csv}, {@code interrupts.csv}, {@code tasks.csv} and
  * {@code map.png}. Files of those names are replaced; each appears whole or not at all.
  */
 public final class ReportFolder {
@@ -37,6 +37,7 @@ public final class ReportFolder {
         text("readings.csv", ReportTables.readings(report).toString());
         text("decisions.csv", ReportTables.decisions(report).toString());
         text("interrupts.csv", ReportTables.interrupts(report).toString());
+        text("tasks.csv", ReportTables.tasks(report).toString());
         bytes("map.png", new MapPicture(report).png());
     }
 

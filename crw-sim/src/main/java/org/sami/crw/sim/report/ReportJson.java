@@ -48,6 +48,7 @@ public final class ReportJson {
         json.set("boats", boats(report));
         json.set("locations", locations(report));
         json.set("interrupts", interrupts(report));
+        json.set("tasks", tasks(report));
         json.set("decisions", decisions(report));
         json.set("notes", notes(report));
         json.set("readings", readings(report));
@@ -110,6 +111,21 @@ public final class ReportJson {
             node.put("presses", interrupt.presses());
             node.put("taken", interrupt.taken());
             interrupt.takenAtMillis().ifPresent(at -> node.put("takenAt", seconds(at)));
+        }
+        return array;
+    }
+
+    private static ArrayNode tasks(RunReport report) {
+        ArrayNode array = NODES.arrayNode();
+        for (TaskResult task : report.tasks()) {
+            ObjectNode node = array.addObject().put("mission", task.mission()).put("task", task.task());
+            task.location()
+                    .ifPresent(place ->
+                            node.put("latDeg", decimal(place.latDeg(), 7)).put("lonDeg", decimal(place.lonDeg(), 7)));
+            node.put("boat", task.boat()).put("allocations", task.allocations());
+            task.startedAtMillis().ifPresent(at -> node.put("startedAt", seconds(at)));
+            node.put("complete", task.isComplete());
+            task.completedAtMillis().ifPresent(at -> node.put("completedAt", seconds(at)));
         }
         return array;
     }

@@ -128,6 +128,25 @@ final class ReportTables {
         return table;
     }
 
+    static CsvTable tasks(RunReport report) {
+        CsvTable table = new CsvTable(
+                "mission", "task", "lat_deg", "lon_deg", "boat", "allocations", "started_at_s", "completed_at_s");
+        for (TaskResult task : report.tasks()) {
+            table.row(
+                    task.mission(),
+                    task.task(),
+                    task.location().map(place -> fixed(place.latDeg(), 7)).orElse(""),
+                    task.location().map(place -> fixed(place.lonDeg(), 7)).orElse(""),
+                    task.boat(),
+                    task.allocations(),
+                    task.startedAtMillis().isPresent()
+                            ? seconds(task.startedAtMillis().getAsLong())
+                            : "",
+                    task.isComplete() ? seconds(task.completedAtMillis().getAsLong()) : "");
+        }
+        return table;
+    }
+
     static CsvTable interrupts(RunReport report) {
         CsvTable table = new CsvTable("interrupt", "boat", "trigger", "pressed_at_s", "presses", "taken", "taken_at_s");
         for (InterruptResult interrupt : report.interrupts()) {

@@ -1,11 +1,17 @@
 package org.sami.crw.sim.report;
 
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
 
 /** The report as text for a terminal. */
 public final class ReportText {
     private static final int NOTES_SHOWN = 10;
+    private static final int TASKS_SHOWN = 8;
     private static final String DISCARDED = "discarded";
 
     private ReportText() {}
@@ -16,6 +22,7 @@ public final class ReportText {
         summary(text, report);
         boats(text, report);
         interrupts(text, report);
+        tasks(text, report);
         readings(text, report);
         notes(text, report);
         return text.toString();
@@ -123,6 +130,35 @@ public final class ReportText {
                         interrupt.takenAtMillis().getAsLong() / 1000.0)
                 : ", never taken";
         return first + more + taken;
+    }
+
+    /** For each boat its tasks in the order in which it began with them; then those that nobody has. */
+    private static void tasks(StringBuilder text, RunReport report) {
+        if (report.tasks().isEmpty()) {
+            return;
+        }
+        Map<String, List<TaskResult>> byBoat = new TreeMap<>();
+        report.tasks().stream()
+                .sorted(Comparator.comparingLong(task -> task.startedAtMillis().orElse(Long.MAX_VALUE)))
+                .forEach(task -> byBoat.computeIfAbsent(task.boat(), boat -> new ArrayList<>())
+                        .add(task));
+        long complete = report.tasks().stream().filter(TaskResult::isComplete).count();
+        line(text, "");
+        line(text, "  tasks: %d of %d complete", complete, report.tasks().size());
+        List<TaskResult> nobodys = byBoat.remove("");
+        byBoat.forEach((boat, tasks) -> line(text, "  %-12s%s", boat, words(tasks)));
+        if (nobodys != null) {
+            line(text, "  %-12s%s", "nobody", words(nobodys));
+        }
+    }
+
+    private static String words(List<TaskResult> tasks) {
+        String words = tasks.stream()
+                .limit(TASKS_SHOWN)
+                .map(task -> task.task() + (task.isComplete() ? "" : " (not complete)"))
+                .collect(Collectors.joining(", "));
+        int more = tasks.size() - TASKS_SHOWN;
+        return more > 0 ? words + " and " + more + " more" : words;
     }
 
     private static void readings(StringBuilder text, RunReport report) {

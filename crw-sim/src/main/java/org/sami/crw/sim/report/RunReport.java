@@ -13,7 +13,8 @@ public record RunReport(
         List<FiringResult> firings,
         List<InterruptResult> interrupts,
         List<NoteResult> notes,
-        List<ReadingResult> readings) {
+        List<ReadingResult> readings,
+        List<TaskResult> tasks) {
     public RunReport {
         Objects.requireNonNull(header, "header");
         Objects.requireNonNull(result, "result");
@@ -24,9 +25,10 @@ public record RunReport(
         interrupts = List.copyOf(interrupts);
         notes = List.copyOf(notes);
         readings = List.copyOf(readings);
+        tasks = List.copyOf(tasks);
     }
 
-    /** A report of boats that measured nothing. */
+    /** A report of a run without tasks, of boats that measured nothing. */
     public RunReport(
             RunHeader header,
             RunResult result,
@@ -36,12 +38,17 @@ public record RunReport(
             List<FiringResult> firings,
             List<InterruptResult> interrupts,
             List<NoteResult> notes) {
-        this(header, result, boats, locations, decisions, firings, interrupts, notes, List.of());
+        this(header, result, boats, locations, decisions, firings, interrupts, notes, List.of(), List.of());
     }
 
     /** The same with what the boats measured. */
     public RunReport withReadings(List<ReadingResult> measured) {
-        return new RunReport(header, result, boats, locations, decisions, firings, interrupts, notes, measured);
+        return new RunReport(header, result, boats, locations, decisions, firings, interrupts, notes, measured, tasks);
+    }
+
+    /** The same with what became of the tasks. */
+    public RunReport withTasks(List<TaskResult> told) {
+        return new RunReport(header, result, boats, locations, decisions, firings, interrupts, notes, readings, told);
     }
 
     /** How many of the locations a boat has visited. */

@@ -53,28 +53,29 @@ public final class ReportBuilder {
             List<InterruptResult> interrupts,
             List<NoteResult> messages) {
         return new RunReport(
-                new RunHeader(
-                        plan.plan().id(),
-                        plan.plan().title(),
-                        settings.mission(),
-                        settings.fleet().seed(),
-                        settings.speed().toString(),
-                        settings.fleet().areaM()),
-                new RunResult(
-                        end.outcome(),
-                        end.reason(),
-                        end.atMillis(),
-                        end.wallSeconds(),
-                        recorder.clicks(),
-                        recorder.firings().size(),
-                        resumedFrom,
-                        recorder.hash().with(boats)),
-                results,
-                locations,
-                recorder.decisions(),
-                recorder.firings(),
-                interrupts,
-                notes(messages));
+                        new RunHeader(
+                                plan.plan().id(),
+                                plan.plan().title(),
+                                settings.mission(),
+                                settings.fleet().seed(),
+                                settings.speed().toString(),
+                                settings.fleet().areaM()),
+                        new RunResult(
+                                end.outcome(),
+                                end.reason(),
+                                end.atMillis(),
+                                end.wallSeconds(),
+                                recorder.clicks(),
+                                recorder.firings().size(),
+                                resumedFrom,
+                                recorder.hash().with(boats)),
+                        results,
+                        locations,
+                        recorder.decisions(),
+                        recorder.firings(),
+                        interrupts,
+                        notes(messages))
+                .withTasks(recorder.tasks());
     }
 
     private List<NoteResult> notes(List<NoteResult> messages) {

@@ -13,6 +13,7 @@ import org.sami.crw.decision.ClickCount;
 import org.sami.crw.sim.report.DecisionResult;
 import org.sami.crw.sim.report.FiringResult;
 import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.sim.report.TaskResult;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.model.Plan;
@@ -33,6 +34,7 @@ public final class RunRecorder implements HostListener {
     private final Set<Long> openDecisions = new LinkedHashSet<>();
     private final Map<Long, DecisionResult> decisions = new LinkedHashMap<>();
     private final List<NoteResult> notes = new ArrayList<>();
+    private final TaskRecorder tasks;
     private OptionalLong root = OptionalLong.empty();
     private Optional<Outcome> outcome = Optional.empty();
     private OptionalLong endedAtMillis = OptionalLong.empty();
@@ -45,11 +47,13 @@ public final class RunRecorder implements HostListener {
     /** A recorder of a run of one of the project's plans. */
     public RunRecorder(Project project) {
         this.project = project;
+        tasks = new TaskRecorder(project);
     }
 
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
         lastInputMillis = atMillis;
+        tasks.onStep(atMillis, input, effects, view);
         boatsJoined += input instanceof Input.ProxyJoined ? 1 : 0;
         hash.add(atMillis, effects);
         long before = clicks.clicks();
@@ -206,6 +210,10 @@ public final class RunRecorder implements HostListener {
 
     List<DecisionResult> decisions() {
         return List.copyOf(decisions.values());
+    }
+
+    List<TaskResult> tasks() {
+        return tasks.results();
     }
 
     List<NoteResult> notes() {

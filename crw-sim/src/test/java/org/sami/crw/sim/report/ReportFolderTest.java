@@ -33,6 +33,7 @@ class ReportFolderTest {
                             "readings.csv",
                             "decisions.csv",
                             "interrupts.csv",
+                            "tasks.csv",
                             "map.png");
         }
     }
