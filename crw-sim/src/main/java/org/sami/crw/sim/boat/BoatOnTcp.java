@@ -82,7 +82,11 @@ public final class BoatOnTcp implements Closeable {
             return Optional.empty();
         }
         Path file = settings.logFile().get();
-        Files.createDirectories(file.toAbsolutePath().getParent());
+        Path folder = file.toAbsolutePath().getParent();
+        if (Files.exists(folder) && !Files.isDirectory(folder)) {
+            throw new IOException(folder + " is no folder");
+        }
+        Files.createDirectories(folder);
         Consumer<LoggedCommand> takeBack = entry -> {
             boat.restore(entry.command(), entry.answer());
             restored++;
@@ -104,6 +108,11 @@ public final class BoatOnTcp implements Closeable {
     /** How many commands of earlier starts were found in the log. */
     public int restored() {
         return restored;
+    }
+
+    /** How many lines of the log are damaged; what they said is forgotten. */
+    public int unreadLogLines() {
+        return log.map(CommandLogFile::unreadLines).orElse(0);
     }
 
     private void moveTo(long nowMs) {

@@ -147,6 +147,7 @@ final class BoatCommand implements Callable<Integer> {
                 out.printf("%s goes on with its log: %d commands; it does not move%n", name, boat.restored());
             }
             out.flush();
+            warnOfDamage(boat.unreadLogLines());
             if (whileInput) {
                 awaitEndOfInput();
             } else {
@@ -176,6 +177,14 @@ final class BoatCommand implements Callable<Integer> {
         reader.setDaemon(true);
         reader.start();
         ended.await();
+    }
+
+    private void warnOfDamage(int lines) {
+        if (lines > 0) {
+            new Console()
+                    .say("its log has " + lines + (lines == 1 ? " damaged line" : " damaged lines")
+                            + ": what stood there is forgotten, a fleet stop perhaps too");
+        }
     }
 
     private BoatSettings settings() {

@@ -8,6 +8,7 @@ import java.io.InputStreamReader;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -240,6 +241,20 @@ class BoatProcessTest {
                         .err())
                 .contains("letters");
         assertThat(Ran.crw("boat", "--name", "anna", "--at", "45,10").err()).contains("--port");
+    }
+
+    @Test
+    void leavesAloneWhatIsNoLogAndNoFolder() throws Exception {
+        Files.writeString(folder.resolve("anna.log"), "my diary");
+        Ran diary = Ran.crw("boat", "--port", "0", "--name", "anna", "--at", "45,10", "--log", folder.toString());
+        String file = folder.resolve("anna.log").toString();
+        Ran noFolder = Ran.crw("boat", "--port", "0", "--name", "anna", "--at", "45,10", "--log", file);
+
+        assertThat(diary.exitCode()).isEqualTo(4);
+        assertThat(diary.err()).contains("anna.log is no log of a boat");
+        assertThat(folder.resolve("anna.log")).hasContent("my diary");
+        assertThat(noFolder.exitCode()).isEqualTo(4);
+        assertThat(noFolder.err()).contains("anna.log is no folder");
     }
 
     @Test

@@ -26,12 +26,14 @@ import org.sami.boat.server.ServerLog;
 public final class CommandLogFile implements ServerLog, Closeable {
     private final FileChannel channel;
     private final String bootId;
+    private final int unreadLines;
     private final Consumer<IOException> onFault;
     private boolean broken;
 
-    private CommandLogFile(FileChannel channel, String bootId, Consumer<IOException> onFault) {
+    private CommandLogFile(FileChannel channel, String bootId, int unreadLines, Consumer<IOException> onFault) {
         this.channel = channel;
         this.bootId = bootId;
+        this.unreadLines = unreadLines;
         this.onFault = onFault;
     }
 
@@ -41,7 +43,7 @@ public final class CommandLogFile implements ServerLog, Closeable {
      * @param bootId names this start
      * @param earlier gets every entry of the earlier starts, in order
      * @param onFault is told when the log can no longer be written
-     * @throws IOException if the file cannot be read or written, or another process writes it
+     * @throws IOException if the file cannot be read or written, is no boat's log, or another process writes it
      */
     public static CommandLogFile open(
             Path file, String bootId, Consumer<LoggedCommand> earlier, Consumer<IOException> onFault)
@@ -50,10 +52,11 @@ public final class CommandLogFile implements ServerLog, Closeable {
                 FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
         try {
             lock(channel, file);
-            long whole = LogLines.read(file, earlier);
-            channel.truncate(whole);
-            channel.position(whole);
-            CommandLogFile log = new CommandLogFile(channel, bootId, Objects.requireNonNull(onFault, "onFault"));
+            LogExtent extent = LogLines.read(file, earlier);
+            channel.truncate(extent.wholeBytes());
+            channel.position(extent.wholeBytes());
+            CommandLogFile log = new CommandLogFile(
+                    channel, bootId, extent.unreadLines(), Objects.requireNonNull(onFault, "onFault"));
             log.write(LogLines.start(bootId));
             return log;
         } catch (IOException | RuntimeException e) {
@@ -72,6 +75,11 @@ public final class CommandLogFile implements ServerLog, Closeable {
             // this process has it
         }
         throw new IOException(file + " is being written by another boat server");
+    }
+
+    /** How many lines of the earlier starts said nothing, because they are damaged. */
+    public int unreadLines() {
+        return unreadLines;
     }
 
     @Override

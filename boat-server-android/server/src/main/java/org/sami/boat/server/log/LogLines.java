@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.regex.Pattern;
 import java.util.zip.CRC32;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkCodec;
@@ -22,32 +23,43 @@ import org.sami.boat.link.LinkMessage;
  */
 public final class LogLines {
     private static final LinkCodec CODEC = new LinkCodec();
+    private static final Pattern BEGINNING = Pattern.compile("[0-9a-f]{8}\t|[0-9a-f]{0,8}$");
     private static final int HEADER_BYTES = LinkCodec.LENGTH_BYTES + 1;
 
     private LogLines() {}
 
     /**
-     * Reads a log.
+     * Reads a log; lines that say nothing are counted and passed over.
      *
-     * @return the length in bytes up to the end of the last whole line; what stands behind it was cut off
+     * @throws IOException if the file cannot be read, or is something else than a boat's log
      */
-    public static long read(Path file, Consumer<LoggedCommand> entries) throws IOException {
+    public static LogExtent read(Path file, Consumer<LoggedCommand> entries) throws IOException {
         try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {
             ByteArrayOutputStream line = new ByteArrayOutputStream();
             long read = 0;
             long whole = 0;
+            int unread = 0;
             for (int next = in.read(); next >= 0; next = in.read()) {
                 read++;
                 if (next == '\n') {
                     String text = new String(line.toByteArray(), StandardCharsets.UTF_8);
+                    checkFirst(file, whole, text);
                     line.reset();
-                    entry(text).ifPresent(entries); // a line that was damaged says nothing
+                    unread += take(text, entries) ? 0 : 1;
                     whole = read;
                 } else {
                     line.write(next);
                 }
             }
-            return whole;
+            checkFirst(file, whole, new String(line.toByteArray(), StandardCharsets.UTF_8));
+            return new LogExtent(whole, unread);
+        }
+    }
+
+    /** What begins otherwise than a log was never one, and is nobody's to cut off and write to. */
+    private static void checkFirst(Path file, long before, String line) throws IOException {
+        if (before == 0 && !BEGINNING.matcher(line).lookingAt()) {
+            throw new IOException(file + " is no log of a boat");
         }
     }
 
@@ -71,15 +83,22 @@ public final class LogLines {
         return checksum.getValue();
     }
 
-    private static Optional<LoggedCommand> entry(String line) {
+    /** Whether a line could be read: a start, or an entry, which is handed on. */
+    private static boolean take(String line, Consumer<LoggedCommand> entries) {
         String[] parts = line.split("\t", 2);
         if (parts.length < 2 || !parts[0].equals(String.format("%08x", checksum(parts[1])))) {
-            return Optional.empty();
+            return false;
         }
         String[] fields = parts[1].split("\t", 4);
         if (fields.length < 4) {
-            return Optional.empty(); // a start
+            return true; // a start
         }
+        Optional<LoggedCommand> entry = entry(fields);
+        entry.ifPresent(entries);
+        return entry.isPresent();
+    }
+
+    private static Optional<LoggedCommand> entry(String[] fields) {
         try {
             LinkMessage command = message(fields[2]);
             return command instanceof CommandMessage

@@ -11,6 +11,8 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
@@ -90,6 +92,22 @@ class CommandLogFileTest {
         Files.writeString(file(), text.replace("\"first\"", "\"fisrt\""));
 
         assertThat(read()).extracting(entry -> entry.command().commandId()).containsExactly("second");
+        try (CommandLogFile log = open("b2", new ArrayList<>())) {
+            assertThat(log.unreadLines()).isEqualTo(1);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"a letter to somebody", "two\nlines\n", "12345678 no tab\n", "\u0000\u0001\u0002"})
+    void fileThatIsNoLogIsRefusedAndStaysAsItIs(String text) throws IOException {
+        Files.writeString(file(), text);
+
+        assertThatThrownBy(() -> open("b1", new ArrayList<>()))
+                .isInstanceOf(IOException.class)
+                .hasMessageContaining("boat1.log is no log of a boat");
+        assertThat(file()).hasContent(text);
+        Files.delete(file());
+        open("b1", new ArrayList<>()).close();
     }
 
     @Test
