@@ -37,7 +37,8 @@ final class Catalogue {
             NewsChapter::add,
             OperatorChapter::add,
             MissionChapter::add,
-            TaskChapter::add);
+            TaskChapter::add,
+            FleetChapter::add);
 
     private final Map<String, Row> rows = new LinkedHashMap<>();
 
