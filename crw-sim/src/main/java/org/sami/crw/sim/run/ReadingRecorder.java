@@ -34,11 +34,12 @@ public final class ReadingRecorder implements BoatListener {
 
     @Override
     public void onReading(String boatId, BoatReading reading) {
-        if (readings.size() >= most) {
-            dropped++;
-            return;
-        }
-        readings.add(new ReadingResult(
+        add(result(boatId, reading));
+    }
+
+    /** A reading that has come just now, as it is noted; not yet noted. */
+    public ReadingResult result(String boatId, BoatReading reading) {
+        return new ReadingResult(
                 clock.nowMillis(),
                 boatId,
                 reading.sensor(),
@@ -46,7 +47,16 @@ public final class ReadingRecorder implements BoatListener {
                 reading.values(),
                 reading.unit(),
                 reading.position().latDeg(),
-                reading.position().lonDeg()));
+                reading.position().lonDeg());
+    }
+
+    /** Notes a reading. */
+    public void add(ReadingResult reading) {
+        if (readings.size() >= most) {
+            dropped++;
+        } else {
+            readings.add(reading);
+        }
     }
 
     /** What was noted, in order; unmodifiable. */
@@ -55,7 +65,7 @@ public final class ReadingRecorder implements BoatListener {
     }
 
     /** Says at a time that some are missing, if some are. */
-    List<NoteResult> notes(long atMillis) {
+    public List<NoteResult> notes(long atMillis) {
         return dropped == 0
                 ? List.of()
                 : List.of(new NoteResult(

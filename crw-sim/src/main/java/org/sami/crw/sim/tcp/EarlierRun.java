@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.sami.boat.server.LocalFrame;
 import org.sami.crw.sim.report.LinkResult;
 import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.sim.report.ReadingResult;
 import org.sami.crw.sim.run.TrackRecorder;
 import org.sami.crw.sim.run.VisitRecorder;
 import org.sami.spn.journal.TelemetryRow;
@@ -21,6 +22,7 @@ final class EarlierRun implements SessionNotes.Reader {
     private final Notices notices;
     private final List<Pose> poses = new ArrayList<>();
     private final List<Visit> visits = new ArrayList<>();
+    private final List<ReadingResult> readings = new ArrayList<>();
     private Optional<SessionArea> area = Optional.empty();
 
     private record Pose(long atMillis, String boat, BoatDesk.Told told, double distanceM) {}
@@ -52,6 +54,16 @@ final class EarlierRun implements SessionNotes.Reader {
         for (Visit visit : visits) {
             recorder.visited(visit.location.latDeg(), visit.location.lonDeg(), visit.atMillis, visit.boat);
         }
+    }
+
+    /** What boats had measured. */
+    List<ReadingResult> readings() {
+        return readings;
+    }
+
+    @Override
+    public void reading(ReadingResult reading) {
+        readings.add(reading);
     }
 
     @Override

@@ -9,11 +9,14 @@ import org.sami.crw.proxy.BatteryState;
 import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatListeners;
+import org.sami.crw.proxy.BoatReading;
 import org.sami.crw.proxy.BoatStatus;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.LinkAlarm;
+import org.sami.crw.sim.report.ReadingResult;
+import org.sami.crw.sim.run.ReadingRecorder;
 import org.sami.spn.value.GeoPoint;
 
 /** Hears everything of the boats and their links: passes it to the domain, and keeps what the run's report tells. */
@@ -28,16 +31,18 @@ final class FleetEar implements BaseListener, BoatListener {
     private final SessionNotes notes;
     private final Notices notices;
     private final LongSupplier nowMillis;
+    private final ReadingRecorder readings;
     private final Map<String, Integer> reported = new HashMap<>();
     private volatile Arrivals arrivals = (boat, points) -> {};
     private volatile boolean deaf;
     private Optional<BoatListener> domain = Optional.empty();
 
-    FleetEar(BoatDesk desk, SessionNotes notes, Notices notices, LongSupplier nowMillis) {
+    FleetEar(BoatDesk desk, SessionNotes notes, Notices notices, LongSupplier nowMillis, ReadingRecorder readings) {
         this.desk = desk;
         this.notes = notes;
         this.notices = notices;
         this.nowMillis = nowMillis;
+        this.readings = readings;
     }
 
     /** From now on the domain hears of boats; before the first is connected. */
@@ -84,6 +89,15 @@ final class FleetEar implements BaseListener, BoatListener {
                                 pose.speedMps(),
                                 status.battery().map(BatteryState::percent).orElse(100.0),
                                 pose.boatTimeMs())));
+    }
+
+    @Override
+    public void onReading(String boatId, BoatReading reading) {
+        if (!deaf) {
+            ReadingResult result = readings.result(boatId, reading);
+            readings.add(result);
+            notes.reading(result);
+        }
     }
 
     @Override

@@ -1,6 +1,7 @@
 package org.sami.crw.sim.tcp;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -11,6 +12,7 @@ import org.sami.crw.decision.OperatorDefaults;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.sim.clock.CatchUpScheduler;
 import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.run.BoatState;
@@ -112,6 +114,7 @@ final class MissionWatch {
         });
         clock.advanceTo(journal.cameToMillis());
         earlier.takeUp(plane, tracks, visits);
+        station.restore(earlier.readings());
         started = recorder.root().isPresent();
     }
 
@@ -274,6 +277,13 @@ final class MissionWatch {
                         tracks.results(atMillis, boats, station.desk()::link),
                         visits.locations(),
                         interrupts.results(),
-                        station.notices().all());
+                        told(atMillis))
+                .withReadings(station.readings());
+    }
+
+    private List<NoteResult> told(long atMillis) {
+        List<NoteResult> told = new ArrayList<>(station.notices().all());
+        told.addAll(station.missingReadings(atMillis));
+        return told;
     }
 }

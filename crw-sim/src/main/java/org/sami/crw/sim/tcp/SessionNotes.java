@@ -10,6 +10,7 @@ import java.util.OptionalLong;
 import java.util.function.LongSupplier;
 import org.sami.crw.sim.report.LinkResult;
 import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.sim.report.ReadingResult;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.value.GeoPoint;
 
@@ -29,6 +30,7 @@ final class SessionNotes {
     private static final String MESSAGE = "message";
     private static final String BEGUN = "begun";
     private static final String AREA = "area";
+    private static final String READING = "reading";
 
     private final SessionJournal journal;
     private final LongSupplier nowMillis;
@@ -59,6 +61,17 @@ final class SessionNotes {
                 .put("boatTimeMs", told.boatTimeMs())
                 .put("distanceM", distanceM);
         add(atMillis, boat, POSE, json);
+    }
+
+    void reading(ReadingResult reading) {
+        ObjectNode json = JSON.createObjectNode()
+                .put("latDeg", reading.latDeg())
+                .put("lonDeg", reading.lonDeg())
+                .put("sensor", reading.sensor())
+                .put("channel", reading.channel())
+                .put("unit", reading.unit());
+        reading.values().forEach(json.putArray("values")::add);
+        add(reading.atMillis(), reading.boat(), READING, json);
     }
 
     void visited(long atMillis, String boat, GeoPoint location) {
@@ -135,6 +148,8 @@ final class SessionNotes {
         void uploads(String boat, LinkResult.Uploads uploads);
 
         void message(NoteResult note);
+
+        void reading(ReadingResult reading);
     }
 
     /**
@@ -176,10 +191,25 @@ final class SessionNotes {
                         json.path("kind").asText(),
                         json.path("mission").asLong(),
                         json.path("text").asText()));
+            case READING -> reader.reading(reading(row.atMillis(), boat, json));
             case BEGUN -> reader.begun();
             case AREA -> reader.area(area(json));
             default -> LOG.log(System.Logger.Level.DEBUG, "a reading of another kind: {0}", row.kind());
         }
+    }
+
+    private static ReadingResult reading(long atMillis, String boat, JsonNode json) {
+        List<Double> values = new ArrayList<>();
+        json.path("values").forEach(value -> values.add(value.asDouble()));
+        return new ReadingResult(
+                atMillis,
+                boat,
+                json.path("sensor").asText(),
+                json.path("channel").asText(),
+                values,
+                json.path("unit").asText(),
+                json.path("latDeg").asDouble(),
+                json.path("lonDeg").asDouble());
     }
 
     private static SessionArea area(JsonNode json) {

@@ -13,6 +13,9 @@ import org.sami.crw.proxy.ProxyConfig;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.tcp.TcpBase;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
+import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.sim.report.ReadingResult;
+import org.sami.crw.sim.run.ReadingRecorder;
 import org.sami.crw.sim.run.RunPlan;
 import org.sami.crw.sim.run.RunSettings;
 import org.sami.crw.sim.run.ScheduledHostClock;
@@ -39,6 +42,7 @@ final class TcpStation implements AutoCloseable {
     private final SessionNotes notes;
     private final Notices notices;
     private final FleetEar ear;
+    private final ReadingRecorder readings; // for the base's thread
     private final BoatWatch watch;
 
     /** A base that has no boats yet, at the state to which its journal came. */
@@ -48,7 +52,8 @@ final class TcpStation implements AutoCloseable {
         notes = new SessionNotes(journal, loop::nowMs);
         notices = new Notices(notes);
         watch = new BoatWatch(desk, notes, notices);
-        ear = new FleetEar(desk, notes, notices, loop::nowMs);
+        readings = new ReadingRecorder(new ScheduledHostClock(loop));
+        ear = new FleetEar(desk, notes, notices, loop::nowMs, readings);
         host = EngineHost.builder(engine, journal.restore(engine))
                 .journal(journal.inputs())
                 .clock(new ScheduledHostClock(loop))
@@ -86,6 +91,21 @@ final class TcpStation implements AutoCloseable {
 
     Notices notices() {
         return notices;
+    }
+
+    /** What boats have measured, as far as it fits; from any thread. */
+    List<ReadingResult> readings() {
+        return base.query(boats -> List.copyOf(readings.readings())).join();
+    }
+
+    /** Says if some are missing; from any thread. */
+    List<NoteResult> missingReadings(long atMillis) {
+        return base.query(boats -> readings.notes(atMillis)).join();
+    }
+
+    /** What boats had measured in earlier processes. From any thread. */
+    void restore(List<ReadingResult> earlier) {
+        base.executor().execute(() -> earlier.forEach(readings::add));
     }
 
     FleetEar ear() {

@@ -57,6 +57,8 @@ final class Fleet implements AutoCloseable {
                         name,
                         "--at",
                         LAT_DEG + "," + lonDeg,
+                        "--sensor",
+                        "temperature",
                         "--log",
                         logs.toString()));
     }

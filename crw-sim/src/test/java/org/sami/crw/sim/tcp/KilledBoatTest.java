@@ -12,6 +12,8 @@ import java.util.List;
 import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.link.StartWaypoints;
@@ -55,6 +57,7 @@ class KilledBoatTest {
     }
 
     @ParameterizedTest
+    @Execution(ExecutionMode.CONCURRENT)
     @ValueSource(booleans = {true, false})
     void killedInMidPathItWaitsForTheOperatorAndTheMissionEnds(boolean withItsState) throws Exception {
         try (Fleet fleet = new Fleet(folder).with("anna", "bert");
@@ -72,6 +75,7 @@ class KilledBoatTest {
     }
 
     @ParameterizedTest
+    @Execution(ExecutionMode.CONCURRENT)
     @ValueSource(booleans = {true, false})
     void killedInMidUploadItWaitsForTheOperatorAndTheMissionEnds(boolean withItsState) throws Exception {
         try (Fleet fleet = new Fleet(folder).with("anna", "bert");

@@ -14,6 +14,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.link.StopMotors;
@@ -59,6 +61,7 @@ class RunOverTcpTest {
     }
 
     @Test
+    @Execution(ExecutionMode.CONCURRENT)
     void missionOnThreeBoatsVisitsEverythingAndTheReportNamesEachLink() throws Exception {
         try (Fleet fleet = new Fleet(folder).with("anna", "bert", "cleo")) {
             Path report = folder.resolve("report");
@@ -96,6 +99,7 @@ class RunOverTcpTest {
     }
 
     @Test
+    @Execution(ExecutionMode.CONCURRENT)
     void signalStopsTheBoatsAndTheRunCanBeTakenUp() throws Exception {
         Path journal = folder.resolve("journal");
         try (Fleet fleet = new Fleet(folder).with("anna", "bert");
@@ -129,6 +133,7 @@ class RunOverTcpTest {
     }
 
     @Test
+    @Execution(ExecutionMode.CONCURRENT)
     void whyABoatStandsStillIsSaidAtOnceAndInTheReport() throws Exception {
         try (Fleet fleet = new Fleet(folder).with("anna", "bert");
                 CrwProcess run = CrwProcess.start(folder, mission(fleet));

@@ -9,6 +9,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.crw.sim.boat.Await;
 import org.sami.crw.sim.cli.Ran;
@@ -22,6 +24,7 @@ class TakenUpRunTest {
     private Path folder;
 
     @Test
+    @Execution(ExecutionMode.CONCURRENT)
     void runGoesOnWithoutABoatThatComesLaterAndIsToldAgainAsItWas() throws Exception {
         String journal = folder.resolve("journal").toString();
         try (Fleet fleet = new Fleet(folder).with("anna", "bert")) {
@@ -49,7 +52,9 @@ class TakenUpRunTest {
             JsonNode told = JSON.readTree(again.out());
             assertThat(again.exitCode()).isZero();
             assertThat(again.err()).contains("this run was over already");
-            for (String member : List.of("runHash", "simulatedSeconds", "distanceM", "locations", "decisions")) {
+            assertThat(report.path("readings").path(0).path("count").asInt()).isPositive();
+            for (String member :
+                    List.of("runHash", "simulatedSeconds", "distanceM", "locations", "decisions", "readings")) {
                 assertThat(told.path(member)).as(member).isEqualTo(report.path(member));
             }
         }
@@ -80,6 +85,7 @@ class TakenUpRunTest {
     }
 
     @Test
+    @Execution(ExecutionMode.CONCURRENT)
     void runThatNeverBeganIsTakenUpOnceItsBoatsAreThere() throws Exception {
         String journal = folder.resolve("journal").toString();
         try (Fleet fleet = new Fleet(folder).with("anna")) {
