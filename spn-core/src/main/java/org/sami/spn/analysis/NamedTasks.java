@@ -2,15 +2,24 @@ package org.sami.spn.analysis;
 
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.sami.spn.analysis.PlanContext.PlacedOutput;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.model.TokenKind;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.Reserved;
 
-/** A requirement names a task of the plan or a class of tasks; a sub-mission is given tasks that both plans have. */
+/**
+ * A requirement names a task of the plan or a class of tasks; a sub-mission is given tasks that both plans have; tasks are made of a
+ * class that there is.
+ */
 final class NamedTasks implements PlanCheck {
     private static final String CODE = "E-UNKNOWN-TASK";
 
@@ -26,6 +35,9 @@ final class NamedTasks implements PlanCheck {
                     .filter(r -> r.kind() == TokenKind.TASK)
                     .forEach(r -> named(plan, r.task(), plan.at(e), e.id(), report));
         }
+        for (PlacedOutput output : plan.outputs()) {
+            generated(plan, output, report);
+        }
         for (Place place : plan.plan().places()) {
             for (int i = 0; i < place.subMissions().size(); i++) {
                 mapped(plan, place.subMissions().get(i), plan.at(place) + "/subMissions/" + i, report);
@@ -37,6 +49,24 @@ final class NamedTasks implements PlanCheck {
         if (!has(plan.plan(), task) && !plan.vocabulary().taskClasses().containsKey(task)) {
             report.accept(Finding.error(
                     CODE, pointer, "\"" + task + "\" is neither a task of this plan nor a class of tasks", edge));
+        }
+    }
+
+    private static void generated(PlanContext plan, PlacedOutput output, Consumer<Finding> report) {
+        FieldSource source = output.spec().fields().get(Reserved.TASK_CLASS);
+        Optional<Value> given = source instanceof FieldSource.Fixed fixed
+                ? Optional.of(fixed.value())
+                : source instanceof FieldSource.Asked asked ? asked.defaultValue() : Optional.empty();
+        if (output.type().role() == EventRole.GENERATE_TASKS
+                && given.isPresent()
+                && given.get() instanceof TextValue text
+                && !plan.vocabulary().taskClasses().containsKey(text.value())) {
+            report.accept(Finding.error(
+                    CODE,
+                    output.pointer() + "/fields/" + Reserved.TASK_CLASS,
+                    "There is no class of tasks \"" + text.value() + "\"; there are "
+                            + String.join(", ", plan.vocabulary().taskClasses().keySet()),
+                    output.spec().id()));
         }
     }
 

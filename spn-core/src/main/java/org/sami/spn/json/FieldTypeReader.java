@@ -1,5 +1,6 @@
 package org.sami.spn.json;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -51,9 +52,28 @@ final class FieldTypeReader {
         String text = m.text(member);
         Optional<ValueType> type = TypeNames.parse(text);
         if (type.isEmpty() && !text.isEmpty()) {
-            m.problem(Codes.UNKNOWN_TYPE, member, "\"" + text + "\" is no type, such as real, list<point>, Allocation");
+            m.problem(
+                    Codes.UNKNOWN_TYPE,
+                    member,
+                    "\"" + text + "\" is no type, such as real, list<point>, Allocation" + guess(text));
         }
         return type.filter(t -> NamedTypeReader.check(t, types, m.at(member), problems));
+    }
+
+    /** For each word that names no type: which may have been meant. */
+    private String guess(String text) {
+        List<String> known = new ArrayList<>(TypeNames.builtIn());
+        known.addAll(types.keySet());
+        StringBuilder guess = new StringBuilder();
+        for (String word : text.split("[<>, ]+", -1)) {
+            if (!word.isEmpty() && !known.contains(word)) {
+                List<String> alike = NearMatches.alike(known, word);
+                if (!alike.isEmpty()) {
+                    guess.append("; is ").append(String.join(" or ", alike)).append(" meant?");
+                }
+            }
+        }
+        return guess.toString();
     }
 
     Optional<MarkupType> markup(Members m, Names taken) {

@@ -69,7 +69,10 @@ final class NamedTypeReader {
             return check(map.key(), types, where, problems) && check(map.value(), types, where, problems);
         }
         if (type instanceof ValueType.Named named && !types.containsKey(named.name())) {
-            problems.add(Codes.UNKNOWN_TYPE, where, "The type " + named.name() + " is not declared");
+            problems.add(
+                    Codes.UNKNOWN_TYPE,
+                    where,
+                    "The type " + named.name() + " is not declared" + NearMatches.meant(types.keySet(), named.name()));
             return false;
         }
         return true;

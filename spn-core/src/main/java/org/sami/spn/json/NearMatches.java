@@ -1,5 +1,6 @@
 package org.sami.spn.json;
 
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
@@ -33,6 +34,20 @@ public final class NearMatches {
                 vocabulary.markups().values().stream()
                         .flatMap(markup -> Stream.concat(Stream.of(markup.name()), markup.aliases().stream())),
                 word);
+    }
+
+    /** At most three of some names that are spelt most like a word, the nearest first. */
+    static List<String> alike(Collection<String> names, String word) {
+        return nearest(names.stream(), word);
+    }
+
+    /** The end of a sentence about a word that is none of some names: which may have been meant, or which there are. */
+    static String meant(Collection<String> names, String word) {
+        List<String> alike = nearest(names.stream(), word);
+        if (!alike.isEmpty()) {
+            return "; is " + String.join(" or ", alike) + " meant?";
+        }
+        return names.isEmpty() ? "; there are none" : "; there are " + String.join(", ", names);
     }
 
     private static Stream<String> names(EventType event) {

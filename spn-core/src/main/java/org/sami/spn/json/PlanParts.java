@@ -93,7 +93,9 @@ final class PlanParts {
         m.done();
         if (type.isEmpty()) {
             if (!name.isEmpty()) {
-                m.problem(Codes.UNKNOWN_MARKUP, "type", "There is no markup \"" + name + "\"", name);
+                List<String> alike = NearMatches.ofMarkups(vocabulary, name);
+                String meant = alike.isEmpty() ? "" : "; is " + String.join(" or ", alike) + " meant?";
+                m.problem(Codes.UNKNOWN_MARKUP, "type", "There is no markup \"" + name + "\"" + meant, name);
             }
             return Optional.empty();
         }
@@ -106,7 +108,12 @@ final class PlanParts {
                 problems.add(
                         Codes.UNKNOWN_OPTION,
                         element.pointer(),
-                        "The markup " + type.get().name() + " has no option \"" + option + "\"",
+                        "The markup " + type.get().name() + " has no option \"" + option + "\""
+                                + NearMatches.meant(
+                                        type.get().options().stream()
+                                                .map(FieldType::name)
+                                                .toList(),
+                                        option),
                         type.get().name());
             }
             declared.flatMap(d -> value(element, d.type())).ifPresent(v -> options.put(option, v));
@@ -139,7 +146,12 @@ final class PlanParts {
         m.done();
         TaskClass taskClass = vocabulary.taskClasses().get(className);
         if (taskClass == null) {
-            m.problem(Codes.UNKNOWN_TASK, "class", "There is no task class \"" + className + "\"", name);
+            m.problem(
+                    Codes.UNKNOWN_TASK,
+                    "class",
+                    "There is no task class \"" + className + "\""
+                            + NearMatches.meant(vocabulary.taskClasses().keySet(), className),
+                    name);
             return Optional.empty();
         }
         return Optional.of(new TaskSpec(name, className, fields(given, taskClass.fields(), "task class " + className)));

@@ -2,6 +2,7 @@ package org.sami.spn.json;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.TextNode;
+import java.math.BigDecimal;
 import java.time.Duration;
 import java.time.format.DateTimeParseException;
 import java.util.ArrayList;
@@ -9,6 +10,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.sami.spn.value.BooleanValue;
 import org.sami.spn.value.DurationValue;
 import org.sami.spn.value.EnumValue;
@@ -31,6 +34,13 @@ import org.sami.spn.value.VariableReference;
 
 /** Reads values whose type is known; every mismatch is a problem at its place. */
 final class ValueReader {
+    private static final Pattern NUMBER_WITH_UNIT = Pattern.compile("(\\d{1,12}(?:\\.\\d{1,9})?) ?(ms|s|min|h)");
+    private static final Map<String, BigDecimal> MILLIS_OF = Map.of(
+            "ms", BigDecimal.ONE,
+            "s", BigDecimal.valueOf(1000),
+            "min", BigDecimal.valueOf(60_000),
+            "h", BigDecimal.valueOf(3_600_000));
+
     private final Map<String, NamedType> types;
     private final Problems problems;
 
@@ -256,7 +266,7 @@ final class ValueReader {
 
     private Optional<Value> duration(String text, String pointer) {
         try {
-            Duration duration = Duration.parse(text);
+            Duration duration = withUnit(text).orElseGet(() -> Duration.parse(text));
             if (!duration.isNegative() && duration.equals(Duration.ofMillis(duration.toMillis()))) {
                 return Optional.of(new DurationValue(duration.toMillis()));
             }
@@ -266,8 +276,19 @@ final class ValueReader {
         problems.add(
                 Codes.BAD_VALUE,
                 pointer,
-                "\"" + text + "\" is no duration in whole milliseconds; write PT10S for 10 seconds, PT1M30S, PT0.5S");
+                "\"" + text + "\" is no duration in whole milliseconds; write PT10S for 10 seconds, PT1M30S, PT0.5S,"
+                        + " or a number with its unit, such as 10 s or 500 ms");
         return Optional.empty();
+    }
+
+    /** A number with its unit: the appendix counts in milliseconds, the fleet's plans in seconds. */
+    private static Optional<Duration> withUnit(String text) {
+        Matcher matcher = NUMBER_WITH_UNIT.matcher(text.strip());
+        if (!matcher.matches()) {
+            return Optional.empty();
+        }
+        BigDecimal millis = new BigDecimal(matcher.group(1)).multiply(MILLIS_OF.get(matcher.group(2)));
+        return Optional.of(Duration.ofNanos(millis.movePointRight(6).longValueExact()));
     }
 
     private Optional<Value> variable(String text, String pointer) {

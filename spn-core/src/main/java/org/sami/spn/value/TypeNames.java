@@ -1,5 +1,7 @@
 package org.sami.spn.value;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
@@ -11,6 +13,15 @@ public final class TypeNames {
     private static final int DEEPEST = 8;
 
     private TypeNames() {}
+
+    /** The names of the types that need no declaration and hold no others, and the words by which those that do begin. */
+    public static List<String> builtIn() {
+        List<String> names = new ArrayList<>(List.of("list", "map"));
+        for (ValueType.Simple simple : ValueType.Simple.values()) {
+            names.add(of(simple));
+        }
+        return names;
+    }
 
     /** The type as text. */
     public static String of(ValueType type) {

@@ -58,7 +58,7 @@ class ValueJsonTest {
                     boolean            | 0                                     |              | E-WRONG-TYPE
                     text               | null                                  |              | E-WRONG-TYPE
                     duration           | 10                                    |              | E-WRONG-TYPE
-                    duration           | "10s"                                 |              | E-BAD-VALUE
+                    duration           | "10sec"                                 |              | E-BAD-VALUE
                     duration           | "PT-1S"                               |              | E-BAD-VALUE
                     duration           | "PT0.0001S"                           |              | E-BAD-VALUE
                     duration           | "PT9999999999999999999H"              |              | E-BAD-VALUE
