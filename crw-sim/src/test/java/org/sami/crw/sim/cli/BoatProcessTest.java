@@ -187,6 +187,31 @@ class BoatProcessTest {
     }
 
     @Test
+    void processThatStandsStillIsShownAsLostInTimeAndGoesOnOnceItIsHeardAgain() throws Exception {
+        Boat boat = boat(0, "--log", folder.toString());
+        try (TcpBase base = base(boat.port)) {
+            until("linked", () -> status.get().link() == LinkState.LINKED);
+            tell(base, proxy -> proxy.submit(farAway(50)));
+            until("under way", () -> is(BoatMode.PATH));
+            signal(boat, "STOP"); // its socket stays open, and what is sent to it waits
+            long stopped = System.nanoTime();
+            until("lost", () -> status.get().link() == LinkState.LOST);
+            assertThat((System.nanoTime() - stopped) / 1e6).as("ms").isBetween(3300.0, 4000.0);
+            until("it has been still for longer", () -> System.nanoTime() - stopped > 6_000_000_000L);
+
+            signal(boat, "CONT");
+            until("under way again", () -> is(BoatMode.PATH));
+            assertThat(restarts.get()).as("it is the same start of the boat").isZero();
+            assertThat(executed()).doesNotHaveDuplicates();
+        }
+    }
+
+    private static void signal(Boat boat, String name) throws Exception {
+        Process kill = new ProcessBuilder("kill", "-" + name, "" + boat.process.pid()).start();
+        assertThat(kill.waitFor()).isZero();
+    }
+
+    @Test
     void fleetStopStaysLatchedOverAKillAndIsReleasedByACommandAlone() throws Exception {
         Boat boat = boat(0, "--log", folder.toString());
         try (TcpBase base = base(boat.port)) {
