@@ -39,10 +39,17 @@ final class Harbour implements AutoCloseable {
     static final GeoPoint PIER = GeoPoint.of(45.4, 10.9);
 
     private final Path logs;
+    private final LongSupplier clockMs;
     private final List<AutoCloseable> opened = new ArrayList<>();
 
     Harbour(Path logs) {
+        this(logs, () -> System.nanoTime() / 1_000_000);
+    }
+
+    /** A harbour where boats and bases live on a clock of milliseconds. */
+    Harbour(Path logs, LongSupplier clockMs) {
         this.logs = logs;
+        this.clockMs = clockMs;
     }
 
     static InetSocketAddress port(int port) {
@@ -55,7 +62,11 @@ final class Harbour implements AutoCloseable {
 
     BoatOnTcp boat(String name, int port, Path logFolder) throws IOException {
         BoatSettings settings = BoatSettings.of(name, port(port), PIER, 1).loggingTo(logFolder);
-        return keep(new BoatOnTcp(settings, SteadyClock.ofThisMachine(), TcpServerListener.NONE));
+        return keep(new BoatOnTcp(settings, new SteadyClock(clockMs), TcpServerListener.NONE));
+    }
+
+    LateRelay lateRelay(BoatOnTcp boat) throws IOException {
+        return keep(new LateRelay(boat.address()));
     }
 
     TestRelay relay(BoatOnTcp boat) throws IOException {
@@ -63,12 +74,12 @@ final class Harbour implements AutoCloseable {
     }
 
     Base base(String clientId) {
-        return base(clientId, () -> System.nanoTime() / 1_000_000);
+        return base(clientId, clockMs);
     }
 
-    Base base(String clientId, LongSupplier clockMs) {
+    Base base(String clientId, LongSupplier ownClockMs) {
         ProxyConfig proxy = ProxyConfig.DEFAULT.withClientId(clientId).withTelemetryHz(20);
-        return keep(new Base(proxy, new SteadyClock(clockMs)));
+        return keep(new Base(proxy, new SteadyClock(ownClockMs)));
     }
 
     /** A base that sends again after so many ms what stays unanswered. */

@@ -16,16 +16,19 @@ import org.sami.boat.link.Progress;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.Welcome;
 
-/** A boat that talks and does not listen: it welcomes whoever connects, says that it lives, and reads nothing. */
+/** A boat that talks and hardly listens: it welcomes whoever connects, says that it lives, and reads little or nothing. */
 final class StuckBoat implements AutoCloseable {
     private final ServerSocket socket = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
     private final Set<Socket> open = ConcurrentHashMap.newKeySet();
     private final CountDownLatch closing = new CountDownLatch(1);
     private final LinkCodec codec = new LinkCodec();
     private final String name;
+    private final int readsPerSecond;
 
-    StuckBoat(String name) throws IOException {
+    /** A boat that reads so many bytes a second. */
+    StuckBoat(String name, int readsPerSecond) throws IOException {
         this.name = name;
+        this.readsPerSecond = readsPerSecond;
         socket.setReceiveBufferSize(16 << 10);
         start(this::accept);
     }
@@ -59,8 +62,11 @@ final class StuckBoat implements AutoCloseable {
             out.write(codec.encode(1, new Welcome(name, "boot", Role.COMMANDER, "")));
             out.write(codec.encode(2, new Progress("", 0, false)));
             long sequence = 3;
-            while (!closing.await(200, TimeUnit.MILLISECONDS)) {
+            for (int times = 1; !closing.await(200, TimeUnit.MILLISECONDS); times++) {
                 out.write(codec.encode(sequence++, new Heartbeat(sequence)));
+                if (times % 5 == 0) {
+                    base.getInputStream().readNBytes(readsPerSecond);
+                }
             }
         } catch (IOException | InterruptedException e) {
             // dropped

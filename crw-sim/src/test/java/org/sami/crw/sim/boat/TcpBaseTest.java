@@ -357,12 +357,14 @@ class TcpBaseTest {
         assertThat(base.count("anna LOST")).isZero();
     }
 
-    @Test
-    void boatThatDoesNotReadIsDroppedAndDelaysNoOther() throws Exception {
+    /** What waits for the boat is bounded (256 frames or 1 MiB here): beyond that it is dropped, and nobody waits for it. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1})
+    void boatThatReadsNothingOrOneByteASecondIsDroppedAndDelaysNoOther(int bytesPerSecond) throws Exception {
         BoatOnTcp berta = harbour.boat("berta");
         Base base = harbour.base("base");
         base.connect(berta.address(), "berta");
-        try (StuckBoat stuck = new StuckBoat("anna")) {
+        try (StuckBoat stuck = new StuckBoat("anna", bytesPerSecond)) {
             base.connect(stuck.address(), "anna");
             List<Double> startedMs = new ArrayList<>();
             for (int i = 1; i <= 5; i++) {

@@ -1,0 +1,111 @@
+package org.sami.crw.sim.boat;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.BoatMode;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.Upload;
+import org.sami.crw.sim.boat.Harbour.Base;
+
+/** Outages that last, on real sockets; the clock of boats and bases runs five times as fast as the wall's. */
+@Timeout(120)
+class LongOutageTest {
+    private static final int FAST = 5;
+
+    @TempDir
+    private Path logs;
+
+    private Harbour harbour;
+
+    @BeforeEach
+    void open() {
+        harbour = new Harbour(logs, LongOutageTest::clockMs);
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        harbour.close();
+    }
+
+    @Test
+    void routerThatIsOffForAMinuteLosesTwentyFiveBoatsAndAllGoOn() throws Exception {
+        Base base = harbour.base("base");
+        List<TestRelay> routers = new ArrayList<>();
+        List<String> names = new ArrayList<>();
+        for (int i = 1; i <= 25; i++) {
+            names.add("boat" + i);
+            routers.add(harbour.relay(harbour.boat("boat" + i)));
+            base.tcp.connect(routers.get(i - 1).address());
+        }
+        for (String name : names) {
+            base.linked(name);
+            base.submit(name, Harbour.path("m1-" + name, 1));
+        }
+        names.forEach(name -> base.awaitMode(name, BoatMode.PATH));
+
+        routers.forEach(router -> router.setSwallows(true));
+        long off = clockMs();
+        Await.until(
+                "all lost",
+                10,
+                () -> names.stream().allMatch(name -> base.status(name).link() == LinkState.LOST));
+        assertThat(clockMs() - off).as("ms").isBetween(3000L, 5000L);
+        Await.until("a minute", 20, () -> clockMs() - off > 60_000);
+        assertThat(names).allMatch(name -> base.status(name).link() == LinkState.LOST);
+        assertThat(base.explanation("boat7")).contains("the link has been lost for");
+        routers.forEach(router -> router.setSwallows(false));
+
+        names.forEach(base::linked);
+        names.forEach(name -> base.awaitMode(name, BoatMode.PATH));
+        for (String name : names) {
+            assertThat(harbour.executedIds(name)).doesNotHaveDuplicates();
+            assertThat(harbour.executed(name, "upload")).isEqualTo(1);
+        }
+        assertThat(base.failures).isEmpty();
+    }
+
+    @Test
+    void whatComesThirtySecondsLateIsExecutedOnceAtMostAndTheNewestPathIsDriven() throws Exception {
+        BoatOnTcp boat = harbour.boat("anna");
+        LateRelay relay = harbour.lateRelay(boat);
+        Base base = harbour.base("base");
+        base.connect(relay.address(), "anna");
+        base.submit("anna", Harbour.path("first", 1));
+        base.awaitMode("anna", BoatMode.PATH);
+
+        relay.setDelayMs(30_000 / FAST);
+        base.submit("anna", Harbour.path("second", 1, 1000));
+        Await.until("lost", 10, () -> base.status("anna").link() == LinkState.LOST);
+        assertThat(base.explanation("anna")).contains("one command waits");
+        Await.until("late frames have come", 20, () -> relay.deliveredLate() > 0);
+        base.submit("anna", Harbour.path("third", 1, 2000));
+        relay.setDelayMs(0);
+
+        Await.until("the newest is driven", 30, () -> drives(base, "third#"));
+        Await.holds("it stays so", 1.5, () -> drives(base, "third#"));
+        assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+        assertThat(base.heldListId("anna")).isEqualTo(base.upload("anna").map(Upload::listId));
+        assertThat(base.failures).isEmpty();
+    }
+
+    private static long clockMs() {
+        return FAST * System.nanoTime() / 1_000_000;
+    }
+
+    private static boolean drives(Base base, String list) {
+        Optional<Upload> upload = base.upload("anna");
+        return upload.isPresent()
+                && upload.get().listId().startsWith(list)
+                && upload.get().state() == Upload.State.READ_BACK_EQUAL
+                && base.mode("anna").equals(Optional.of(BoatMode.PATH));
+    }
+}
