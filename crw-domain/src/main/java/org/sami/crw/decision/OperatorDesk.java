@@ -47,8 +47,9 @@ public final class OperatorDesk implements HostListener, MessageSink {
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
         List<Effect> interesting = new ArrayList<>();
         for (Effect effect : effects) {
-            if (effect instanceof Effect.DecisionOpened
-                    || effect instanceof Effect.DecisionClosed
+            if (effect instanceof Effect.DecisionOpened opened) {
+                interesting.add(new Effect.DecisionOpened(BoatFilter.narrowed(opened.decision(), view)));
+            } else if (effect instanceof Effect.DecisionClosed
                     || (effect instanceof Effect.Noted noted && concernsOperator(noted))) {
                 interesting.add(effect);
             }
@@ -61,7 +62,8 @@ public final class OperatorDesk implements HostListener, MessageSink {
     /** Lays decisions that are open already on the desk: those of a state that was restored. */
     public void restore(EngineView view, long atMillis) {
         List<Effect> opened = new ArrayList<>();
-        view.decisions().forEach(decision -> opened.add(new Effect.DecisionOpened(decision)));
+        view.decisions()
+                .forEach(decision -> opened.add(new Effect.DecisionOpened(BoatFilter.narrowed(decision, view))));
         owner.execute(() -> take(atMillis, new Input.TimeReached(), opened));
     }
 

@@ -62,6 +62,14 @@ record Addressee(String boat, boolean byProxy, List<TaskId> tasks) {
                 : token instanceof Token.Task task && tasks.contains(task.task());
     }
 
+    /** Whether one of the tokens by which the activation speaks to this boat still stands in its place. */
+    boolean stands(Activation activation, HandlerContext context) {
+        return context.query(view -> view.mission(activation.mission())
+                .map(mission -> mission.marking().getOrDefault(activation.place(), List.of()).stream()
+                        .anyMatch(this::isMeantBy))
+                .orElse(false));
+    }
+
     private Addressee and(Addressee other) {
         List<TaskId> all = new ArrayList<>(tasks);
         other.tasks.stream().filter(task -> !all.contains(task)).forEach(all::add);

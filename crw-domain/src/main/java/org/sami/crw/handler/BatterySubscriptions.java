@@ -159,7 +159,7 @@ final class BatterySubscriptions implements ActivationHandler, BoatListener, Hos
             if (watched.told.equals(Optional.of(level.name()))) {
                 return;
             }
-            if (!watched.stands(activation, context)) {
+            if (!watched.addressee.stands(activation, context)) {
                 byBoat.remove(boat);
                 return;
             }
@@ -180,13 +180,6 @@ final class BatterySubscriptions implements ActivationHandler, BoatListener, Hos
         Watched(Addressee addressee, Optional<String> told) {
             this.addressee = addressee;
             this.told = told;
-        }
-
-        boolean stands(Activation activation, HandlerContext context) {
-            return context.query(view -> view.mission(activation.mission())
-                    .map(mission -> mission.marking().getOrDefault(activation.place(), List.of()).stream()
-                            .anyMatch(token -> addressee.isMeantBy(token)))
-                    .orElse(false));
         }
     }
 }

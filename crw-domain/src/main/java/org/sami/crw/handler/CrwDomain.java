@@ -42,6 +42,8 @@ public final class CrwDomain implements AutoCloseable {
         NewBoats newBoats = new NewBoats();
         MotionCommands motion = new MotionCommands(boats, messages);
         BoatSettings settings = new BoatSettings(boats, messages);
+        AreaSubscriptions areas = new AreaSubscriptions(boats, fleet);
+        MeasurementHandler measurements = new MeasurementHandler(messages, fleet);
         BoatQuestions questions = new BoatQuestions(host, boats, fleet);
         BatterySubscriptions batteries = new BatterySubscriptions(boats, fleet);
         boatListener = new BoatListeners(
@@ -49,6 +51,8 @@ public final class CrwDomain implements AutoCloseable {
                 settings,
                 questions,
                 batteries,
+                areas,
+                measurements,
                 new BoatNews(host, newBoats, messages, batteries),
                 new TakeOverNews(host, boats),
                 new SentLists(host, boats));
@@ -61,6 +65,11 @@ public final class CrwDomain implements AutoCloseable {
                 boat -> boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
         handlers.putAll(movers(motion));
         Withdrawals withdrawals = new Withdrawals(handlers.keySet(), motion, fleet);
+        handlers.put(AreaSubscriptions.TYPE, areas);
+        handlers.put(MeasurementHandler.TYPE, measurements);
+        handlers.put(SetDescriptionHandler.TYPE, new SetDescriptionHandler());
+        handlers.put(ServerLinkHandler.DISCONNECT, ServerLinkHandler.disconnecting(boats));
+        handlers.put(ServerLinkHandler.RECONNECT, ServerLinkHandler.reconnecting(boats));
         handlers.put(ResendWaypointsHandler.TYPE, new ResendWaypointsHandler(motion));
         handlers.put(SetGainsHandler.TYPE, new SetGainsHandler(settings));
         handlers.put(VelocityMultiplierHandler.TYPE, new VelocityMultiplierHandler(settings));
@@ -86,6 +95,8 @@ public final class CrwDomain implements AutoCloseable {
         registrations.add(host.addListener(questions));
         registrations.add(host.addListener(tasks));
         registrations.add(host.addListener(batteries));
+        registrations.add(host.addListener(areas));
+        registrations.add(host.addListener(measurements));
     }
 
     /** The handlers of what moves boats or keeps them: what they ask can be withdrawn. */
@@ -97,6 +108,7 @@ public final class CrwDomain implements AutoCloseable {
         movers.put(GotoPointHandler.BLOCKING_TYPE, new GotoPointHandler(motion, true));
         movers.put(GotoLatLonHandler.TYPE, new GotoLatLonHandler(motion));
         movers.put(GotoLocationListHandler.TYPE, new GotoLocationListHandler(motion));
+        movers.put(StationKeepHandler.TYPE, new StationKeepHandler(motion));
         movers.put(BlockMovementHandler.TYPE, new BlockMovementHandler(motion));
         return movers;
     }

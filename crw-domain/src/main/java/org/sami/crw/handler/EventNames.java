@@ -8,6 +8,9 @@ public final class EventNames {
     static final String PATH_FAILED = "ProxyPathFailed";
     static final String LIST_COMPLETED = "ProxyListCompleted";
     static final String BLOCK_DONE = "BlockMovementDone";
+    static final String ENTERED_AREA = "ProxyEnteredArea";
+    static final String LEFT_AREA = "ProxyLeftArea";
+    static final String MEASUREMENT_TAKEN = "MeasurementTaken";
     static final String GAINS_SUCCEEDED = "SetGainsSucceeded";
     static final String GAINS_FAILED = "SetGainsFailed";
     static final String MULTIPLIER_SUCCEEDED = "SetVelocityMultiplierSucceeded";

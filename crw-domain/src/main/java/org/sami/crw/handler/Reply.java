@@ -10,6 +10,8 @@ enum Reply {
     WAY_IF_AWAITED(EventNames.PATH_COMPLETED, EventNames.PATH_FAILED),
     /** Of a stop, which need not be waited for. */
     STOP_IF_AWAITED(EventNames.BLOCK_DONE, ""),
+    /** Of a station, which is kept without an end, and need not be waited for. */
+    STATION_IF_AWAITED("", EventNames.PATH_FAILED),
     /** Of nothing: whoever asked has ended. */
     NONE("", "");
 

@@ -62,6 +62,7 @@ public final class BoatProxy {
     private boolean awaitingProgress;
     private boolean unconfirmedRestart;
     private boolean takenOver;
+    private boolean disconnected;
     private boolean fleetStopped;
     private String refusal = "";
     private Optional<String> heldListId = Optional.empty();
@@ -158,10 +159,10 @@ public final class BoatProxy {
      * Sends the path of the current command to the boat once more, whole and under a new list id, and starts it at its first
      * unvisited point; where the boat cannot be reached, as soon as it can.
      *
-     * @return the command; empty if there is none with a path
+     * @return the command; empty if there is none that moves the boat
      */
     public Optional<BoatCommand> sendPathAgain() {
-        Optional<BoatCommand> path = currentCommand().filter(FollowPath.class::isInstance);
+        Optional<BoatCommand> path = currentCommand().filter(command -> !(command instanceof Stop));
         if (path.isPresent()) {
             driver.abandon("its waypoints are sent to the boat again");
             settle();
@@ -205,9 +206,37 @@ public final class BoatProxy {
         return link.isCommanding() && driver.isStopping();
     }
 
+    /**
+     * Cuts the link: nothing goes to the boat any longer, nothing is taken from it, and it does what is set for a lost link. Commands
+     * wait. Until {@link #reconnect}.
+     */
+    public void disconnect() {
+        disconnected = true;
+        if (link.closed()) {
+            linkChanged();
+        }
+        settle();
+    }
+
+    /** Takes the link up again after {@link #disconnect}; the boat then goes on with its commands. */
+    public void reconnect() {
+        if (disconnected) {
+            disconnected = false;
+            link.hello(nowMs);
+        }
+    }
+
+    /** Whether the link is cut on purpose. */
+    public boolean isDisconnected() {
+        return disconnected;
+    }
+
     /** Takes one whole frame from the boat. */
     public void receive(byte[] bytes, long atMs) {
         nowMs = Math.max(nowMs, atMs);
+        if (disconnected) {
+            return;
+        }
         link.receive(bytes, nowMs).ifPresent(this::take);
         settle();
     }
@@ -215,6 +244,9 @@ public final class BoatProxy {
     /** Lets time pass: heartbeats, lost links, requests that are sent again. To be called ten times a second. */
     public void tick(long atMs) {
         nowMs = Math.max(nowMs, atMs);
+        if (disconnected) {
+            return;
+        }
         if (link.tick(nowMs)) {
             linkChanged();
         }
@@ -235,7 +267,9 @@ public final class BoatProxy {
     /** The transport has opened: says hello at once. */
     public void opened(long atMs) {
         nowMs = Math.max(nowMs, atMs);
-        link.hello(nowMs);
+        if (!disconnected) {
+            link.hello(nowMs);
+        }
     }
 
     /** The transport has closed: the link is lost at once. */
@@ -398,7 +432,9 @@ public final class BoatProxy {
 
     /** What keeps every command from the boat; empty if nothing does. */
     Optional<Obstacle> obstacle() {
-        if (link.state() == LinkState.LOST) {
+        if (disconnected) {
+            return Obstacle.because(Cause.LINK_LOST, "its link was cut on purpose");
+        } else if (link.state() == LinkState.LOST) {
             return Obstacle.because(
                     Cause.LINK_LOST, "the link has been lost for " + (nowMs - link.lastReceivedMs()) / 1000 + " s");
         } else if (link.state() == LinkState.CONNECTING) {
@@ -510,6 +546,8 @@ public final class BoatProxy {
             driver.at(pose.position(), canMove(telemetry), nowMs);
         } else if (driver.isDriving() && !awaitingProgress) {
             resync(); // it left its path by itself: it may have lost us when we did not lose it
+        } else if (!awaitingProgress) {
+            driver.lies(pose.position(), nowMs);
         }
     }
 

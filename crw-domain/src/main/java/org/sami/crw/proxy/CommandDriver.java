@@ -118,17 +118,30 @@ final class CommandDriver {
      */
     void at(GeoPoint position, boolean canMove, long nowMs) {
         Optional<Headway> headway = run.flatMap(CommandRun::headway);
-        if (headway.isPresent() && run.get().queued().command() instanceof FollowPath path) {
+        if (headway.isPresent()) {
             int next = run.get().queued().visited();
-            if (!canMove || next >= path.points().size()) {
+            List<GeoPoint> points = pointsOf(run.get().queued().command());
+            if (!canMove || next >= points.size()) {
                 headway.get().pause(nowMs);
             } else {
-                headway.get().at(position, next, path.points().get(next), nowMs);
+                headway.get().at(position, next, points.get(next), nowMs);
             }
             if (headway.get().isHopeless()) {
                 conclude(run.get().because(Verdict.FAILED, headway.get().words()));
             }
         }
+    }
+
+    private static List<GeoPoint> pointsOf(BoatCommand command) {
+        if (command instanceof FollowPath path) {
+            return path.points();
+        }
+        return command instanceof KeepStation station ? List.of(station.point()) : List.of();
+    }
+
+    /** The boat lies, or drifts, at a position. */
+    void lies(GeoPoint position, long nowMs) {
+        run.ifPresent(keeping -> keeping.at(position, nowMs));
     }
 
     /** Wants the boat stopped unless a command is waiting for it. */
@@ -182,12 +195,19 @@ final class CommandDriver {
     private void begin(QueuedCommand queued, long nowMs) {
         requests.clear();
         String wireId = wireId(queued.command().commandId());
-        CommandRun next = queued.command() instanceof FollowPath path
-                ? new PathRun(
-                        queued, path, wireId, adoptable(queued), config.cruiseSpeedMps(), requests, uploads::reached)
-                : new StopRun(queued, wireId, requests);
+        CommandRun next = run(queued, wireId);
         run = Optional.of(next);
         next.begin(nowMs);
+    }
+
+    private CommandRun run(QueuedCommand queued, String wireId) {
+        double speedMps = config.cruiseSpeedMps();
+        if (queued.command() instanceof FollowPath path) {
+            return new PathRun(queued, path, wireId, adoptable(queued), speedMps, requests, uploads::reached);
+        } else if (queued.command() instanceof KeepStation station) {
+            return new StationRun(queued, station, wireId, speedMps, requests, uploads::reached);
+        }
+        return new StopRun(queued, wireId, requests);
     }
 
     /** The list that the boat holds, if it may be the command's path from an earlier process; asked about once. */
@@ -241,7 +261,7 @@ final class CommandDriver {
     /** The boat has said how far it is. */
     void progressed(Progress progress) {
         if (noteVisited(progress) && progress.completed()) {
-            conclude(Verdict.COMPLETED);
+            conclude(run.orElseThrow().arrived());
         }
     }
 
@@ -260,7 +280,7 @@ final class CommandDriver {
     /** Returns whether the report was about the command under way. */
     private boolean noteVisited(Progress progress) {
         boolean told = run.isPresent() && run.get().isAbout(progress);
-        if (told) {
+        if (told && run.get().queued().command() instanceof FollowPath) { // a station is come to again and again
             visited(run.get().queued(), progress.nextIndex());
         }
         return told;

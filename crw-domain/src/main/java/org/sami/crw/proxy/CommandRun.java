@@ -5,6 +5,7 @@ import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.Progress;
+import org.sami.spn.value.GeoPoint;
 
 /** One try to have the boat carry out a command: what is asked of it, and what its answers mean for the command. */
 abstract class CommandRun {
@@ -58,6 +59,14 @@ abstract class CommandRun {
 
     /** Whether a report of progress tells of this command: it names the list of this try, which has been started. */
     abstract boolean isAbout(Progress progress);
+
+    /** The boat has come to the end of its list. */
+    Verdict arrived() {
+        return Verdict.COMPLETED;
+    }
+
+    /** The boat has said where it is. */
+    void at(GeoPoint position, long nowMs) {}
 
     /** The link is back after a break, and the boat has said what it holds. */
     abstract Verdict resume(Progress held, long nowMs);

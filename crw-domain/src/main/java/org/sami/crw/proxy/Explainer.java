@@ -57,12 +57,19 @@ final class Explainer {
                             + visited + waiting(run.queued()));
         }
         String words = name(run.queued()) + ": " + run.state() + visited + sends() + waiting(run.queued());
-        return run.isDriving()
-                ? new Explanation(true, Cause.UNDER_WAY, proxy.boatId() + " does " + words)
-                : new Explanation(
-                        false,
-                        run.queued().command() instanceof FollowPath ? Cause.UPLOADING : Cause.STOPPING,
-                        proxy.boatId() + " waits: " + words);
+        if (run.isDriving()) {
+            return new Explanation(true, Cause.UNDER_WAY, proxy.boatId() + " does " + words);
+        }
+        return causeOf(run) == Cause.KEEPS_STATION
+                ? new Explanation(false, Cause.KEEPS_STATION, proxy.boatId() + " does " + words)
+                : new Explanation(false, causeOf(run), proxy.boatId() + " waits: " + words);
+    }
+
+    private static Cause causeOf(CommandRun run) {
+        if (run.queued().command() instanceof Stop) {
+            return Cause.STOPPING;
+        }
+        return run instanceof StationRun station && station.isThere() ? Cause.KEEPS_STATION : Cause.UPLOADING;
     }
 
     private static String name(QueuedCommand queued) {

@@ -36,6 +36,8 @@ public record Explanation(boolean shouldMove, Cause cause, String text) {
         BATTERY_EMPTY,
         /** Its path is on the way to it, or is being started. */
         UPLOADING,
+        /** It stays at the point where a mission wants it. */
+        KEEPS_STATION,
         /** It is told to stop. */
         STOPPING,
         /** A mission keeps it where it is. */

@@ -10,8 +10,8 @@ record LastWord(Explanation.Cause cause, String text) {
     static final LastWord NONE = new LastWord(Explanation.Cause.NO_COMMAND, "");
 
     static LastWord arrived(BoatCommand command) {
-        String done = command instanceof FollowPath ? "has arrived at the end of " : "has stopped, as ";
-        String wished = command instanceof FollowPath ? "" : " wanted";
+        String done = command instanceof Stop ? "has stopped, as " : "has arrived at the end of ";
+        String wished = command instanceof Stop ? " wanted" : "";
         return new LastWord(Explanation.Cause.ARRIVED, "it " + done + name(command) + wished);
     }
 

@@ -144,7 +144,8 @@ final class PathRun extends CommandRun {
         reached.accept(Upload.of(listId, queued().command().commandId(), waypoints.size(), state));
     }
 
-    private void start(long nowMs) {
+    /** Has the boat drive, from where the command is. */
+    void start(long nowMs) {
         phase = Phase.STARTING;
         headway = Optional.empty();
         requests.send(new StartWaypoints(wireId + "/start" + ++starts, listId, queued().visited()), nowMs);
@@ -161,7 +162,7 @@ final class PathRun extends CommandRun {
             return because(Verdict.RETRY, "the boat holds another list");
         }
         if (held.completed()) {
-            return Verdict.COMPLETED;
+            return arrived();
         }
         start(nowMs);
         return Verdict.GO_ON;

@@ -1,5 +1,8 @@
 package org.sami.crw.handler;
 
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.boat.server.Sensor;
 import org.sami.boat.server.Vehicle;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoPoint;
@@ -14,6 +17,7 @@ final class TestHull implements Vehicle {
     private double port;
     private double starboard;
     private double batteryPercent = 100;
+    private final List<Sensor> sensors = new ArrayList<>();
 
     TestHull(GeoPoint position) {
         this.position = position;
@@ -31,6 +35,41 @@ final class TestHull implements Vehicle {
 
     boolean isAtRest() {
         return Math.abs(port) < 1e-9 && Math.abs(starboard) < 1e-9;
+    }
+
+    /** Something carries it elsewhere. */
+    void drift(double eastM, double northM) {
+        position = Geodesy.offset(position, eastM, northM);
+    }
+
+    /** An instrument that reads once a second what it is set to. */
+    void measures(String instrument, String channel, double value) {
+        sensors.add(new Sensor() {
+            @Override
+            public String name() {
+                return instrument;
+            }
+
+            @Override
+            public String channel() {
+                return channel;
+            }
+
+            @Override
+            public String unit() {
+                return "";
+            }
+
+            @Override
+            public long periodMs() {
+                return 1000;
+            }
+
+            @Override
+            public List<Double> read() {
+                return Sensor.single(value);
+            }
+        });
     }
 
     void setBatteryPercent(double percent) {
@@ -60,6 +99,11 @@ final class TestHull implements Vehicle {
     @Override
     public double batteryPercent() {
         return batteryPercent;
+    }
+
+    @Override
+    public List<Sensor> sensors() {
+        return sensors;
     }
 
     @Override

@@ -92,7 +92,13 @@ final class TestWorld implements HostClock {
 
     /** A boat so many metres from home. */
     TestHull addBoat(String id, double eastM, double northM) {
+        return addBoat(id, eastM, northM, hull -> {});
+    }
+
+    /** A boat that is fitted out before its server starts. */
+    TestHull addBoat(String id, double eastM, double northM, Consumer<TestHull> outfit) {
         TestHull hull = new TestHull(Geodesy.offset(HOME, eastM, northM));
+        outfit.accept(hull);
         hulls.put(id, hull);
         boats.add(new BoatProxy(
                 id,

@@ -90,6 +90,10 @@ class ExplainTest {
         boat.says(new Nack(boat.last(UploadWaypoints.class).commandId(), NackReason.TOO_LONG, "at most 1 point"));
         boat.acknowledges(StopMotors.class);
         assertWhy(Cause.FAILED, "e of mission 1 failed: the boat refused it: TOO_LONG, at most 1 point");
+        boat.proxy.submit(new KeepStation("k", 4, 1, HERE, 10, Priority.MEDIUM, true));
+        boat.setsOut();
+        boat.says(new Progress(boat.last(UploadWaypoints.class).listId(), 1, true));
+        assertWhy(Cause.KEEPS_STATION, "boat1 does k of mission 4: keeping its station");
         boat.proxy.submit(new Stop("s", 4, 1, Priority.LOW, true));
         boat.acknowledges(StopMotors.class);
         assertWhy(Cause.BLOCKED, "mission 4 keeps it where it is");

@@ -45,4 +45,9 @@ public record Decision(
         Objects.requireNonNull(priority, "priority");
         markups = List.copyOf(markups);
     }
+
+    /** The same decision with another form of its question, such as one that offers less. */
+    public Decision asking(Question other) {
+        return new Decision(id, mission, activation, type, prompt, other, automatic, deadlineMillis, priority, markups);
+    }
 }

@@ -115,7 +115,9 @@ final class BoatLink implements FrameSink {
 
     /** Lets time pass: connects when it is time, gives up what has gone silent. */
     void tick(long nowMs) {
-        if (connection.isEmpty() && nowMs >= nextTryMs) {
+        if (proxy.isPresent() && proxy.get().isDisconnected()) {
+            connection.ifPresent(standing -> standing.close("the link is cut on purpose"));
+        } else if (connection.isEmpty() && nowMs >= nextTryMs) {
             BoatConnection next = new BoatConnection(address, config, base.ears(this));
             connection = Optional.of(next);
             next.start();

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import org.sami.crw.decision.BoatFilter;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.sim.clock.Scheduler;
 import org.sami.spn.engine.EngineView;
@@ -67,7 +68,7 @@ public final class OperatorStation implements HostListener {
             } else if (effect instanceof Effect.Activated activated) {
                 workMillis.put(activated.activation().id(), workMillis(activated.activation()));
             } else if (effect instanceof Effect.DecisionOpened opened) {
-                Decision decision = opened.decision();
+                Decision decision = BoatFilter.narrowed(opened.decision(), view);
                 open.put(decision.id(), decision);
                 work.put(decision.id(), workMillis.getOrDefault(decision.activation(), 0L));
                 think(decision);
