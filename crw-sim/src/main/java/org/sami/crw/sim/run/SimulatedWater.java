@@ -12,6 +12,7 @@ import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.fleet.FleetConfig;
 import org.sami.crw.sim.fleet.SimulatedBoat;
 import org.sami.crw.sim.fleet.SimulatedFleet;
+import org.sami.crw.sim.hull.HullConfig;
 import org.sami.spn.value.GeoPoint;
 
 /** The simulated part of the world that is not the base: the area, the boats on it, and their time. */
@@ -41,6 +42,8 @@ final class SimulatedWater {
         double eastM = -(settings.boats() - 1) * SPACING_M / 2;
         double northM = -settings.areaM() / 2 - QUAY_M;
         quay = GeoPoint.of(plane.latDeg(0, northM), plane.lonDeg(0, northM));
+        double farthestM = Math.hypot(settings.areaM() / 2 - eastM, settings.areaM() + QUAY_M);
+        BatteryThresholds thresholds = BatteryThresholds.forWayBackM(farthestM, HullConfig.DEFAULT);
         fleet = new SimulatedFleet(
                 clock,
                 settings.seed(),
@@ -48,7 +51,10 @@ final class SimulatedWater {
                 plane.latDeg(eastM, northM),
                 plane.lonDeg(eastM, northM),
                 listeners,
-                FleetConfig.DEFAULT.withConditions(settings.conditions()));
+                FleetConfig.DEFAULT
+                        .withConditions(settings.conditions())
+                        .withServer(server ->
+                                server.batteryThresholds(thresholds.lowPercent(), thresholds.criticalPercent())));
         for (int i = 0; i < settings.boats(); i++) {
             fleet.boats().get(i).hull().setBatteryPercent(settings.charges().of(i));
         }

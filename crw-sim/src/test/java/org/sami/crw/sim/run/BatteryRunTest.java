@@ -16,11 +16,11 @@ import org.sami.crw.sim.report.TrackPoint;
 
 /** Boats whose batteries turn critical are pulled out (thesis 7.1.1): {@code recharge@battery}. */
 class BatteryRunTest {
-    private static final double CRITICAL_PERCENT = 15;
+    private static final double CRITICAL_PERCENT = 25;
 
     @Test
     void boatIsPulledOutAtTheMomentAtWhichItTurnsCritical() {
-        RunReport report = run("100,27,100", "recharge@battery");
+        RunReport report = run("100,37,100", "recharge@battery");
 
         assertAllVisited(report);
         assertThat(report.interrupts()).singleElement().satisfies(pressed -> {
@@ -41,7 +41,7 @@ class BatteryRunTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"15", "100,15,15.1", "29.9", "30", "90"})
+    @ValueSource(strings = {"25", "100,25,25.1", "39.9", "40", "90"})
     void lowIsNotCritical(String charges) {
         RunReport report = Runs.run(plan(), settings(charges, 1, "recharge@battery"));
 
@@ -53,7 +53,7 @@ class BatteryRunTest {
 
     @Test
     void boatThatIsCriticalFromTheStartIsRechargedWhereItLies() {
-        RunReport report = run("14.99", "recharge@battery");
+        RunReport report = run("24.99", "recharge@battery");
 
         assertAllVisited(report);
         assertThat(report.interrupts()).hasSize(3).allMatch(InterruptResult::taken);
@@ -62,7 +62,7 @@ class BatteryRunTest {
 
     @Test
     void boatThatIsCriticalAtLaunchIsPulledOutAsSoonAsItsPlanOffersIt() {
-        RunReport report = run("100,14.99,100", "recharge:2@battery");
+        RunReport report = run("100,24.99,100", "recharge:2@battery");
 
         InterruptResult pressed = report.interrupts().get(0);
         assertThat(pressed.boat()).isEqualTo("boat2");
@@ -74,6 +74,19 @@ class BatteryRunTest {
                         .findFirst()
                         .orElseThrow()
                         .atMillis());
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {2, 4, 5, 8, 9, 10})
+    void boatThatTurnsCriticalAnywhereInTheAreaComesBackToTheQuay(long seed) {
+        RunPlan plan = plan();
+
+        RunReport report =
+                Runs.run(plan, Runs.settings(plan, 2, 100, seed).withInterrupts(List.of("recharge@battery")));
+
+        assertThat(report.result().outcome()).as(report.result().reason()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.locations()).hasSize(100).allMatch(LocationResult::visited);
+        assertThat(report.interrupts()).isNotEmpty().allMatch(InterruptResult::taken);
     }
 
     @Test

@@ -32,7 +32,7 @@ class InterruptOverTcpTest {
     private static final int LOCATIONS = 5;
 
     /** The press comes after three seconds; the boat is away for some ten. */
-    private static final List<Long> DEATHS_MILLIS = List.of(1_500L, 4_500L, 9_000L, 16_000L);
+    private static final List<Long> DEATHS_MILLIS = List.of(1_500L, 4_500L, 9_000L);
 
     @TempDir
     private Path folder;
@@ -130,7 +130,7 @@ class InterruptOverTcpTest {
                 "--connect",
                 addresses,
                 "--area",
-                "40",
+                "24",
                 "--locations",
                 "" + LOCATIONS,
                 "--answer-after",
