@@ -1,5 +1,6 @@
 package org.sami.crw.decision;
 
+import java.util.List;
 import java.util.Objects;
 import org.sami.spn.value.GeoPoint;
 
@@ -11,9 +12,12 @@ import org.sami.spn.value.GeoPoint;
  * @param areaM side of the square in metres
  * @param locations how many locations it marks where a list of them is asked for
  * @param seed of all that it makes up
+ * @param boats who gets a share where a value for each boat is asked for
  */
-public record OperatorDefaults(GeoPoint quay, GeoPoint centre, double areaM, int locations, long seed) {
+public record OperatorDefaults(
+        GeoPoint quay, GeoPoint centre, double areaM, int locations, long seed, List<String> boats) {
     public OperatorDefaults {
+        boats = List.copyOf(boats);
         Objects.requireNonNull(quay, "quay");
         Objects.requireNonNull(centre, "centre");
         if (!(areaM > 0) || areaM > 100_000) {
@@ -22,6 +26,11 @@ public record OperatorDefaults(GeoPoint quay, GeoPoint centre, double areaM, int
         if (locations < 0 || locations > 100_000) {
             throw new IllegalArgumentException("The number of locations is from 0 to 100000, not " + locations);
         }
+    }
+
+    /** The names of the boats are not known. */
+    public OperatorDefaults(GeoPoint quay, GeoPoint centre, double areaM, int locations, long seed) {
+        this(quay, centre, areaM, locations, seed, List.of());
     }
 
     /** The quay lies in the middle of the square. */

@@ -45,16 +45,19 @@ final class Copies {
                 .flatMap(v -> v.subMissions().stream())
                 .anyMatch(s -> s.plan().equals(copy.id()));
         String name = "The plan " + copy.id() + " (" + copy.name() + ")";
+        String difference = "";
         for (LegacyPlan original : originals) {
-            Optional<Map<String, String>> variables = CopyCheck.variables(copy, original, globals);
-            if (used && variables.isPresent()) {
-                folds.put(copy.id(), new Fold(original.id(), variables.get()));
+            CopyCheck.Result result = CopyCheck.compare(copy, original, globals);
+            Map<String, String> variables = result.variables();
+            difference = difference.isEmpty() ? result.difference() : difference;
+            if (used && result.isTrue()) {
+                folds.put(copy.id(), new Fold(original.id(), variables));
                 findings.note(
                         LegacyCodes.COPY_FOLDED,
                         copy.pointer(),
                         name + " is a true copy of " + original.id() + " (" + original.name()
                                 + "): its place runs that plan"
-                                + (variables.get().isEmpty() ? "" : ", with the variables " + variables.get())
+                                + (variables.isEmpty() ? "" : ", with the variables " + variables)
                                 + ", and the copy is not imported",
                         copy.id());
                 explained(copy, explained);
@@ -63,7 +66,7 @@ final class Copies {
         }
         String why = originals.isEmpty()
                 ? "no plan of its name is in the project"
-                : used ? "it differs from " + originals.get(0).id() : "no place runs it";
+                : used ? "it differs from " + originals.get(0).id() + ": " + difference : "no place runs it";
         findings.note(
                 originals.isEmpty() ? LegacyCodes.NOT_A_COPY : LegacyCodes.COPY_KEPT,
                 copy.pointer(),

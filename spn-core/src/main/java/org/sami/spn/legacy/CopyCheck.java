@@ -6,7 +6,6 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
@@ -31,63 +30,83 @@ final class CopyCheck {
     }
 
     /**
-     * The copy's variable for each of the plan's, where they differ.
+     * What came of a comparison.
      *
-     * @return empty where the copy says something else than the plan
+     * @param variables the copy's variable for each of the plan's, where they differ
+     * @param difference the first thing that the copy says otherwise, in words; empty for a true copy
      */
-    static Optional<Map<String, String>> variables(LegacyPlan copy, LegacyPlan plan, Set<String> globals) {
-        CopyCheck check = new CopyCheck(copy, plan, globals);
-        if (!check.same()) {
-            return Optional.empty();
+    record Result(Map<String, String> variables, String difference) {
+        boolean isTrue() {
+            return difference.isEmpty();
         }
-        Map<String, String> renamed = new LinkedHashMap<>(check.variables);
-        renamed.entrySet().removeIf(e -> e.getKey().equals(e.getValue()));
-        return Optional.of(renamed);
     }
 
-    private boolean same() {
-        if (copy.vertices().size() != plan.vertices().size()
-                || copy.edges().size() != plan.edges().size()
-                || !copy.tasks().stream()
-                        .map(t -> t.name() + " " + t.className())
-                        .toList()
-                        .equals(plan.tasks().stream()
-                                .map(t -> t.name() + " " + t.className())
-                                .toList())) {
-            return false;
+    static Result compare(LegacyPlan copy, LegacyPlan plan, Set<String> globals) {
+        CopyCheck check = new CopyCheck(copy, plan, globals);
+        String difference = check.difference();
+        Map<String, String> renamed = new LinkedHashMap<>(check.variables);
+        renamed.entrySet().removeIf(e -> e.getKey().equals(e.getValue()));
+        return new Result(renamed, difference);
+    }
+
+    private String difference() {
+        if (copy.vertices().size() != plan.vertices().size()) {
+            return "it has " + copy.vertices().size() + " places and transitions, not "
+                    + plan.vertices().size();
+        }
+        if (copy.edges().size() != plan.edges().size()) {
+            return "it has " + copy.edges().size() + " edges, not "
+                    + plan.edges().size();
+        }
+        if (!tasks(copy).equals(tasks(plan))) {
+            return "its tasks are others";
         }
         for (int i = 0; i < copy.vertices().size(); i++) {
             keys.put(copy.vertices().get(i).key(), plan.vertices().get(i).key());
         }
         for (int i = 0; i < copy.vertices().size(); i++) {
-            if (!same(copy.vertices().get(i), plan.vertices().get(i))) {
-                return false;
+            String what = difference(copy.vertices().get(i), plan.vertices().get(i));
+            if (!what.isEmpty()) {
+                return "its " + copy.vertices().get(i).title() + " has other " + what + " than "
+                        + plan.vertices().get(i).title();
             }
         }
-        return edges(copy, keys::get).equals(edges(plan, UnaryOperator.identity()));
+        return edges(copy, keys::get).equals(edges(plan, UnaryOperator.identity()))
+                ? ""
+                : "its edges or their requirements are others";
     }
 
-    private boolean same(LegacyPlan.Vertex a, LegacyPlan.Vertex b) {
-        boolean itself = a.place() == b.place()
-                && a.name().equals(b.name())
-                && a.mode() == b.mode()
-                && a.start() == b.start()
-                && a.end() == b.end()
-                && a.endsShared() == b.endsShared();
-        if (!itself
-                || !renamed(a.outTransitions()).equals(b.outTransitions())
+    private static List<String> tasks(LegacyPlan plan) {
+        return plan.tasks().stream().map(t -> t.name() + " " + t.className()).toList();
+    }
+
+    private String difference(LegacyPlan.Vertex a, LegacyPlan.Vertex b) {
+        if (a.place() != b.place()
+                || !a.name().equals(b.name())
+                || a.mode() != b.mode()
+                || a.start() != b.start()
+                || a.end() != b.end()
+                || a.endsShared() != b.endsShared()) {
+            return "properties";
+        }
+        if (!renamed(a.outTransitions()).equals(b.outTransitions())
                 || !renamed(a.inPlaces()).equals(b.inPlaces())
-                || !renamed(a.outPlaces()).equals(b.outPlaces())
-                || a.events().size() != b.events().size()
-                || !subMissions(a).equals(subMissions(b))) {
-            return false;
+                || !renamed(a.outPlaces()).equals(b.outPlaces())) {
+            return "neighbours or another order of them";
+        }
+        if (!subMissions(a).equals(subMissions(b))) {
+            return "sub-missions";
+        }
+        if (a.events().size() != b.events().size()) {
+            return "events";
         }
         for (int i = 0; i < a.events().size(); i++) {
             if (!same(a.events().get(i), b.events().get(i))) {
-                return false;
+                return "values, variables or markups in "
+                        + a.events().get(i).className().replaceAll(".*\\.", "");
             }
         }
-        return true;
+        return "";
     }
 
     private List<String> renamed(List<String> copyKeys) {

@@ -33,6 +33,7 @@ final class LegacyCodes {
     static final String VARIABLE = "W-VARIABLE";
     static final String VARIABLE_TYPE = "W-VARIABLE-TYPE";
     static final String PREFIX = "W-PREFIX";
+    static final String MOVES_NOBODY = "W-MOVES-NOBODY";
     static final String MODE = "N-MODE";
     static final String DROPPED = "N-NOT-KEPT";
     static final String HEADING = "W-HEADING";

@@ -91,6 +91,7 @@ final class PlanConverter {
                             + "leaves them out, the earlier engine would still have followed them",
                     plan.id());
         }
+        plan.transitions().forEach(t -> tellIfItMovesNobody(plan, t));
         long hidden = count(plan, LegacyPlan.DrawingMode.HIDDEN_RECOVERY);
         long mockup = count(plan, LegacyPlan.DrawingMode.MOCKUP);
         if (hidden + mockup > 0) {
@@ -101,6 +102,30 @@ final class PlanConverter {
                             + mockup
                             + " of a mock-up, which are nominal; what the mock-up says in words is kept as notes",
                     plan.id());
+        }
+    }
+
+    /** It asks for boats or tasks by name and has nowhere to take them: who answered stays where it is. */
+    private void tellIfItMovesNobody(LegacyPlan plan, LegacyPlan.Vertex t) {
+        boolean asks = plan.edges().stream()
+                .filter(e -> e.in() && e.to().equals(t.key()))
+                .flatMap(e -> e.requirements().stream())
+                .anyMatch(r -> r.kind() == LegacyPlan.Kind.RELEVANT);
+        List<LegacyPlan.Edge> out = plan.edges().stream()
+                .filter(e -> !e.in() && e.from().equals(t.key()))
+                .toList();
+        if (asks
+                && !out.isEmpty()
+                && out.stream().allMatch(e -> e.requirements().isEmpty())
+                && !t.events().isEmpty()) {
+            findings.warning(
+                    LegacyCodes.MOVES_NOBODY,
+                    t.pointer(),
+                    "The transition " + t.title() + " of the plan " + plan.id() + " (" + plan.name() + ") waits for "
+                            + t.events().get(0).className().replaceAll(".*\\.", "")
+                            + " of named boats or tasks and moves none of them: they stay where they are",
+                    plan.id(),
+                    t.key());
         }
     }
 

@@ -31,6 +31,8 @@ final class TrialWatch implements HostListener {
     private final Project project;
     private final Set<String> handled;
     private final Map<Long, String> planOfMission = new HashMap<>();
+    private final Map<Long, String> askedBy = new HashMap<>();
+    private String asked = ""; // what the present input answers, in words
     private final Map<String, Kept> kept = new LinkedHashMap<>();
 
     private static final class Kept {
@@ -63,6 +65,9 @@ final class TrialWatch implements HostListener {
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
         boolean isNews = input instanceof Input.Received received
                 && received.occurrence().activation() == Ids.NONE;
+        asked = input instanceof Input.Received answer
+                ? askedBy.getOrDefault(answer.occurrence().activation(), "")
+                : "";
         for (Effect effect : effects) {
             if (effect instanceof Effect.MissionStarted started) {
                 planOfMission.put(started.mission(), started.plan());
@@ -83,6 +88,9 @@ final class TrialWatch implements HostListener {
 
     private void activated(Effect.Activated activated) {
         String type = activated.activation().type();
+        String where =
+                place(activated.activation().plan(), activated.activation().place());
+        askedBy.put(activated.activation().id(), "; " + type + " in the place " + where + " had asked");
         boolean somebody = handled.contains(type)
                 || vocabulary
                         .event(type)
@@ -126,7 +134,7 @@ final class TrialWatch implements HostListener {
     private void noted(Effect.Noted noted) {
         String plan = planOfMission.getOrDefault(noted.mission(), "");
         switch (noted.kind()) {
-            case DISCARDED -> keep(Severity.WARNING, TrialCodes.NOT_TAKEN, plan, noted.message());
+            case DISCARDED -> keep(Severity.WARNING, TrialCodes.NOT_TAKEN, plan, noted.message() + asked);
             case LATE -> keep(Severity.NOTE, TrialCodes.LATE, plan, noted.message());
             case NAMES_NOBODY -> keep(Severity.WARNING, TrialCodes.NAMES_NOBODY, plan, noted.message());
             case SHORT_OF_TOKENS -> keep(Severity.WARNING, TrialCodes.SHORT_OF_TOKENS, plan, noted.message());

@@ -76,8 +76,8 @@ public final class InProcessRun {
         water = new SimulatedWater(clock, fleet, centre, boat -> base.boatListener());
         harbour.open(water, base);
         base.know(water.fleet().proxies());
-        OperatorDefaults defaults =
-                new OperatorDefaults(water.quay(), centre, fleet.areaM(), fleet.locations(), fleet.seed());
+        OperatorDefaults defaults = new OperatorDefaults(
+                water.quay(), centre, fleet.areaM(), fleet.locations(), fleet.seed(), fleet.boatNames());
         operator = new OperatorStation(
                 new SimulatedOperator(plan.vocabulary(), defaults, answers), clock, settings.answerAfterMillis());
         interrupts = new InterruptStation(

@@ -81,7 +81,10 @@ public final class Waits {
             }
         }
         if (mission.status() != MissionView.Status.RUNNING) {
-            String place = standing.keySet().stream().findFirst().orElse("");
+            String place = standing.keySet().stream()
+                    .findFirst()
+                    .or(() -> plan.startPlace().map(Place::id))
+                    .orElse("");
             all.add(new Wait(
                     1,
                     plan.id(),
@@ -126,7 +129,9 @@ public final class Waits {
         if (!events.isEmpty()) {
             return String.join(" or ", events);
         }
-        return reasons.isEmpty() ? "nothing: only an abort or completion leads on" : String.join(" ", reasons);
+        return reasons.isEmpty()
+                ? "nothing: only an abort or completion leads on"
+                : "other tokens: " + String.join(" ", reasons);
     }
 
     private String unmarked(Plan plan) {
