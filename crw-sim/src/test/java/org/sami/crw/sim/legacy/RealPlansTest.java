@@ -1,0 +1,52 @@
+package org.sami.crw.sim.legacy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.run.RunObserver;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.legacy.LegacyImport;
+import org.sami.spn.legacy.LegacyTableReader;
+import org.sami.spn.model.Project;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/** The real plans of the earlier fleet run; skipped where they are absent, since their licence keeps them out of the project. */
+class RealPlansTest {
+    private static final Path FOLDER = Path.of("../../shared/legacy-plans");
+    private static final String CRW = "/org/sami/domain/crw";
+
+    @ParameterizedTest
+    @CsvSource({"thesis, 17", "crw, 45"})
+    void everyRootPlanRunsAndSaysWhatItWaitsFor(String name, int roots) {
+        Path file = FOLDER.resolve(name + ".json");
+        assumeTrue(Files.exists(file), "skipped: " + file + " is not here");
+        Vocabulary vocabulary = DomainLibrary.fromClassPath(CRW).orThrow().vocabulary();
+        LegacyImport.Result imported = new LegacyImport(
+                        vocabulary,
+                        LegacyTableReader.fromClassPath(CRW + "/legacy.json", vocabulary)
+                                .orThrow())
+                .read(file);
+        Project project = imported.project().orElseThrow();
+        PlanTrials trials = new PlanTrials(vocabulary, project, TrialSettings.of(3));
+
+        assertThat(imported.roots()).hasSize(roots);
+        for (String root : imported.roots()) {
+            PlanTrial trial = trials.run(project.plan(root).orElseThrow(), RunObserver.NONE);
+
+            assertThat(trial.outcome()).as("%s: %s", trial.name(), trial.reason()).isNotEqualTo(RunOutcome.FAILED);
+            assertThat(trial.findings())
+                    .as(trial.name())
+                    .noneMatch(f -> f.code().equals(TrialCodes.ENGINE) || f.code().equals(TrialCodes.LIVELOCK));
+            assertThat(trial.waitsFor().isEmpty()).as(trial.name()).isEqualTo(trial.outcome() != RunOutcome.RUNNING);
+            assertThat(trial.waitsFor()).as(trial.name()).allSatisfy(wait -> {
+                assertThat(wait.place()).isNotBlank();
+                assertThat(wait.occurrence()).isNotBlank();
+            });
+        }
+    }
+}
