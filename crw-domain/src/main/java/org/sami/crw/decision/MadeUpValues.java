@@ -8,16 +8,12 @@ import java.util.Optional;
 import java.util.Random;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.BooleanValue;
-import org.sami.spn.value.DurationValue;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
-import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.MapValue;
 import org.sami.spn.value.ProxyValue;
-import org.sami.spn.value.RealValue;
-import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 
@@ -59,17 +55,7 @@ final class MadeUpValues {
         if (type instanceof ValueType.MapOf map && map.key().equals(ValueType.Simple.PROXY)) {
             return forEachBoat(map.value());
         }
-        return type instanceof ValueType.Simple simple ? plain(simple) : Optional.empty();
-    }
-
-    private static Optional<Value> plain(ValueType.Simple type) {
-        return switch (type) {
-            case INTEGER -> Optional.of(new IntegerValue(1));
-            case REAL -> Optional.of(new RealValue(1));
-            case DURATION -> Optional.of(new DurationValue(10_000));
-            case TEXT -> Optional.of(new TextValue("made up"));
-            default -> Optional.empty();
-        };
+        return Optional.empty();
     }
 
     private Optional<Value> forEachBoat(ValueType share) {

@@ -21,6 +21,8 @@ import org.sami.spn.protocol.Question;
 import org.sami.spn.value.DurationValue;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
+import org.sami.spn.value.MapValue;
+import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
@@ -72,6 +74,20 @@ class SimulatedOperatorTest {
         SimulatedOperator operator = operator(1, "");
 
         assertThat(locations(operator)).isNotEqualTo(locations(operator));
+    }
+
+    @Test
+    void everyBoatThatItKnowsGetsAShareOfItsOwn() {
+        ValueType shares = new ValueType.MapOf(ValueType.Simple.PROXY, ValueType.Simple.POINT);
+        SimulatedOperator knowing = new SimulatedOperator(
+                VOCABULARY, new OperatorDefaults(CENTRE, CENTRE, 600, 20, 1, List.of("a", "b")), AnswersFile.EMPTY);
+
+        Value given = fields(knowing, item("points", shares, Optional.empty())).get("points");
+
+        assertThat(((MapValue) given).entries().keySet()).containsExactly(new ProxyValue("a"), new ProxyValue("b"));
+        assertThat(((MapValue) given).entries().values())
+                .doesNotHaveDuplicates()
+                .allMatch(GeoPoint.class::isInstance);
     }
 
     @Test

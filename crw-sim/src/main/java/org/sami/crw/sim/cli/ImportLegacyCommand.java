@@ -102,22 +102,28 @@ final class ImportLegacyCommand implements Callable<Integer> {
             writer.print(imported.text());
             writer.flush();
         }
-        Optional<TrialReport> trials = run ? result.project().map(p -> tried(p, result, vocabulary)) : Optional.empty();
+        if (run && result.project().isPresent()) {
+            return tried(result.project().get(), imported, vocabulary);
+        }
         if (json) {
-            writer.println(new ImportReport(String.valueOf(file), String.valueOf(out), result, trials)
-                    .json()
-                    .toPrettyString());
-        } else {
-            trials.ifPresent(t -> writer.print(t.text()));
+            writer.println(imported.json().toPrettyString());
+            writer.flush();
         }
-        writer.flush();
-        if (result.project().isEmpty()) {
-            return ExitCode.FINDINGS;
-        }
-        return trials.map(TrialReport::isSound).orElse(true) ? ExitCode.OK : ExitCode.FAILED;
+        return result.project().isPresent() ? ExitCode.OK : ExitCode.FINDINGS;
     }
 
-    private TrialReport tried(Project project, LegacyImport.Result result, Vocabulary vocabulary) {
+    /** Tries the plans and prints what came of it; after Ctrl-C as well, of those that had run until then. */
+    private int tried(Project project, ImportReport imported, Vocabulary vocabulary) {
+        PrintWriter writer = spec.commandLine().getOut();
+        try (StopOnInterrupt stop = new StopOnInterrupt()) {
+            TrialReport trials = trials(project, imported.result().roots(), vocabulary, stop);
+            writer.print(json ? imported.with(trials).json().toPrettyString() + System.lineSeparator() : trials.text());
+            writer.flush();
+            return trials.isSound() ? ExitCode.OK : ExitCode.FAILED;
+        }
+    }
+
+    private TrialReport trials(Project project, List<String> roots, Vocabulary vocabulary, StopOnInterrupt stop) {
         PrintWriter err = spec.commandLine().getErr();
         PlanTrials trials = new PlanTrials(vocabulary, project, TrialSettings.of(seed));
         Map<String, String> servers = trials.boatOfServer();
@@ -127,22 +133,19 @@ final class ImportLegacyCommand implements Callable<Integer> {
         }
         List<PlanTrial> done = new ArrayList<>();
         ProgressDisplay progress = new ProgressDisplay(err, Terminal.onStandardError(), System::nanoTime);
-        try (StopOnInterrupt stop = new StopOnInterrupt()) {
-            for (String root : result.roots()) {
-                Plan plan = project.plan(root).orElseThrow();
-                err.printf(
-                        "plan %d of %d: %s%n", done.size() + 1, result.roots().size(), plan.title());
+        for (String root : roots) {
+            Plan plan = project.plan(root).orElseThrow();
+            err.printf("plan %d of %d: %s%n", done.size() + 1, roots.size(), plan.title());
+            err.flush();
+            PlanTrial trial = trials.run(plan, new RunObserver(progress, stop));
+            progress.end();
+            if (stop.getAsBoolean()) {
+                err.println("stopped");
                 err.flush();
-                PlanTrial trial = trials.run(plan, new RunObserver(progress, stop));
-                progress.end();
-                if (stop.getAsBoolean()) {
-                    err.println("stopped");
-                    err.flush();
-                    break;
-                }
-                done.add(trial);
+                break;
             }
+            done.add(trial);
         }
-        return new TrialReport(servers, done, result.roots().size());
+        return new TrialReport(servers, done, roots.size());
     }
 }

@@ -53,6 +53,11 @@ public record ImportReport(String source, String target, LegacyImport.Result res
         return text.toString();
     }
 
+    /** The same with trials of its plans. */
+    public ImportReport with(TrialReport tried) {
+        return new ImportReport(source, target, result, Optional.of(tried));
+    }
+
     /** Which simulated boats stand for which servers, for people. */
     public static String servers(Map<String, String> boatOfServer) {
         StringBuilder text = new StringBuilder("each server is a simulated boat on loopback in this process:\n");

@@ -68,7 +68,7 @@ public final class PlanTrials {
         InProcessRun trial = new InProcessRun(
                 new RunPlan(vocabulary, project, plan),
                 run,
-                TrialAnswers.of(SOME_BOAT, SOME_SERVER, vocabulary),
+                TrialAnswers.of(SOME_BOAT, SOME_SERVER, project, vocabulary),
                 RunJournal.none());
         TrialWatch watch = new TrialWatch(vocabulary, project, handled);
         trial.goOnWhenStuck();

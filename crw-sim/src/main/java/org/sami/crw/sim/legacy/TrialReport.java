@@ -100,6 +100,9 @@ public record TrialReport(Map<String, String> servers, List<PlanTrial> trials, i
     }
 
     private String summary() {
+        if (trials.isEmpty()) {
+            return "0 of " + asked + " plans tried";
+        }
         List<String> parts = new ArrayList<>();
         for (RunOutcome outcome : RunOutcome.values()) {
             long n = trials.stream().filter(t -> t.outcome() == outcome).count();

@@ -38,10 +38,13 @@ class RealPlansTest {
         for (String root : imported.roots()) {
             PlanTrial trial = trials.run(project.plan(root).orElseThrow(), RunObserver.NONE);
 
-            assertThat(trial.outcome()).as("%s: %s", trial.name(), trial.reason()).isNotEqualTo(RunOutcome.FAILED);
+            assertThat(trial.outcome())
+                    .as("%s: %s", trial.name(), trial.reason())
+                    .isNotEqualTo(RunOutcome.FAILED);
             assertThat(trial.findings())
                     .as(trial.name())
-                    .noneMatch(f -> f.code().equals(TrialCodes.ENGINE) || f.code().equals(TrialCodes.LIVELOCK));
+                    .noneMatch(
+                            f -> f.code().equals(TrialCodes.ENGINE) || f.code().equals(TrialCodes.LIVELOCK));
             assertThat(trial.waitsFor().isEmpty()).as(trial.name()).isEqualTo(trial.outcome() != RunOutcome.RUNNING);
             assertThat(trial.waitsFor()).as(trial.name()).allSatisfy(wait -> {
                 assertThat(wait.place()).isNotBlank();
