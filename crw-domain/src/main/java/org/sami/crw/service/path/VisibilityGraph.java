@@ -27,7 +27,7 @@ import org.locationtech.jts.operation.distance.DistanceOp;
  * <p>The graph is not built: A* takes a leg for free until it would use it, and tests it only then. Legs that are no tangents
  * at both ends are not looked at, as they are on no shortest way. For n corners O(n² log n) at worst.
  */
-final class VisibilityGraph {
+public final class VisibilityGraph {
     /** Corners stand off what is blocked by this, in metres. */
     static final double STAND_OFF_M = 0.1;
 
@@ -52,7 +52,7 @@ final class VisibilityGraph {
      * @param forbidden polygons on a plane
      * @param clearanceM least distance that ways keep from them; zero = they pass close by
      */
-    VisibilityGraph(Geometry forbidden, double clearanceM) {
+    public VisibilityGraph(Geometry forbidden, double clearanceM) {
         blocked = clearanceM > 0 ? forbidden.buffer(clearanceM / INSIDE, QUADRANT_SEGMENTS) : forbidden;
         around = clearanceM > 0
                 ? forbidden.buffer(clearanceM / INSIDE / INSIDE + STAND_OFF_M, QUADRANT_SEGMENTS)
@@ -103,7 +103,7 @@ final class VisibilityGraph {
     }
 
     /** The shortest way with both its ends, neither of them blocked; empty where there is none. */
-    Optional<List<Coordinate>> shortest(Coordinate from, Coordinate to) {
+    public Optional<List<Coordinate>> shortest(Coordinate from, Coordinate to) {
         return new Search(from, to).run();
     }
 

@@ -1,0 +1,51 @@
+package org.sami.crw.service.coverage;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * An area that boats are to cover.
+ *
+ * @param boats the position of each boat, empty where it is not known
+ * @param area a simple polygon, concave or not, with holes or without; holes are not to be entered
+ * @param spacingM distance between two lanes, more than zero: a point is covered when the track comes as near as half of it
+ * @param avoid areas that are not to be entered, on the boats' way to the area as well
+ * @param within the area to stay in, if there is one, likewise
+ */
+public record CoverageProblem(
+        Map<String, Optional<GeoPoint>> boats,
+        GeoArea area,
+        double spacingM,
+        List<GeoArea> avoid,
+        Optional<GeoArea> within) {
+    public CoverageProblem {
+        boats = Collections.unmodifiableMap(new LinkedHashMap<>(boats));
+        Objects.requireNonNull(area, "area");
+        avoid = List.copyOf(avoid);
+        Objects.requireNonNull(within, "within");
+        if (boats.isEmpty()) {
+            throw new IllegalArgumentException("There is no boat to cover the area");
+        }
+        if (!(spacingM >= 0.1) || spacingM > 10_000) {
+            throw new IllegalArgumentException("The spacing is at least 0.1 m and at most 10 km, not " + spacingM);
+        }
+    }
+
+    /** An area in open water. */
+    public static CoverageProblem of(Map<String, Optional<GeoPoint>> boats, GeoArea area, double spacingM) {
+        return new CoverageProblem(boats, area, spacingM, List.of(), Optional.empty());
+    }
+
+    /** The same for fewer boats. */
+    CoverageProblem without(String boat) {
+        Map<String, Optional<GeoPoint>> others = new LinkedHashMap<>(boats);
+        others.remove(boat);
+        return new CoverageProblem(others, area, spacingM, avoid, within);
+    }
+}
