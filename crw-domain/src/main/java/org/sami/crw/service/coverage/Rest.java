@@ -8,6 +8,7 @@ import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.LineString;
 import org.locationtech.jts.geom.LinearRing;
 import org.locationtech.jts.geom.Polygon;
+import org.locationtech.jts.geom.util.AffineTransformation;
 import org.locationtech.jts.operation.buffer.BufferOp;
 import org.locationtech.jts.operation.buffer.BufferParameters;
 import org.locationtech.jts.operation.overlayng.OverlayNG;
@@ -26,15 +27,23 @@ final class Rest {
 
     private Rest() {}
 
-    /** All points of a region that are farther from every track than a distance. */
-    static Geometry of(Geometry region, List<List<Coordinate>> tracks, double distanceM) {
+    /**
+     * All points of a region that are farther from every track than a distance. Works on a plane that is turned so that most lanes
+     * lie along its x-axis: boxes around slanting lanes would all overlap, and finding crossings would take their square.
+     *
+     * @param angleRad the direction of most lanes
+     */
+    static Geometry of(Geometry region, List<List<Coordinate>> tracks, double distanceM, double angleRad) {
         BufferParameters parameters = new BufferParameters(QUADRANT_SEGMENTS);
         parameters.setSimplifyFactor(0);
         LineString[] lines = tracks.stream()
                 .map(track -> FACTORY.createLineString(track.toArray(Coordinate[]::new)))
                 .toArray(LineString[]::new);
-        Geometry covered = BufferOp.bufferOp(FACTORY.createMultiLineString(lines), distanceM, parameters);
-        return OverlayNGRobust.overlay(region, covered, OverlayNG.DIFFERENCE);
+        AffineTransformation turn = AffineTransformation.rotationInstance(-angleRad);
+        Geometry covered =
+                BufferOp.bufferOp(turn.transform(FACTORY.createMultiLineString(lines)), distanceM, parameters);
+        Geometry rest = OverlayNGRobust.overlay(turn.transform(region), covered, OverlayNG.DIFFERENCE);
+        return AffineTransformation.rotationInstance(angleRad).transform(rest);
     }
 
     /** The polygons of a geometry as areas. */

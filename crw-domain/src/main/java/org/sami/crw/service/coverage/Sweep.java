@@ -117,6 +117,11 @@ final class Sweep {
         return new Coordinate(x * cos - y * sin, x * sin + y * cos);
     }
 
+    /** The direction of the lanes, in radians from the east turning north. */
+    double angleRad() {
+        return angleRad;
+    }
+
     /** The lanes by their lines. */
     List<List<Lane>> rows() {
         return rows;

@@ -1,11 +1,9 @@
 package org.sami.crw.service.coverage;
 
 import java.util.ArrayList;
-import java.util.Collection;
-import java.util.LinkedHashSet;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import org.locationtech.jts.geom.Coordinate;
 
 /**
@@ -16,13 +14,11 @@ final class Tour {
     /** With more cells than this only the corners of the first few are tried as a beginning: each try takes cells². */
     private static final int MOST_STARTS = 64;
 
-    private record Visit(Cell cell, Cell.Entry entry) {
-        Coordinate start() {
-            return cell.start(entry);
-        }
+    private static final int ENTRIES = Cell.Entry.ALL.size();
 
-        Coordinate end() {
-            return cell.end(entry);
+    private record Visit(Cell cell, Cell.Entry entry, Coordinate start, Coordinate end) {
+        Visit(Cell cell, Cell.Entry entry) {
+            this(cell, entry, cell.start(entry), cell.end(entry));
         }
     }
 
@@ -41,53 +37,43 @@ final class Tour {
     }
 
     private static List<Visit> order(List<Cell> cells) {
-        List<Visit> best = List.of();
+        Visit[] visits = cells.stream()
+                .flatMap(cell -> Cell.Entry.ALL.stream().map(entry -> new Visit(cell, entry)))
+                .toArray(Visit[]::new);
+        int[] best = new int[0];
         double bestM = Double.POSITIVE_INFINITY;
-        int tried = 0;
-        for (Visit first : visits(cells)) {
-            if (tried++ < MOST_STARTS) {
-                List<Visit> order = orderFrom(first, cells);
-                double lengthM = betweenM(order);
-                if (lengthM < bestM) {
-                    best = order;
-                    bestM = lengthM;
-                }
+        for (int first = 0; first < Math.min(MOST_STARTS, visits.length); first++) {
+            int[] order = new int[cells.size()];
+            double lengthM = orderFrom(first, visits, order);
+            if (lengthM < bestM) {
+                best = order;
+                bestM = lengthM;
             }
         }
-        return best;
+        return Arrays.stream(best).mapToObj(index -> visits[index]).toList();
     }
 
-    private static List<Visit> visits(Collection<Cell> cells) {
-        List<Visit> visits = new ArrayList<>();
-        cells.forEach(cell -> Cell.Entry.ALL.forEach(entry -> visits.add(new Visit(cell, entry))));
-        return visits;
-    }
-
-    private static List<Visit> orderFrom(Visit first, List<Cell> cells) {
-        List<Visit> order = new ArrayList<>(List.of(first));
-        Set<Cell> left = new LinkedHashSet<>(cells);
-        left.remove(first.cell());
-        while (!left.isEmpty()) {
-            Coordinate at = order.get(order.size() - 1).end();
-            Visit nearest = first;
-            double nearestM = Double.POSITIVE_INFINITY;
-            for (Visit visit : visits(left)) {
-                double distanceM = at.distance(visit.start());
-                if (distanceM < nearestM) {
-                    nearest = visit;
-                    nearestM = distanceM;
-                }
-            }
-            order.add(nearest);
-            left.remove(nearest.cell());
-        }
-        return order;
-    }
-
-    private static double betweenM(List<Visit> order) {
+    /** Fills in the order from a first visit on; returns the length of the straight ways between. Four visits are one cell's. */
+    private static double orderFrom(int first, Visit[] visits, int[] order) {
+        boolean[] driven = new boolean[order.length];
+        int at = first;
         double lengthM = 0;
-        for (int i = 1; i < order.size(); i++) {
-            lengthM += order.get(i - 1).end().distance(order.get(i).start());
+        for (int i = 0; i < order.length; i++) {
+            order[i] = at;
+            driven[at / ENTRIES] = true;
+            int nearest = at;
+            double nearestM = i + 1 < order.length ? Double.POSITIVE_INFINITY : 0;
+            for (int next = 0; next < visits.length; next++) {
+                if (!driven[next / ENTRIES]) {
+                    double distanceM = visits[at].end().distance(visits[next].start());
+                    if (distanceM < nearestM) {
+                        nearest = next;
+                        nearestM = distanceM;
+                    }
+                }
+            }
+            lengthM += nearestM;
+            at = nearest;
         }
         return lengthM;
     }
