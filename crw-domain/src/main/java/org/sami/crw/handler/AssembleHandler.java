@@ -42,11 +42,13 @@ final class AssembleHandler implements ActivationHandler {
         assembled.keySet().removeAll(boats);
         Map<String, Optional<GeoPoint>> from = new LinkedHashMap<>();
         boats.forEach(boat -> from.put(boat, positions.positionOf(boat)));
+        GeoPoint centre = Fields.point(activation, "location");
         Map<String, GeoPoint> points = algorithm.assemble(new AssemblyProblem(
                 from,
-                Fields.point(activation, "location"),
+                centre,
                 Fields.metres(activation, "spacing"),
-                List.copyOf(assembled.values())));
+                List.copyOf(assembled.values()),
+                Restrictions.water(activation, centre)));
         assembled.putAll(points);
         context.post(List.of(
                 new Input.Remember(activation.mission(), MEMORY, ProxyMaps.toValue(assembled)),

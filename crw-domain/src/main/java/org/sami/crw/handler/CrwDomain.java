@@ -64,6 +64,7 @@ public final class CrwDomain implements AutoCloseable {
         BoatPositions positions =
                 boat -> boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
         handlers.putAll(movers(motion));
+        handlers.put(ExploreAreaHandler.TYPE, new ExploreAreaHandler(services.coverage(), positions, motion, messages));
         Withdrawals withdrawals = new Withdrawals(handlers.keySet(), motion, fleet);
         handlers.put(AreaSubscriptions.TYPE, areas);
         handlers.put(MeasurementHandler.TYPE, measurements);
@@ -76,6 +77,7 @@ public final class CrwDomain implements AutoCloseable {
         handlers.put(AllocationHandler.TYPE, new AllocationHandler(services.allocation(), positions, messages));
         handlers.put(PathHandler.TYPE, new PathHandler(services.paths(), positions, messages));
         handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions));
+        handlers.put(DistributeHandler.TYPE, new DistributeHandler(services.allocation(), positions, messages));
         handlers.put(CompareDistanceHandler.TYPE, new CompareDistanceHandler(positions));
         handlers.put(BatterySubscriptions.TYPE, batteries);
         for (AbortScope scope : AbortScope.values()) {

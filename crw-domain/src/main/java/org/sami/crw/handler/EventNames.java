@@ -17,6 +17,7 @@ public final class EventNames {
     static final String MULTIPLIER_FAILED = "SetVelocityMultiplierFailed";
     static final String ALLOCATION_RESPONSE = "AllocationResponse";
     static final String PATH_RESPONSE = "PathResponse";
+    static final String DISTRIBUTE_RESPONSE = "DistributeLocationsResponse";
     static final String ASSEMBLE_RESPONSE = "AssembleLocationResponse";
     static final String QUANTITY_GREATER = "QuantityGreater";
     static final String QUANTITY_LESS = "QuantityLess";

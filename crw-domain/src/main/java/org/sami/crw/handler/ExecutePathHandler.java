@@ -36,7 +36,7 @@ final class ExecutePathHandler implements ActivationHandler {
     public void handle(Activation activation, HandlerContext context) {
         List<Move> moves = new ArrayList<>();
         for (Addressee addressee : Addressee.of(activation, context)) {
-            moves.add(move(activation, context, addressee, pathFor(addressee, activation)));
+            moves.add(move(activation, context, addressee, pathFor(addressee, activation), block));
         }
         motion.send(activation, context, moves);
     }
@@ -51,7 +51,8 @@ final class ExecutePathHandler implements ActivationHandler {
         return new GeoPath(List.of());
     }
 
-    private Move move(Activation activation, HandlerContext context, Addressee addressee, GeoPath path) {
+    /** Has a boat follow a path from where the mission is with it, and maybe stay there. */
+    static Move move(Activation activation, HandlerContext context, Addressee addressee, GeoPath path, boolean block) {
         String key = PathProgress.key(addressee.boat(), path);
         int visited = PathProgress.visited(
                 context, activation.mission(), key, path.points().size());

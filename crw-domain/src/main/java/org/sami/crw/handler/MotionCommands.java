@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import org.sami.crw.decision.MessageSink;
+import org.sami.crw.decision.OperatorMessage;
 import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatProxy;
@@ -19,6 +20,7 @@ import org.sami.crw.proxy.Withdrawal;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.TaskId;
 
 /**
@@ -57,9 +59,12 @@ final class MotionCommands implements BoatListener {
                 settled.addAll(failed(one, UNKNOWN_BOAT));
             } else {
                 sent.put(move.command().commandId(), one);
-                boat.get().submit(move.command());
+                boat.get().submit(SpeedChoice.of(activation, move.command(), boat.get()));
             }
         }
+        SpeedChoice.words(activation)
+                .filter(words -> !moves.isEmpty())
+                .ifPresent(words -> tell(activation, context, words));
         if (!settled.isEmpty()) {
             context.post(settled);
         }
@@ -87,6 +92,12 @@ final class MotionCommands implements BoatListener {
         if (!settled.isEmpty()) {
             context.post(settled);
         }
+    }
+
+    /** A boat cannot do what it was asked: it is answered before it gets a command. */
+    void refuse(Activation activation, HandlerContext context, Addressee addressee, String reason) {
+        SentCommand one = new SentCommand(activation, context, addressee, Reply.WAY);
+        one.post(failed(one, reason));
     }
 
     /** Takes back for boats what an activation is about to ask: the step that asked went on to withdraw it. */
@@ -172,6 +183,17 @@ final class MotionCommands implements BoatListener {
         if (all != null) {
             all.stream().filter(SentCommand::isAwaited).forEach(one -> one.post(news.apply(one)));
         }
+    }
+
+    private void tell(Activation activation, HandlerContext context, String words) {
+        messages.tell(new OperatorMessage(
+                context.nowMillis(),
+                activation.mission(),
+                OperatorMessage.Source.DOMAIN,
+                Priority.LOW,
+                words,
+                activation.proxies(),
+                ""));
     }
 
     private List<Input> failed(SentCommand one, String reason) {

@@ -2,6 +2,7 @@ package org.sami.crw.handler;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.value.GeoArea;
@@ -14,8 +15,8 @@ import org.sami.spn.value.Value;
  * area to stay in. Without them all water is free.
  */
 final class Restrictions {
-    static final String AVOID = "avoid";
-    static final String WITHIN = "within";
+    private static final String AVOID = "avoid";
+    private static final String WITHIN = "within";
 
     private Restrictions() {}
 
@@ -25,6 +26,11 @@ final class Restrictions {
      * @throws IllegalArgumentException for an area that is no simple polygon
      */
     static Water water(Activation activation, GeoPoint origin) {
+        return Water.of(origin, avoid(activation), within(activation));
+    }
+
+    /** The areas that are not to be entered. */
+    static List<GeoArea> avoid(Activation activation) {
         List<GeoArea> avoid = new ArrayList<>();
         activation.value(AVOID).ifPresent(value -> {
             if (!(value instanceof ListValue list)) {
@@ -32,7 +38,12 @@ final class Restrictions {
             }
             list.items().forEach(item -> avoid.add(area(item, AVOID)));
         });
-        return Water.of(origin, avoid, activation.value(WITHIN).map(value -> area(value, WITHIN)));
+        return avoid;
+    }
+
+    /** The area to stay in. */
+    static Optional<GeoArea> within(Activation activation) {
+        return activation.value(WITHIN).map(value -> area(value, WITHIN));
     }
 
     /** A field that is an area. */

@@ -51,6 +51,7 @@ public final class BoatProxy {
 
     private final String boatId;
     private final ProxyLink link;
+    private final double cruiseSpeedMps;
     private final Requests fleetRequests; // what stops or releases the whole fleet
     private final HandOver handOver;
     private final Announcements announcements;
@@ -70,6 +71,7 @@ public final class BoatProxy {
     /** A proxy that says hello at its first tick. */
     public BoatProxy(String boatId, FrameSink toBoat, BoatListener listener, ProxyConfig config) {
         this.boatId = Objects.requireNonNull(boatId, "boatId");
+        cruiseSpeedMps = config.cruiseSpeedMps();
         link = new ProxyLink(boatId, Objects.requireNonNull(toBoat, "toBoat"), config);
         fleetRequests = new Requests(link, config);
         announcements = new Announcements(Objects.requireNonNull(listener, "listener"));
@@ -82,6 +84,11 @@ public final class BoatProxy {
     /** Names the boat. */
     public String boatId() {
         return boatId;
+    }
+
+    /** The speed in m/s at which it follows paths that name none. */
+    public double cruiseSpeedMps() {
+        return cruiseSpeedMps;
     }
 
     /** The latest that is known of the boat. */

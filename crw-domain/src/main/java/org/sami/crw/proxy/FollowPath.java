@@ -58,6 +58,12 @@ public record FollowPath(
         return new FollowPath(commandId, mission, activation, points, speedMps, index, priority, block);
     }
 
+    /** The same path at a speed in m/s. */
+    public FollowPath atSpeed(double mps) {
+        return new FollowPath(
+                commandId, mission, activation, points, OptionalDouble.of(mps), startIndex, priority, block);
+    }
+
     /** The same command, keeping the boat for its mission. */
     public FollowPath blocking() {
         return new FollowPath(commandId, mission, activation, points, speedMps, startIndex, priority, true);

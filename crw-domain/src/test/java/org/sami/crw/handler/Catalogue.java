@@ -34,6 +34,7 @@ final class Catalogue {
             MotionChapter::add,
             AbortChapter::add,
             ServiceChapter::add,
+            PlanningChapter::add,
             NewsChapter::add,
             OperatorChapter::add,
             MissionChapter::add,

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -15,9 +16,16 @@ import org.sami.spn.value.GeoPoint;
  * @param centre the point about which they assemble
  * @param spacingM least distance between two boats, more than zero
  * @param taken points at which other boats stay
+ * @param water where they may be; half the spacing is kept from what is forbidden
  */
 public record AssemblyProblem(
-        Map<String, Optional<GeoPoint>> boats, GeoPoint centre, double spacingM, List<GeoPoint> taken) {
+        Map<String, Optional<GeoPoint>> boats, GeoPoint centre, double spacingM, List<GeoPoint> taken, Water water) {
+    /** An assembly in open water. */
+    public AssemblyProblem(
+            Map<String, Optional<GeoPoint>> boats, GeoPoint centre, double spacingM, List<GeoPoint> taken) {
+        this(boats, centre, spacingM, taken, Water.open(centre));
+    }
+
     public AssemblyProblem {
         boats = Collections.unmodifiableMap(new LinkedHashMap<>(boats));
         Objects.requireNonNull(centre, "centre");
@@ -25,5 +33,6 @@ public record AssemblyProblem(
             throw new IllegalArgumentException("The spacing is more than 0 m and at most 10 km, not " + spacingM);
         }
         taken = List.copyOf(taken);
+        Objects.requireNonNull(water, "water");
     }
 }

@@ -17,6 +17,8 @@ import org.sami.spn.value.GeoPoint;
 public final class HexagonalAssembly implements AssemblyAlgorithm {
     /** Two boats may be nearer than the spacing by this part of it: the grid is laid on an ellipsoid. */
     private static final double SLACK = 1e-4;
+    /** Farther out nobody would say that the boats are near. */
+    private static final int MOST_RINGS = 100;
     /** Steps along the six sides of a ring that begins in the east, in units of the grid's two axes. */
     private static final int[][] SIDES = {{-1, 1}, {-1, 0}, {0, -1}, {1, -1}, {1, 0}, {0, 1}};
 
@@ -44,6 +46,11 @@ public final class HexagonalAssembly implements AssemblyAlgorithm {
     private static List<GeoPoint> places(AssemblyProblem problem) {
         List<GeoPoint> places = new ArrayList<>();
         for (int ring = 0; places.size() < problem.boats().size(); ring++) {
+            if (ring > MOST_RINGS) {
+                throw new IllegalArgumentException(
+                        "There is no room for " + problem.boats().size() + " boats within "
+                                + Math.round(ring * problem.spacingM()) + " m, clear of what is to be avoided");
+            }
             for (GeoPoint candidate : ring(problem, ring)) {
                 if (places.size() < problem.boats().size() && isFree(candidate, problem)) {
                     places.add(candidate);
@@ -74,6 +81,7 @@ public final class HexagonalAssembly implements AssemblyAlgorithm {
 
     private static boolean isFree(GeoPoint candidate, AssemblyProblem problem) {
         double leastM = problem.spacingM() * (1 - SLACK);
-        return problem.taken().stream().allMatch(taken -> Geodesy.distanceM(taken, candidate) >= leastM);
+        return problem.water().clearanceM(candidate) >= problem.spacingM() / 2
+                && problem.taken().stream().allMatch(taken -> Geodesy.distanceM(taken, candidate) >= leastM);
     }
 }

@@ -1,0 +1,94 @@
+package org.sami.crw.handler;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.crw.decision.MessageSink;
+import org.sami.crw.decision.OperatorMessage;
+import org.sami.crw.event.ProxyMaps;
+import org.sami.crw.service.BoatPositions;
+import org.sami.crw.service.allocation.AllocationProblem;
+import org.sami.crw.service.allocation.AllocationService;
+import org.sami.crw.service.allocation.Work;
+import org.sami.crw.service.assembly.Spread;
+import org.sami.crw.service.water.Water;
+import org.sami.spn.host.ActivationHandler;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.ListValue;
+
+/**
+ * Distribute Locations Request: a list of locations for each boat, in the order in which it visits them; each location is in one
+ * list. The locations are those of the activation, or spread over its area at a spacing. Divided as the markup Optimize asks.
+ * A boat whose position is not known yet gets none.
+ */
+final class DistributeHandler implements ActivationHandler {
+    static final String TYPE = "DistributeLocationsRequest";
+    private static final String LOCATIONS = "locations";
+    private static final String AREA = "area";
+
+    private final AllocationService service;
+    private final BoatPositions positions;
+    private final MessageSink messages;
+
+    DistributeHandler(AllocationService service, BoatPositions positions, MessageSink messages) {
+        this.service = service;
+        this.positions = positions;
+        this.messages = messages;
+    }
+
+    @Override
+    public void handle(Activation activation, HandlerContext context) {
+        List<String> boats =
+                Addressee.of(activation, context).stream().map(Addressee::boat).toList();
+        Map<String, GeoPoint> from = new LinkedHashMap<>();
+        boats.forEach(boat -> positions.positionOf(boat).ifPresent(at -> from.put(boat, at)));
+        if (from.isEmpty()) {
+            throw new IllegalStateException("There is no boat whose position is known, of " + boats);
+        }
+        AllocationService.Options options = service.solve(
+                AllocationProblem.ofVisits(from, locations(activation)), Markups.criterion(activation), 1);
+        Map<String, ListValue> lists = new LinkedHashMap<>();
+        boats.forEach(boat -> lists.put(
+                boat,
+                new ListValue(List.copyOf(options.best().paths().getOrDefault(boat, List.of()).stream()
+                        .map(Work::location)
+                        .toList()))));
+        if (Markups.criterion(activation).isPresent()) {
+            messages.tell(new OperatorMessage(
+                    context.nowMillis(),
+                    activation.mission(),
+                    OperatorMessage.Source.DOMAIN,
+                    Priority.LOW,
+                    "Distribution " + options.reason(),
+                    List.of(),
+                    ""));
+        }
+        context.post(new Input.Received(Occurrence.answer(
+                EventNames.DISTRIBUTE_RESPONSE,
+                activation,
+                boats,
+                List.of(),
+                Map.of("locations", ProxyMaps.toValue(lists)))));
+    }
+
+    private static List<GeoPoint> locations(Activation activation) {
+        Optional<GeoArea> area = activation.value(AREA).map(value -> Restrictions.area(value, AREA));
+        if (activation.value(LOCATIONS).isPresent() || area.isEmpty()) {
+            return Fields.points(Fields.required(activation, LOCATIONS), LOCATIONS);
+        }
+        Water water = Restrictions.water(activation, area.get().outline().get(0));
+        List<GeoPoint> spread = Spread.over(area.get(), Fields.metres(activation, "spacing"), water);
+        if (spread.isEmpty()) {
+            throw new IllegalArgumentException(
+                    "There is no room for a location in the area, clear of what is to be avoided");
+        }
+        return spread;
+    }
+}

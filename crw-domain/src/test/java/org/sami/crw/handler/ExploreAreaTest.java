@@ -1,0 +1,180 @@
+package org.sami.crw.handler;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.sami.crw.decision.OperatorMessage;
+import org.sami.crw.event.ProxyMaps;
+import org.sami.crw.service.Geodesy;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.value.EnumValue;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.RealValue;
+import org.sami.spn.value.Value;
+
+/** What a mission and its boats make of an area to explore. */
+class ExploreAreaTest {
+    private final ScriptedEngine engine = new ScriptedEngine(TestWorld.VOCABULARY);
+    private final TestWorld world = new TestWorld(engine);
+
+    @BeforeEach
+    void twoBoats() {
+        world.addBoat("west", -60, 0);
+        world.addBoat("east", 60, 0);
+        world.run(1);
+    }
+
+    @Test
+    void bothBoatsExploreTheirHalvesAtTheSameTime() {
+        world.happens(engine, asking(7).of("west", "east").effect());
+        world.run(20);
+        double west = Geodesy.distanceM(world.hull("west").position(), at(-60, 0));
+        double east = Geodesy.distanceM(world.hull("east").position(), at(60, 0));
+        runUntilCompleted(2);
+
+        assertThat(west).isGreaterThan(15);
+        assertThat(east).isGreaterThan(15);
+        assertThat(engine.received("ProxyPathCompleted"))
+                .extracting(Occurrence::proxies)
+                .containsExactlyInAnyOrder(List.of("west"), List.of("east"));
+        assertThat(shares().keySet()).containsExactlyInAnyOrder("west", "east");
+        assertThat(messages()).anyMatch(text -> text.startsWith("Exploring 1600 m² in ") && text.contains("uncovered"));
+    }
+
+    /** As after an interrupt: the boat was away, and its place asks again. */
+    @Test
+    void aBoatThatComesBackGoesOnWhereItWas() {
+        world.happens(engine, asking(7).of("west", "east").effect());
+        world.run(60);
+        Map<String, GeoPath> before = shares();
+        GeoPoint first = before.get("west").points().get(0);
+        double fromFirstM = Geodesy.distanceM(world.hull("west").position(), first);
+
+        world.happens(engine, asking(9).of("west").effect());
+        double nearestM = Double.POSITIVE_INFINITY;
+        for (int second = 0;
+                second < 600 && engine.received("ProxyPathCompleted").size() < 2;
+                second++) {
+            world.run(1);
+            nearestM = Math.min(nearestM, Geodesy.distanceM(world.hull("west").position(), first));
+        }
+
+        assertThat(shares()).isEqualTo(before);
+        assertThat(fromFirstM).isGreaterThan(8);
+        assertThat(nearestM).isGreaterThan(4);
+        assertThat(engine.received("ProxyPathCompleted")).hasSize(2);
+    }
+
+    @Test
+    void aBoatThatComesLaterTakesOverWhatALostOneHasLeft() {
+        world.addBoat("third", 0, -60);
+        world.run(1);
+        world.happens(engine, asking(7).of("west", "east").effect());
+        world.run(60);
+        int whole = shares().get("east").points().size();
+
+        world.happens(engine, asking(9).of("west", "third").effect());
+
+        assertThat(shares().keySet()).isSubsetOf(Set.of("west", "east", "third"));
+        assertThat(shares().get("third").points().size()).isBetween(1, whole - 1);
+        assertThat(messages()).anyMatch(text -> text.startsWith("third explores what east has left: "));
+    }
+
+    @Test
+    void aBoatWithoutAWayFailsAndTheOtherExploresAll() {
+        List<GeoPoint> outer = box(-70, -10, -50, 10).outline();
+        GeoArea wall = new GeoArea(outer, List.of(box(-65, -5, -55, 5).outline()));
+
+        world.happens(
+                engine,
+                asking(7)
+                        .with("avoid", new ListValue(List.of(wall)))
+                        .of("west", "east")
+                        .effect());
+        runUntilCompleted(1);
+
+        assertThat(engine.received("ProxyPathFailed")).singleElement().satisfies(failed -> {
+            assertThat(failed.proxies()).containsExactly("west");
+            assertThat(failed.values().get("reason").toString()).contains("all the way between");
+        });
+        assertThat(engine.received("ProxyPathCompleted"))
+                .extracting(Occurrence::proxies)
+                .containsExactly(List.of("east"));
+        assertThat(messages()).anyMatch(text -> text.startsWith("west could not do what here asked"));
+    }
+
+    @Test
+    void forExecutionTimeBoatsDriveAtTwiceTheSpeed() {
+        world.happens(engine, moving("usual").effect());
+        world.run(15);
+        double usual = world.hull("west").speedMps();
+
+        world.happens(
+                engine,
+                moving("fast")
+                        .id(8)
+                        .mission(2)
+                        .markup("Optimize", "criteria", new EnumValue("Criterion", "EXECUTION_TIME"))
+                        .effect());
+        world.run(15);
+        double fast = world.hull("east").speedMps();
+
+        assertThat(usual).isCloseTo(1.5, within(0.1));
+        assertThat(fast).isCloseTo(2 * usual, within(0.1));
+        assertThat(messages()).containsExactly("here: boats drive at twice the cruise speed, for execution time");
+    }
+
+    private static Asking moving(String how) {
+        boolean usual = how.equals("usual");
+        return new Asking("ProxyGotoLatLon")
+                .with("location", usual ? at(-60, 500) : at(60, 500))
+                .of(usual ? "west" : "east");
+    }
+
+    private static Asking asking(long id) {
+        return new Asking("ProxyExploreArea")
+                .id(id)
+                .with("area", box(-20, -20, 20, 20))
+                .with("spacing", new RealValue(10));
+    }
+
+    private Map<String, GeoPath> shares() {
+        List<Value> remembered = engine.inputs.stream()
+                .filter(input -> input instanceof Input.Remember remember
+                        && remember.key().startsWith("explore/"))
+                .map(input -> ((Input.Remember) input).value())
+                .toList();
+        return ProxyMaps.read(remembered.get(remembered.size() - 1), GeoPath.class);
+    }
+
+    private void runUntilCompleted(int boats) {
+        for (int second = 0;
+                second < 600 && engine.received("ProxyPathCompleted").size() < boats;
+                second++) {
+            world.run(1);
+        }
+    }
+
+    private List<String> messages() {
+        return world.desk.messages().messages().stream()
+                .map(OperatorMessage::text)
+                .toList();
+    }
+
+    private static GeoArea box(double west, double south, double east, double north) {
+        return new GeoArea(List.of(at(west, south), at(east, south), at(east, north), at(west, north)), List.of());
+    }
+
+    private static GeoPoint at(double eastM, double northM) {
+        return Geodesy.offset(TestWorld.HOME, eastM, northM);
+    }
+}
