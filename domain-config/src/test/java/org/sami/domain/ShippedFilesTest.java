@@ -39,7 +39,8 @@ class ShippedFilesTest {
         assertThat(reading.findings()).isEmpty();
         assertThat(reading.orThrow().plans())
                 .extracting(Plan::id)
-                .containsExactly("clv", "station-keep", "clv-interrupts", "assemble", "recharge", "measure", "explore-area");
+                .containsExactly(
+                        "clv", "station-keep", "clv-interrupts", "assemble", "recharge", "measure", "explore-area");
         assertThat(reading.orThrow().vocabulary().markups()).hasSize(19);
     }
 
