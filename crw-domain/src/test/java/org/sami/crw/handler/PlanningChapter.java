@@ -9,27 +9,16 @@ import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.handler.Catalogue.Seen;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoArea;
-import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.RealValue;
 
-/** Paths, the exploration of areas and the distribution of locations. */
+/** The exploration of areas and the distribution of locations. */
 final class PlanningChapter {
     private PlanningChapter() {}
 
     static void add(Catalogue catalogue) {
         catalogue
-                .shows(
-                        "PathRequest",
-                        Seen.ON_A_BOAT,
-                        "the boat drives around the island on the path that it gets",
-                        PlanningChapter::path)
-                .shows(
-                        "PathResponse",
-                        Seen.IN_THE_MARKING,
-                        "the boat moves on, the paths are in the variable",
-                        PlanningChapter::path)
                 .shows(
                         "ProxyExploreArea",
                         Seen.ON_A_BOAT,
@@ -45,41 +34,6 @@ final class PlanningChapter {
                         Seen.IN_THE_MARKING,
                         "the boats move on, the lists are in the variable",
                         PlanningChapter::distribution);
-    }
-
-    private static void path() {
-        GeoArea island = box(10, -30, 30, 20);
-        Scene scene = new Scene(
-                new PlanSketch()
-                        .variable("@options", "list<map<proxy,path>>")
-                        .asks(
-                                "ask",
-                                "PathRequest",
-                                "points",
-                                ProxyMaps.toValue(Map.of("boat-1", Scene.at(40, 0))),
-                                "avoid",
-                                new ListValue(List.of(island)),
-                                "clearance",
-                                new RealValue(5))
-                        .on("ask", "PathResponse", "known")
-                        .writing("options", "@options"),
-                1);
-        scene.untilBoat("boat-1", "known");
-        Map<String, GeoPath> best =
-                ProxyMaps.read(((ListValue) scene.variable("@options")).items().get(0), GeoPath.class);
-        Scene drive = new Scene(
-                new PlanSketch()
-                        .asks("go", "ProxyExecutePath", "paths", ProxyMaps.toValue(best))
-                        .on("go", "ProxyPathCompleted", "there"),
-                1);
-        List<GeoPoint> driven = new ArrayList<>();
-        drive.until("boat-1 is there", () -> {
-            driven.add(drive.world.hull("boat-1").position());
-            return drive.stands(Scene.boat("boat-1"), "there");
-        });
-        assertThat(driven).anyMatch(at -> at.latDeg() > Scene.at(0, 15).latDeg());
-        assertThat(Geodesy.distanceM(driven.get(driven.size() - 1), Scene.at(40, 0)))
-                .isLessThan(5);
     }
 
     private static void exploration() {
