@@ -13,11 +13,12 @@ import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.TimeValue;
 
 /**
- * Runs the benchmarks of the link, prints a table and puts it into the file of all benchmarks. System properties: {@code
- * benchmarks.file}; {@code quick} = true for less than a minute.
+ * Runs the benchmarks of the link and of the services, prints a table and puts it into the file of all benchmarks. System properties: {@code
+ * benchmarks.file}; {@code quick} = true for less than two minutes.
  */
 public final class LinkBenchmarkMain {
     private static final String PREFIX = "link.";
+    private static final String SERVICES = "service.";
 
     private LinkBenchmarkMain() {}
 
@@ -31,20 +32,41 @@ public final class LinkBenchmarkMain {
         FigureFile.print(figures);
         Path file = Path.of(System.getProperty("benchmarks.file", "build/benchmarks.json"));
         FigureFile.replace(file, PREFIX, figures);
+        List<Figure> services = services(quick);
+        FigureFile.print(services);
+        FigureFile.replace(file, SERVICES, services);
         System.out.println("Written to " + file);
     }
 
-    private static List<Figure> codec(boolean quick) throws RunnerException {
-        Options options = new OptionsBuilder()
-                .include(CodecBenchmarks.class.getName().replace(".", "\\.") + ".*")
+    private static List<Figure> services(boolean quick) throws RunnerException {
+        List<Figure> figures = new ArrayList<>();
+        for (RunResult result : new Runner(options(ServiceBenchmarks.class, quick)).run()) {
+            Result<?> primary = result.getPrimaryResult();
+            double error = primary.getScoreError();
+            figures.add(new Figure(
+                    SERVICES + primary.getLabel(),
+                    Map.of(),
+                    primary.getScore(),
+                    "ms",
+                    Double.isNaN(error) ? 0 : error));
+        }
+        return figures;
+    }
+
+    private static Options options(Class<?> benchmarks, boolean quick) {
+        return new OptionsBuilder()
+                .include(benchmarks.getName().replace(".", "\\.") + ".*")
                 .forks(1)
                 .warmupIterations(quick ? 2 : 5)
                 .warmupTime(TimeValue.seconds(quick ? 1 : 2))
                 .measurementIterations(quick ? 3 : 8)
                 .measurementTime(TimeValue.seconds(quick ? 1 : 2))
                 .build();
+    }
+
+    private static List<Figure> codec(boolean quick) throws RunnerException {
         List<Figure> figures = new ArrayList<>();
-        for (RunResult result : new Runner(options).run()) {
+        for (RunResult result : new Runner(options(CodecBenchmarks.class, quick)).run()) {
             Result<?> primary = result.getPrimaryResult();
             double error = primary.getScoreError();
             figures.add(new Figure(
