@@ -98,8 +98,7 @@ class CatalogueTest {
             "TaskUnassigned");
 
     /** Declared output events whose handlers are still to come. It only gets shorter. */
-    private static final List<String> NOT_HANDLED_YET =
-            List.of("TakePanorama");
+    private static final List<String> NOT_HANDLED_YET = List.of("TakePanorama");
 
     /** Events without a row in the catalogue. It only gets shorter. */
     private static final List<String> NO_ROW_YET = List.of(

@@ -57,7 +57,8 @@ public class ServiceBenchmarks {
         area = CoverageProblem.of(explorers, square, 3);
         List<GeoArea> obstacles = new ArrayList<>();
         for (int i = 0; i < 200; i++) {
-            obstacles.add(new GeoArea(hexagon(i % 20 * 50 - 475, i / 20 * 100 - 450, 10 + random.nextDouble() * 25), List.of()));
+            obstacles.add(new GeoArea(
+                    hexagon(i % 20 * 50 - 475, i / 20 * 100 - 450, 10 + random.nextDouble() * 25), List.of()));
         }
         Water water = Water.of(CENTRE, obstacles, Optional.empty());
         way = new PathProblem(at(-560, -560), at(560, 560), water, 5);
