@@ -27,6 +27,8 @@ final class MessageReaders {
         BY_TYPE.put(StartWaypoints.TYPE, StartWaypoints::read);
         BY_TYPE.put(StopMotors.TYPE, StopMotors::read);
         BY_TYPE.put(HoldPosition.TYPE, HoldPosition::read);
+        BY_TYPE.put(TakePanorama.TYPE, TakePanorama::read);
+        BY_TYPE.put(PanoramaReport.TYPE, PanoramaReport::read);
         BY_TYPE.put(FleetStop.TYPE, FleetStop::read);
         BY_TYPE.put(FleetRelease.TYPE, FleetRelease::read);
         BY_TYPE.put(AskForCommand.TYPE, AskForCommand::read);

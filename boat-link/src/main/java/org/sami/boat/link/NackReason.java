@@ -16,6 +16,8 @@ public enum NackReason {
     BAD_INDEX,
     /** The list has more waypoints than the boat keeps. */
     TOO_LONG,
+    /** The boat has no camera. */
+    NO_CAMERA,
     /** The fleet stop is latched. */
     FLEET_STOPPED,
     /** The command is older than one that the boat has already taken. */

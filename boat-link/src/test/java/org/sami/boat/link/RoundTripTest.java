@@ -36,6 +36,8 @@ class RoundTripTest {
                 new StartWaypoints("c", "l", Integer.MAX_VALUE),
                 new StopMotors("c"),
                 new HoldPosition("c"),
+                new TakePanorama("c", 360),
+                new PanoramaReport("c", 8, 45.4, -10.9),
                 new FleetStop("c"),
                 new FleetRelease("c"),
                 new AskForCommand("c"),
@@ -72,7 +74,7 @@ class RoundTripTest {
     void tableAboveHoldsEveryKindOfMessage() {
         assertThat(messages().map(LinkMessage::type).collect(Collectors.toSet()))
                 .isEqualTo(MessageReaders.types())
-                .hasSize(27);
+                .hasSize(29);
     }
 
     @Test

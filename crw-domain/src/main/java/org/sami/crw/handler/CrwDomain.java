@@ -111,6 +111,7 @@ public final class CrwDomain implements AutoCloseable {
         movers.put(GotoLatLonHandler.TYPE, new GotoLatLonHandler(motion));
         movers.put(GotoLocationListHandler.TYPE, new GotoLocationListHandler(motion));
         movers.put(StationKeepHandler.TYPE, new StationKeepHandler(motion));
+        movers.put(PanoramaHandler.TYPE, new PanoramaHandler(motion));
         movers.put(BlockMovementHandler.TYPE, new BlockMovementHandler(motion));
         return movers;
     }

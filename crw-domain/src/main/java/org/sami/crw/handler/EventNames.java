@@ -10,6 +10,7 @@ public final class EventNames {
     static final String BLOCK_DONE = "BlockMovementDone";
     static final String ENTERED_AREA = "ProxyEnteredArea";
     static final String LEFT_AREA = "ProxyLeftArea";
+    static final String PANORAMA_TAKEN = "PanoramaTaken";
     static final String MEASUREMENT_TAKEN = "MeasurementTaken";
     static final String GAINS_SUCCEEDED = "SetGainsSucceeded";
     static final String GAINS_FAILED = "SetGainsFailed";

@@ -21,6 +21,8 @@ import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.TaskId;
 
 /**
@@ -143,6 +145,15 @@ final class MotionCommands implements BoatListener {
         SentCommand one = sent.get(command.commandId());
         if (one != null) {
             one.post(one.progress(visitedCount));
+        }
+    }
+
+    @Override
+    public void onPanorama(String boatId, BoatCommand command, int pictures, GeoPoint from) {
+        SentCommand one = sent.get(command.commandId());
+        if (one != null) {
+            one.post(one.result(
+                    EventNames.PANORAMA_TAKEN, Map.of("location", from, "pictures", new IntegerValue(pictures))));
         }
     }
 

@@ -12,7 +12,7 @@ enum Reply {
     STOP_IF_AWAITED(EventNames.BLOCK_DONE, ""),
     /** Of a station, which is kept without an end, and need not be waited for. */
     STATION_IF_AWAITED("", EventNames.PATH_FAILED),
-    /** Of nothing: whoever asked has ended. */
+    /** Of nothing: whoever asked has ended, or is told more than that it is done. */
     NONE("", "");
 
     private final String completed;

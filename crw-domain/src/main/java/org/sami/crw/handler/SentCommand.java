@@ -80,6 +80,11 @@ final class SentCommand {
         return inputs;
     }
 
+    /** What came of it, told by an event of its own. */
+    List<Input> result(String event, Map<String, Value> values) {
+        return List.of(new Input.Received(addressee.answer(event, activation, values)));
+    }
+
     List<Input> failed(String reason) {
         return reply.failed()
                 .map(event -> answer(event, Map.of("reason", new TextValue(reason))))

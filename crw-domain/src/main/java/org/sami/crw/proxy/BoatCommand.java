@@ -3,7 +3,7 @@ package org.sami.crw.proxy;
 import org.sami.spn.protocol.Priority;
 
 /** What a mission wants one boat to do. */
-public sealed interface BoatCommand permits FollowPath, KeepStation, Stop {
+public sealed interface BoatCommand permits FollowPath, KeepStation, Panorama, Stop {
 
     /**
      * Names this command among all that the boat ever gets, by a rule of the caller that a repeated run follows again, such

@@ -1,5 +1,7 @@
 package org.sami.crw.proxy;
 
+import org.sami.spn.value.GeoPoint;
+
 /**
  * Gets to know what becomes of one boat and of its commands. Called on the thread that drives the proxy, when the proxy is
  * done with the change: a listener may submit and withdraw commands.
@@ -14,6 +16,9 @@ public interface BoatListener {
 
     /** Another command has displaced this one for good; it has left the queue. What missions withdraw is not reported. */
     default void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {}
+
+    /** The boat has taken the pictures of a panorama, and keeps them on board; completion follows. */
+    default void onPanorama(String boatId, BoatCommand command, int pictures, GeoPoint from) {}
 
     /** More points of a path are behind the boat: how many, counted from the beginning of the path. */
     default void onProgress(String boatId, BoatCommand command, int visitedCount) {}

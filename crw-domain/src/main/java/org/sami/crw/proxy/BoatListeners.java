@@ -2,6 +2,7 @@ package org.sami.crw.proxy;
 
 import java.util.List;
 import java.util.function.Consumer;
+import org.sami.spn.value.GeoPoint;
 
 /** Several listeners as one, told in order. */
 public final class BoatListeners implements BoatListener {
@@ -25,6 +26,11 @@ public final class BoatListeners implements BoatListener {
     @Override
     public void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {
         each(listener -> listener.onWithdrawn(boatId, command, why));
+    }
+
+    @Override
+    public void onPanorama(String boatId, BoatCommand command, int pictures, GeoPoint from) {
+        each(listener -> listener.onPanorama(boatId, command, pictures, from));
     }
 
     @Override

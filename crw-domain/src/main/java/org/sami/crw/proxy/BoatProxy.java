@@ -23,6 +23,7 @@ import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
+import org.sami.boat.link.PanoramaReport;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.SensorReport;
 import org.sami.boat.link.SetGains;
@@ -169,7 +170,8 @@ public final class BoatProxy {
      * @return the command; empty if there is none that moves the boat
      */
     public Optional<BoatCommand> sendPathAgain() {
-        Optional<BoatCommand> path = currentCommand().filter(command -> !(command instanceof Stop));
+        Optional<BoatCommand> path =
+                currentCommand().filter(command -> command instanceof FollowPath || command instanceof KeepStation);
         if (path.isPresent()) {
             driver.abandon("its waypoints are sent to the boat again");
             settle();
@@ -487,6 +489,8 @@ public final class BoatProxy {
         } else if (message instanceof SensorReport report) {
             BoatReading reading = BoatReading.of(report);
             announcements.add(l -> l.onReading(boatId, reading));
+        } else if (message instanceof PanoramaReport report) {
+            driver.taken(report);
         } else if (message instanceof SettingsReport report) {
             tuner.reported(report);
         } else if (message instanceof Welcome welcome) {

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Nack;
+import org.sami.boat.link.PanoramaReport;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.StopMotors;
 import org.sami.crw.proxy.CommandRun.Verdict;
@@ -141,7 +142,7 @@ final class CommandDriver {
 
     /** The boat lies, or drifts, at a position. */
     void lies(GeoPoint position, long nowMs) {
-        run.ifPresent(keeping -> keeping.at(position, nowMs));
+        run.ifPresent(one -> conclude(one.at(position, nowMs)));
     }
 
     /** Wants the boat stopped unless a command is waiting for it. */
@@ -207,7 +208,9 @@ final class CommandDriver {
         } else if (queued.command() instanceof KeepStation station) {
             return new StationRun(queued, station, wireId, speedMps, requests, uploads::reached);
         }
-        return new StopRun(queued, wireId, requests);
+        return queued.command() instanceof Panorama panorama
+                ? new PanoramaRun(queued, panorama, wireId, requests)
+                : new StopRun(queued, wireId, requests);
     }
 
     /** The list that the boat holds, if it may be the command's path from an earlier process; asked about once. */
@@ -262,6 +265,16 @@ final class CommandDriver {
     void progressed(Progress progress) {
         if (noteVisited(progress) && progress.completed()) {
             conclude(run.orElseThrow().arrived());
+        }
+    }
+
+    /** The boat has taken pictures. */
+    void taken(PanoramaReport report) {
+        if (run.isPresent() && run.get() instanceof PanoramaRun panorama && panorama.isAbout(report)) {
+            BoatCommand command = panorama.queued().command();
+            GeoPoint from = GeoPoint.of(report.latDeg(), report.lonDeg());
+            announcements.add(l -> l.onPanorama(boatId, command, report.pictures(), from));
+            conclude(Verdict.COMPLETED);
         }
     }
 

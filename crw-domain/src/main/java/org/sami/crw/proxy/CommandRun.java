@@ -66,7 +66,9 @@ abstract class CommandRun {
     }
 
     /** The boat has said where it is. */
-    void at(GeoPoint position, long nowMs) {}
+    Verdict at(GeoPoint position, long nowMs) {
+        return Verdict.GO_ON;
+    }
 
     /** The link is back after a break, and the boat has said what it holds. */
     abstract Verdict resume(Progress held, long nowMs);

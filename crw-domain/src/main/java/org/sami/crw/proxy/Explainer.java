@@ -60,14 +60,18 @@ final class Explainer {
         if (run.isDriving()) {
             return new Explanation(true, Cause.UNDER_WAY, proxy.boatId() + " does " + words);
         }
-        return causeOf(run) == Cause.KEEPS_STATION
-                ? new Explanation(false, Cause.KEEPS_STATION, proxy.boatId() + " does " + words)
+        Cause cause = causeOf(run);
+        return cause == Cause.KEEPS_STATION || cause == Cause.TAKES_PICTURES
+                ? new Explanation(false, cause, proxy.boatId() + " does " + words)
                 : new Explanation(false, causeOf(run), proxy.boatId() + " waits: " + words);
     }
 
     private static Cause causeOf(CommandRun run) {
         if (run.queued().command() instanceof Stop) {
             return Cause.STOPPING;
+        }
+        if (run.queued().command() instanceof Panorama) {
+            return Cause.TAKES_PICTURES;
         }
         return run instanceof StationRun station && station.isThere() ? Cause.KEEPS_STATION : Cause.UPLOADING;
     }

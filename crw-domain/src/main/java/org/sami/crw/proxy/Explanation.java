@@ -38,6 +38,8 @@ public record Explanation(boolean shouldMove, Cause cause, String text) {
         UPLOADING,
         /** It stays at the point where a mission wants it. */
         KEEPS_STATION,
+        /** It turns all round and takes pictures. */
+        TAKES_PICTURES,
         /** It is told to stop. */
         STOPPING,
         /** A mission keeps it where it is. */

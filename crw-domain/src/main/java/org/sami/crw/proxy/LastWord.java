@@ -10,6 +10,9 @@ record LastWord(Explanation.Cause cause, String text) {
     static final LastWord NONE = new LastWord(Explanation.Cause.NO_COMMAND, "");
 
     static LastWord arrived(BoatCommand command) {
+        if (command instanceof Panorama) {
+            return new LastWord(Explanation.Cause.ARRIVED, "it has taken the pictures of " + name(command));
+        }
         String done = command instanceof Stop ? "has stopped, as " : "has arrived at the end of ";
         String wished = command instanceof Stop ? " wanted" : "";
         return new LastWord(Explanation.Cause.ARRIVED, "it " + done + name(command) + wished);

@@ -69,11 +69,12 @@ final class StationRun extends CommandRun {
     }
 
     @Override
-    void at(GeoPoint position, long nowMs) {
+    Verdict at(GeoPoint position, long nowMs) {
         if (there && Geodesy.distanceM(position, station.point()) > station.radiusM()) {
             there = false;
             way.start(nowMs);
         }
+        return Verdict.GO_ON;
     }
 
     /** Starts the way anew, as the boat may have drifted meanwhile; one that is there arrives at once. */

@@ -36,6 +36,7 @@ final class Catalogue {
             ServiceChapter::add,
             PlanningChapter::add,
             NewsChapter::add,
+            SurroundingsChapter::add,
             OperatorChapter::add,
             MissionChapter::add,
             TaskChapter::add,

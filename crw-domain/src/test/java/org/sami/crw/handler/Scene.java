@@ -45,7 +45,7 @@ final class Scene {
         world = new TestWorld(new HostedEngine(plan.project()));
         world.host.addListener((index, atMillis, input, stepped, view) -> effects.addAll(stepped));
         for (int boat = 1; boat <= boats; boat++) {
-            ready.accept(world.addBoat("boat-" + boat, 4.0 * boat, 0));
+            world.addBoat("boat-" + boat, 4.0 * boat, 0, ready);
         }
         world.run(2);
         post(new Input.StartMission(PlanSketch.ROOT, "test", Map.of()));

@@ -17,6 +17,8 @@ final class TestHull implements Vehicle {
     private double port;
     private double starboard;
     private double batteryPercent = 100;
+    private final List<Double> pictures = new ArrayList<>();
+    private boolean hasCamera;
     private final List<Sensor> sensors = new ArrayList<>();
 
     TestHull(GeoPoint position) {
@@ -99,6 +101,26 @@ final class TestHull implements Vehicle {
     @Override
     public double batteryPercent() {
         return batteryPercent;
+    }
+
+    /** It has a camera. */
+    void photographs() {
+        hasCamera = true;
+    }
+
+    /** Headings at which pictures were taken, in radians. */
+    List<Double> pictures() {
+        return pictures;
+    }
+
+    @Override
+    public boolean hasCamera() {
+        return hasCamera;
+    }
+
+    @Override
+    public void takePicture() {
+        pictures.add(headingRad);
     }
 
     @Override

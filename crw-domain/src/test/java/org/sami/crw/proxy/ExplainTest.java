@@ -15,6 +15,7 @@ import org.sami.boat.link.NackReason;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.StopMotors;
+import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Welcome;
@@ -94,6 +95,9 @@ class ExplainTest {
         boat.setsOut();
         boat.says(new Progress(boat.last(UploadWaypoints.class).listId(), 1, true));
         assertWhy(Cause.KEEPS_STATION, "boat1 does k of mission 4: keeping its station");
+        boat.proxy.submit(new Panorama("v", 4, 1, 8, Priority.MEDIUM));
+        boat.acknowledges(TakePanorama.class);
+        assertWhy(Cause.TAKES_PICTURES, "boat1 does v of mission 4: turning all round");
         boat.proxy.submit(new Stop("s", 4, 1, Priority.LOW, true));
         boat.acknowledges(StopMotors.class);
         assertWhy(Cause.BLOCKED, "mission 4 keeps it where it is");

@@ -26,6 +26,7 @@ import org.sami.boat.link.ReadBack;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.StopMotors;
+import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.Welcome;
@@ -81,7 +82,8 @@ public final class BoatServer {
      */
     public void restore(CommandMessage command, LinkMessage answer) {
         ledger.record(command.commandId(), answer);
-        boolean lasting = !(command instanceof StartWaypoints) && !isStoppingOnly(command);
+        boolean moving = command instanceof StartWaypoints || command instanceof TakePanorama;
+        boolean lasting = !moving && !isStoppingOnly(command);
         if (answer instanceof Ack && lasting && !CommandTransfer.isOne(command)) {
             executor.execute(command);
         }
@@ -100,6 +102,7 @@ public final class BoatServer {
         if (pilot.tick(nowMs)) {
             broadcast(pilot.track().progress(), nowMs);
         }
+        pilot.takeReport().ifPresent(report -> broadcast(report, nowMs));
         if (batteryLevel() != reportedLevel) {
             reportedLevel = batteryLevel();
             broadcast(battery(), nowMs);

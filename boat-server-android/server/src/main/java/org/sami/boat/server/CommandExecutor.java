@@ -17,6 +17,7 @@ import org.sami.boat.link.SetVelocityMultiplier;
 import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.StopMotors;
+import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.UploadWaypoints;
 
 /** Executes the commands of the commander, each once, and says how it answers them. */
@@ -60,6 +61,8 @@ final class CommandExecutor {
             return stop(command);
         } else if (command instanceof HoldPosition) {
             return hold(command);
+        } else if (command instanceof TakePanorama) {
+            return panorama((TakePanorama) command);
         } else if (command instanceof FleetStop) {
             pilot.fleetStop();
         } else if (command instanceof FleetRelease) {
@@ -106,6 +109,17 @@ final class CommandExecutor {
             return fleetStopped(command);
         }
         pilot.hold();
+        return ack(command);
+    }
+
+    private LinkMessage panorama(TakePanorama command) {
+        if (isFleetStopped()) {
+            return fleetStopped(command);
+        }
+        if (!pilot.hasCamera()) {
+            return nack(command, NackReason.NO_CAMERA, "there is no camera on board");
+        }
+        pilot.takePanorama(command);
         return ack(command);
     }
 

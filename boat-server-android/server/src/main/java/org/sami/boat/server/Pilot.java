@@ -1,7 +1,10 @@
 package org.sami.boat.server;
 
+import java.util.Optional;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.PanoramaReport;
+import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Waypoint;
 
 /**
@@ -9,6 +12,8 @@ import org.sami.boat.link.Waypoint;
  * Exactly one mode at a time; only {@link #tick} and the change to a resting mode touch the motors.
  */
 final class Pilot {
+    private static final double TURNING_EFFORT = 0.3; // slow enough for pictures
+
     private final ServerConfig config;
     private final Vehicle vehicle;
     private final Helm helm;
@@ -18,6 +23,8 @@ final class Pilot {
     private LocalFrame target;
     private boolean drivingBack;
     private double velocityMultiplier = 1;
+    private Optional<Panorama> panorama = Optional.empty(); // while it keeps a station
+    private Optional<PanoramaReport> completed = Optional.empty();
     private double thrust;
     private double rudder;
     private long handMs;
@@ -73,7 +80,25 @@ final class Pilot {
         hold(here());
     }
 
+    boolean hasCamera() {
+        return vehicle.hasCamera();
+    }
+
+    /** Keeps station here and turns all round; what was begun before is forgotten. */
+    void takePanorama(TakePanorama command) {
+        hold();
+        panorama = Optional.of(new Panorama(command));
+    }
+
+    /** The panorama that the last tick has completed. */
+    Optional<PanoramaReport> takeReport() {
+        Optional<PanoramaReport> report = completed;
+        completed = Optional.empty();
+        return report;
+    }
+
     private void hold(LocalFrame station) {
+        panorama = Optional.empty();
         mode = BoatMode.HOLD;
         target = station;
         drivingBack = false;
@@ -171,6 +196,22 @@ final class Pilot {
         }
         if (drivingBack) {
             helm.steerTo(target, config.returnSpeedMps(), seconds);
+        } else if (panorama.isPresent()) {
+            tickPanorama(panorama.get());
+        }
+    }
+
+    private void tickPanorama(Panorama turn) {
+        if (turn.look(vehicle.headingRad())) {
+            vehicle.takePicture();
+        }
+        if (turn.isDone()) {
+            panorama = Optional.empty();
+            helm.rest();
+            completed = Optional.of(new PanoramaReport(
+                    turn.command().commandId(), turn.command().pictures(), vehicle.latDeg(), vehicle.lonDeg()));
+        } else {
+            helm.drive(0, TURNING_EFFORT);
         }
     }
 

@@ -30,6 +30,14 @@ public interface Vehicle {
         return Collections.emptyList();
     }
 
+    /** Whether there is a camera on board. */
+    default boolean hasCamera() {
+        return false;
+    }
+
+    /** Takes a picture ahead and keeps it on board; only asked of a vehicle that has a camera. */
+    default void takePicture() {}
+
     /** Sets the efforts of the port and the starboard motor, -1 (full astern) to 1 (full ahead), until set again. */
     void setMotors(double port, double starboard);
 }

@@ -82,6 +82,16 @@ public final class Instruments implements Vehicle {
     }
 
     @Override
+    public boolean hasCamera() {
+        return hull.hasCamera();
+    }
+
+    @Override
+    public void takePicture() {
+        hull.takePicture();
+    }
+
+    @Override
     public void setMotors(double port, double starboard) {
         hull.setMotors(port, starboard);
     }

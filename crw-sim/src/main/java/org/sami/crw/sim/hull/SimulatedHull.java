@@ -36,6 +36,7 @@ public final class SimulatedHull implements Vehicle {
     private double batteryPercent = 100;
     private double distanceM;
     private int recharges;
+    private int pictures;
     private Optional<BatterySwap> swap = Optional.empty();
 
     /** A hull in calm water, at rest with a full battery, its bow to the north, at a place on the plane of its world. */
@@ -109,6 +110,22 @@ public final class SimulatedHull implements Vehicle {
     /** How many times the battery has been recharged. */
     public int recharges() {
         return recharges;
+    }
+
+    @Override
+    public boolean hasCamera() {
+        return true;
+    }
+
+    /** There is nothing to be seen; the picture is counted. */
+    @Override
+    public void takePicture() {
+        pictures++;
+    }
+
+    /** How many pictures its camera has taken. */
+    public int pictures() {
+        return pictures;
     }
 
     @Override

@@ -1,0 +1,40 @@
+package org.sami.crw.handler;
+
+import java.util.List;
+import java.util.Optional;
+import org.sami.crw.proxy.Panorama;
+import org.sami.spn.host.ActivationHandler;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+
+/**
+ * Take Panorama (thesis 9.1.2): each boat keeps its station, turns all round and takes pictures; it answers when they are taken. They
+ * stay on board.
+ */
+final class PanoramaHandler implements ActivationHandler {
+    static final String TYPE = "TakePanorama";
+    private static final int PICTURES = 8; // a phone's camera sees some 60 degrees: enough to overlap
+
+    private final MotionCommands motion;
+
+    PanoramaHandler(MotionCommands motion) {
+        this.motion = motion;
+    }
+
+    @Override
+    public void handle(Activation activation, HandlerContext context) {
+        List<Move> moves = Addressee.of(activation, context).stream()
+                .map(addressee -> new Move(
+                        addressee,
+                        new Panorama(
+                                Move.commandId(activation, addressee),
+                                activation.mission(),
+                                activation.id(),
+                                PICTURES,
+                                activation.priority()),
+                        Optional.empty(),
+                        Reply.NONE))
+                .toList();
+        motion.send(activation, context, moves);
+    }
+}
