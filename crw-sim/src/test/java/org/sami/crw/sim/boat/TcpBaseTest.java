@@ -88,6 +88,32 @@ class TcpBaseTest {
         assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
     }
 
+    @Test
+    void linkThatIsCutOnPurposeStaysDownUntilItIsTakenUpAgain() throws Exception {
+        BoatOnTcp boat = harbour.boat("anna");
+        Base base = harbour.base("base");
+        base.connect(boat.address(), "anna");
+        base.submit("anna", Harbour.path("m1", 1));
+        base.awaitMode("anna", BoatMode.PATH);
+        base.ask("anna", proxy -> {
+            proxy.disconnect();
+            return true;
+        });
+
+        Await.until("the boat is alone", 10, () -> !base.links().get(0).connected());
+        assertThat(base.ask("anna", BoatProxy::isDisconnected)).isTrue();
+        long connections = base.links().get(0).connections();
+        base.ask("anna", proxy -> {
+            proxy.reconnect();
+            return true;
+        });
+        base.awaitMode("anna", BoatMode.PATH);
+        Await.until("it goes on", 20, () -> base.links().get(0).connected() && uploads("start") == 2);
+        assertThat(base.links().get(0).connections()).isEqualTo(connections + 1);
+        assertThat(uploads("upload")).isEqualTo(1);
+        assertThat(base.failures).isEmpty();
+    }
+
     private long uploads(String type) {
         return executed("anna", type);
     }
