@@ -63,7 +63,7 @@ final class AllocationHandler implements ActivationHandler {
             tell(activation, context, Priority.HIGH, words, List.of());
         }
         if (Markups.criterion(activation).isPresent()) {
-            tell(activation, context, Priority.LOW, "Allocation " + options.reason(), List.of());
+            tell(activation, context, Priority.LOW, "Allocation: " + options.reason(), List.of());
         }
         List<Value> values = new ArrayList<>();
         options.divisions().forEach(division -> values.add(toValue(division, options.reason(), question)));

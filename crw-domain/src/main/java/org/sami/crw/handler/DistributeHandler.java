@@ -66,7 +66,7 @@ final class DistributeHandler implements ActivationHandler {
                     activation.mission(),
                     OperatorMessage.Source.DOMAIN,
                     Priority.LOW,
-                    "Distribution " + options.reason(),
+                    "Distribution: " + options.reason(),
                     List.of(),
                     ""));
         }

@@ -67,7 +67,7 @@ final class PathHandler implements ActivationHandler {
             }
         }
         if (Markups.criterion(activation).isPresent()) {
-            reasons.forEach(reason -> tell(activation, context, Priority.LOW, "Path " + reason));
+            reasons.forEach(reason -> tell(activation, context, Priority.LOW, "Path: " + reason));
         }
         Map<String, Value> values =
                 Map.of("options", new ListValue(List.copyOf(sets(ways))), "noWay", ProxyMaps.toValue(noWay));

@@ -74,7 +74,7 @@ class PathRequestTest {
         assertThat(options(answer)).hasSize(2);
         assertClear(paths(answer, 0), 4.9);
         assertThat(lengthM(paths(answer, 1), "west")).isLessThan(lengthM(paths(answer, 0), "west"));
-        assertThat(messages()).anyMatch(text -> text.contains("execution safety: Safest path, which declares 'best'"));
+        assertThat(messages()).anyMatch(text -> text.contains("Path: Safest path, best for execution safety"));
     }
 
     @Test

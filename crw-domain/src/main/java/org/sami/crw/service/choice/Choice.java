@@ -56,20 +56,19 @@ public record Choice<A>(List<A> ranked, String reason) {
 
     private static String chosen(Declared<?> first, Optional<Criterion> criterion) {
         return criterion
-                .map(wanted ->
-                        "for " + wanted.words() + ": " + first.name() + ", which declares " + declared(first, wanted))
+                .map(wanted -> first.name()
+                        + Optional.ofNullable(first.serves().get(wanted))
+                                .map(merit -> ", " + merit.words() + " for " + wanted.words())
+                                .orElse(", as none says that it serves " + wanted.words()))
                 .orElse(first.name() + ", the standard, as no criterion was given");
     }
 
+    /** Those that serve the criterion less well; not those that say nothing of it. */
     private static <A extends Declared<?>> List<String> others(List<A> able, Criterion wanted) {
         return able.stream()
                 .skip(1)
-                .map(other -> other.name() + " declares " + declared(other, wanted))
+                .filter(other -> other.serves().containsKey(wanted))
+                .map(other -> other.name() + " is " + other.serves().get(wanted).words() + " for it")
                 .toList();
-    }
-
-    private static String declared(Declared<?> algorithm, Criterion wanted) {
-        Merit merit = algorithm.serves().get(wanted);
-        return merit == null ? "nothing" : "'" + merit.words() + "'";
     }
 }

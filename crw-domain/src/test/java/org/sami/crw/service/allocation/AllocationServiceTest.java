@@ -80,8 +80,8 @@ class AllocationServiceTest {
         AllocationService.Options options = service.solve(scene(1, 5, 40), Optional.of(Criterion.EXECUTION_TIME), 1);
 
         assertThat(options.reason())
-                .startsWith("for execution time: Balanced division, which declares 'best'")
-                .contains("Sequential single-item auction declares 'good'")
+                .startsWith("Balanced division, best for execution time")
+                .contains("Sequential single-item auction is good for it")
                 .contains("not Optimal division: 40 locations")
                 .contains("not Optimal assignment: 40 locations for 5 boats");
     }

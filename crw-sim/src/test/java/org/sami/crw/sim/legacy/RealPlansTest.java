@@ -38,13 +38,9 @@ class RealPlansTest {
         for (String root : imported.roots()) {
             PlanTrial trial = trials.run(project.plan(root).orElseThrow(), RunObserver.NONE);
 
-            assertThat(trial.outcome())
-                    .as("%s: %s", trial.name(), trial.reason())
-                    .isNotEqualTo(RunOutcome.FAILED);
-            assertThat(trial.findings())
-                    .as(trial.name())
-                    .noneMatch(
-                            f -> f.code().equals(TrialCodes.ENGINE) || f.code().equals(TrialCodes.LIVELOCK));
+            assertThat(trial.isSound())
+                    .as("%s: %s %s", trial.name(), trial.reason(), trial.findings())
+                    .isTrue();
             assertThat(trial.waitsFor().isEmpty()).as(trial.name()).isEqualTo(trial.outcome() != RunOutcome.RUNNING);
             assertThat(trial.waitsFor()).as(trial.name()).allSatisfy(wait -> {
                 assertThat(wait.place()).isNotBlank();
