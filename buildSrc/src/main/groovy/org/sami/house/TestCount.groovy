@@ -23,8 +23,10 @@ class TestCount {
         skipped += left
     }
 
+    /** The count is the last line, always in the same words; what was skipped, and why, stands in the reports. */
     @Override
     String toString() {
-        "$passed passed, $failed failed" + (skipped > 0 ? ", $skipped skipped" : '')
+        String left = skipped > 0 ? "$skipped skipped, for what they read is not on this machine\n" : ''
+        left + "$passed passed, $failed failed"
     }
 }
