@@ -51,20 +51,18 @@ public final class VisitRecorder {
     }
 
     /**
-     * Takes a boat's word that it was at a location; a point that is none of the locations, or was visited already, changes
-     * nothing.
-     *
-     * @return whether that is news
+     * Takes a boat's word that it was at a location; a point that is none of the locations changes nothing. The earliest visit
+     * counts, in whatever order visits become known.
      */
-    public boolean visited(double latDeg, double lonDeg, long atMillis, String boatId) {
+    public void visited(double latDeg, double lonDeg, long atMillis, String boatId) {
         for (int i = 0; i < locations.size(); i++) {
             LocationResult location = locations.get(i);
-            if (location.latDeg() == latDeg && location.lonDeg() == lonDeg && !location.visited()) {
+            boolean earlier = atMillis < location.visitedAtMillis().orElse(Long.MAX_VALUE);
+            if (location.latDeg() == latDeg && location.lonDeg() == lonDeg && earlier) {
                 visited(i, atMillis, boatId);
-                return true;
+                return;
             }
         }
-        return false;
     }
 
     private LocationResult visited(int index, long atMillis, String boatId) {
@@ -78,7 +76,7 @@ public final class VisitRecorder {
                 OptionalLong.of(atMillis),
                 boatId);
         locations.set(index, now);
-        visited++;
+        visited += location.visited() ? 0 : 1;
         return now;
     }
 

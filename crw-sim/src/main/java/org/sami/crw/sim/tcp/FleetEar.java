@@ -24,7 +24,7 @@ final class FleetEar implements BaseListener, BoatListener {
     /** Who wants to know that a boat was at points of its path. */
     interface Arrivals {
         /** A boat says that these points are behind it; called on the base's thread. */
-        void at(String boat, List<GeoPoint> points);
+        void at(String boat, List<GeoPoint> points, long atMillis);
     }
 
     private final BoatDesk desk;
@@ -33,7 +33,7 @@ final class FleetEar implements BaseListener, BoatListener {
     private final LongSupplier nowMillis;
     private final ReadingRecorder readings;
     private final Map<String, Integer> reported = new HashMap<>();
-    private volatile Arrivals arrivals = (boat, points) -> {};
+    private volatile Arrivals arrivals = (boat, points, atMillis) -> {};
     private volatile boolean deaf;
     private Optional<BoatListener> domain = Optional.empty();
 
@@ -125,8 +125,9 @@ final class FleetEar implements BaseListener, BoatListener {
             if (visitedCount > before) {
                 reported.put(command.commandId(), visitedCount);
                 List<GeoPoint> points = path.points().subList(before, visitedCount);
-                points.forEach(point -> notes.visited(nowMillis.getAsLong(), boatId, point));
-                arrivals.at(boatId, points);
+                long at = nowMillis.getAsLong();
+                points.forEach(point -> notes.visited(at, boatId, point));
+                arrivals.at(boatId, points, at);
             }
         }
     }

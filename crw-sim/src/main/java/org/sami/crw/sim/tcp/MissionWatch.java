@@ -139,7 +139,8 @@ final class MissionWatch {
         operator.connect(station.host());
         interrupts.connect(station.host());
         station.ear()
-                .tellArrivals((boat, points) -> station.loop().execute(() -> points.forEach(at -> arrived(boat, at))));
+                .tellArrivals((boat, points, at) ->
+                        station.loop().execute(() -> points.forEach(point -> arrived(boat, point, at))));
         station.host().resume();
         station.loop().every(LOOK_MS, this::look);
         station.loop().every(TRACK_MS, this::track);
@@ -161,22 +162,25 @@ final class MissionWatch {
     }
 
     private void look() {
-        for (LocationResult news : visits.look(now(), boats())) {
-            station.notes().visited(now(), news.visitedBy(), GeoPoint.of(news.latDeg(), news.lonDeg()));
+        long at = now(); // one time for the report and for the journal, which tells the report again
+        for (LocationResult news : visits.look(at, boats())) {
+            station.notes().visited(at, news.visitedBy(), GeoPoint.of(news.latDeg(), news.lonDeg()));
         }
         progress = progress();
     }
 
-    private void arrived(String boat, GeoPoint at) {
-        visits.visited(at.latDeg(), at.lonDeg(), now(), boat); // it was written down where it was heard
+    /** It was written down where it was heard, with the same time. */
+    private void arrived(String boat, GeoPoint point, long at) {
+        visits.visited(point.latDeg(), point.lonDeg(), at, boat);
     }
 
     private void track() {
         station.lookAfterBoats();
-        for (BoatState noted : tracks.look(now(), boats())) {
+        long at = now();
+        for (BoatState noted : tracks.look(at, boats())) {
             station.desk()
                     .last(noted.id())
-                    .ifPresent(told -> station.notes().pose(now(), noted.id(), told, noted.distanceM()));
+                    .ifPresent(told -> station.notes().pose(at, noted.id(), told, noted.distanceM()));
         }
     }
 
