@@ -1,5 +1,6 @@
 package org.sami.crw.handler;
 
+import java.util.Set;
 import org.sami.boat.link.BatteryLevel;
 
 /** The input events that this package answers with, as the domain's vocabulary names them. */
@@ -38,6 +39,10 @@ public final class EventNames {
     static final String PROXY_ABORTED = "ProxyAbortMissionReceived";
     static final String TAKEN_OVER = "ProxyTakenOver";
     static final String RELEASED = "ProxyReleased";
+
+    /** What a plan is told of motion commands: none of it comes from a boat that has no command. */
+    public static final Set<String> OF_COMMANDS =
+            Set.of(PATH_COMPLETED, PATH_FAILED, LIST_COMPLETED, BLOCK_DONE, PANORAMA_TAKEN);
 
     private EventNames() {}
 

@@ -1,14 +1,23 @@
 package org.sami.spn.engine;
 
 import java.util.List;
+import org.sami.spn.model.InputEventSpec;
 
 /**
  * A yes or no with its reasons.
  *
  * @param reasons one sentence each, for people; empty where the answer is yes
+ * @param awaited input events that have not been received and can still come, in order; empty where none is missing, or where one
+ *     that is missing can come no longer
  */
-public record Explanation(boolean yes, List<String> reasons) {
+public record Explanation(boolean yes, List<String> reasons, List<InputEventSpec> awaited) {
     public Explanation {
         reasons = List.copyOf(reasons);
+        awaited = List.copyOf(awaited);
+    }
+
+    /** An answer that no event changes. */
+    public Explanation(boolean yes, List<String> reasons) {
+        this(yes, reasons, List.of());
     }
 }

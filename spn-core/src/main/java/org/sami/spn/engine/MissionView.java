@@ -11,10 +11,18 @@ import org.sami.spn.protocol.Token;
  * A mission as it stands.
  *
  * @param parent the mission whose place runs it, or {@code Ids.NONE}
+ * @param place the parent's place whose sub-mission it is, by its id; empty text for a root mission
  * @param marking tokens of each marked place in order of entry, by place id in the plan's order
  */
 public record MissionView(
-        long id, long parent, long root, String plan, String name, Status status, Map<String, List<Token>> marking) {
+        long id,
+        long parent,
+        long root,
+        String place,
+        String plan,
+        String name,
+        Status status,
+        Map<String, List<Token>> marking) {
     /** How far a mission is. */
     public enum Status {
         /** Waits for its parameters. */
@@ -25,9 +33,22 @@ public record MissionView(
     }
 
     public MissionView {
+        Objects.requireNonNull(place, "place");
         Objects.requireNonNull(plan, "plan");
         Objects.requireNonNull(name, "name");
         Objects.requireNonNull(status, "status");
         marking = Collections.unmodifiableMap(new LinkedHashMap<>(marking));
+    }
+
+    /** A mission that stands in no place of another. */
+    public MissionView(
+            long id,
+            long parent,
+            long root,
+            String plan,
+            String name,
+            Status status,
+            Map<String, List<Token>> marking) {
+        this(id, parent, root, "", plan, name, status, marking);
     }
 }

@@ -137,8 +137,27 @@ final class Presses {
         String type = rules.activating.answerType(sent, role);
         Map<String, Value> values = Map.of(Reserved.INTERRUPT_NAME, new TextValue(nameOf(sent)));
         if (!rules.routing.route(Occurrence.answer(type, sent.activation, proxies, List.of(), values))) {
-            refused(sent.activation.mission(), "Nobody is there for the interrupt '" + nameOf(sent) + "'");
+            refused(
+                    sent.activation.mission(),
+                    "Nobody is there for the interrupt '" + nameOf(sent) + "'" + whereabouts(sent.mission(), proxies));
         }
+    }
+
+    /** Where the named robots stand instead, in words. */
+    private static String whereabouts(Mission m, List<String> proxies) {
+        StringBuilder words = new StringBuilder();
+        for (PlaceState place : m.places) {
+            for (String proxy : place == null ? List.<String>of() : proxies) {
+                if (place.find(new Token.Proxy(proxy)) != null) {
+                    words.append("; ")
+                            .append(proxy)
+                            .append(" is in '")
+                            .append(place.place)
+                            .append("'");
+                }
+            }
+        }
+        return words.toString();
     }
 
     private static List<Sent> openInterrupts(Mission m, String name) {

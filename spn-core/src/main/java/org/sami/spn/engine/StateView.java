@@ -45,6 +45,7 @@ final class StateView implements EngineView {
                 m.id,
                 m.parent == null ? Ids.NONE : m.parent.id,
                 m.root.id,
+                m.instance == null ? "" : m.instance.place.place.id(),
                 m.plan.plan.id(),
                 m.name,
                 m.status,

@@ -10,10 +10,12 @@ import org.sami.spn.protocol.Token;
 final class WhyNot {
     private final EngineState state;
     private final Rules rules;
+    private final Awaiting awaiting;
 
     WhyNot(EngineState state) {
         this.state = state;
         this.rules = state.rules();
+        this.awaiting = new Awaiting(state);
     }
 
     Explanation explain(long mission, String transition) {
@@ -38,13 +40,17 @@ final class WhyNot {
         List<String> reasons = new ArrayList<>();
         for (CompiledInput input : t.transition.inputs) {
             if (t.queues[input.index].size == 0) {
-                reasons.add("It waits for " + input.spec.type() + describe(input) + ", which has not been received.");
+                reasons.add("It waits for " + input.spec.type() + describe(input)
+                        + awaiting.over(t, input)
+                                .map(why -> ", which can come no longer: " + why + ".")
+                                .orElse(", which has not been received."));
             }
         }
         Pool.Reach reach = t.transition.reach();
         for (CompiledPlace place : t.transition.inPlaces) {
             if (reach == Pool.Reach.FREE && !rules.enabling.isReady(t, place)) {
-                reasons.add("It waits for the sub-mission on '" + place + "', which is not complete.");
+                reasons.add("It waits for the sub-mission on '" + place + "', which "
+                        + (Awaiting.wasAborted(t.mission.places[place.index]) ? "was aborted." : "is not complete."));
             }
         }
         if (reach == Pool.Reach.FREE && t.transition.wantsSubTokens && !rules.enabling.somethingReturned(t)) {
@@ -75,7 +81,7 @@ final class WhyNot {
                 reasons.add("The events that it has received do not name the same robots or tasks.");
             }
         }
-        return new Explanation(reasons.isEmpty(), reasons);
+        return new Explanation(reasons.isEmpty(), reasons, awaiting.awaited(t));
     }
 
     private static String describe(CompiledInput input) {

@@ -2,11 +2,16 @@ package org.sami.spn.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.sami.spn.model.FieldSource;
+import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.Session;
+import org.sami.spn.value.DurationValue;
 import org.sami.spn.value.TextValue;
 
 /** "Why is this transition not enabled?" has an answer in words. */
@@ -56,5 +61,80 @@ class WhyNotTest {
         assertThat(s.view().whyNotEnabled(m, "no").reasons()).containsExactly("The plan 'net' has no transition 'no'.");
         s.step(new Input.AbortMission(m));
         assertThat(s.view().whyNotEnabled(m, "t").yes()).isFalse();
+    }
+
+    @Test
+    void questionThatWasAnsweredIsNotWaitedFor() {
+        Session asked = new Session(new NetBuilder("net")
+                .start("s")
+                .output("s", "Approve")
+                .transition("yes", "Yes")
+                .in("s", "yes", "proxy >= 1")
+                .in("gate", "yes", "generic >= 1")
+                .transition("no", "No")
+                .in("s", "no", "proxy >= 1")
+                .build());
+        long m = asked.join("A").start("net");
+        assertThat(asked.view().whyNotEnabled(m, "no").awaited())
+                .extracting(InputEventSpec::type)
+                .containsExactly("No");
+
+        asked.decide(new Answer.YesNo(true));
+
+        assertThat(asked.view().whyNotEnabled(m, "yes"))
+                .isEqualTo(new Explanation(
+                        false, List.of("'gate' must have at least 1 generic tokens; there are 0."), List.of()));
+        assertThat(asked.view().whyNotEnabled(m, "no"))
+                .isEqualTo(new Explanation(
+                        false,
+                        List.of("It waits for No, which can come no longer: what 's' asked has been answered."),
+                        List.of()));
+    }
+
+    @Test
+    void timerThatHasExpiredIsNotWaitedFor() {
+        Session timed = new Session(new NetBuilder("net")
+                .start("s")
+                .output("s", "StartTimer", Map.of("duration", new FieldSource.Fixed(new DurationValue(1000))), Map.of())
+                .transition("t", "TimerExpired", "Other")
+                .in("s", "t", "always")
+                .build());
+        long m = timed.join("A").start("net");
+        timed.advance(1000);
+        timed.news("Other");
+
+        assertThat(timed.fired()).containsExactly("t");
+        assertThat(timed.view().whyNotEnabled(m, "t").reasons())
+                .contains("It waits for TimerExpired, which can come no longer: the timer of 's' has expired.");
+    }
+
+    @Test
+    void subMissionThatHasEndedReturnsNothingMore() {
+        Session helped = new Session(
+                new NetBuilder("net")
+                        .start("s")
+                        .sub("s", "child")
+                        .input("good", "CheckReturn", Map.of("value", new TextValue("good")), Map.of())
+                        .in("s", "good", "always")
+                        .build(),
+                new NetBuilder("child")
+                        .start("begin")
+                        .end("over")
+                        .transition("leave", "News")
+                        .in("begin", "leave", "proxy >= 1")
+                        .out("leave", "over", "take all any")
+                        .build());
+        long m = helped.join("A").start("net");
+        assertThat(helped.missionOf("child").orElseThrow().place()).isEqualTo("s");
+        assertThat(helped.view().whyNotEnabled(m, "good").awaited()).hasSize(1);
+
+        helped.news("News", "A");
+
+        assertThat(helped.view().whyNotEnabled(m, "good"))
+                .isEqualTo(new Explanation(
+                        false,
+                        List.of("It waits for CheckReturn 'good', which can come no longer: "
+                                + "the sub-mission on 's' is over."),
+                        List.of()));
     }
 }

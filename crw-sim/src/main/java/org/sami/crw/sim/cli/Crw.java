@@ -76,8 +76,8 @@ public final class Crw implements Runnable {
     public static void main(String[] args) {
         System.setProperty("java.awt.headless", "true");
         LogLines.install();
-        int code = commandLine().execute(args);
-        System.out.flush();
-        System.exit(code);
+        CommandLine command = commandLine();
+        int code = command.execute(args);
+        System.exit(Faults.checkOutput(command, System.out, code));
     }
 }

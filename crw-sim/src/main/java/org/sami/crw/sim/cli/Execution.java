@@ -92,7 +92,7 @@ final class Execution {
             return ExitCode.FINDINGS;
         }
         checkSettings(runPlan, settings);
-        output.prepare();
+        output.prepare(err);
         RunRecord record = new RunRecord(
                 settings,
                 source.source(),
@@ -196,7 +196,7 @@ final class Execution {
         if (!Files.isRegularFile(journal)) {
             throw new UsageFault("there is no journal " + journal);
         }
-        output.prepare();
+        output.prepare(err);
         return isConnected(journal) ? resumeConnected(journal, change) : resumeInProcess(journal, change);
     }
 
@@ -284,6 +284,15 @@ final class Execution {
         }
     }
 
+    /** Why it failed, beside the report, which may be for a program or be lost in a pipe. */
+    private void tellFailure(RunReport report) {
+        if (report.result().outcome() == RunOutcome.FAILED) {
+            err.println("crw: failed: " + report.result().reason());
+            report.waits().forEach(wait -> wait.lines().forEach(line -> err.println("  " + line)));
+            err.flush();
+        }
+    }
+
     private int run(Mission mission, RunSettings settings, Path journal) throws IOException {
         RunSettings.Fleet fleet = settings.fleet();
         err.printf(
@@ -302,6 +311,7 @@ final class Execution {
         err.flush();
         ProgressDisplay progress = new ProgressDisplay(err, Terminal.onStandardError(), System::nanoTime);
         RunReport report;
+        boolean told;
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
             report = mission.run(new RunObserver(progress, stop), line -> {
                 progress.end();
@@ -310,12 +320,14 @@ final class Execution {
             });
             progress.end();
             boolean stopped = Thread.interrupted(); // files could not be written otherwise
-            output.tell(report, out, err);
+            told = output.tell(report, out, err);
+            tellFailure(report);
             if (journal != null && report.result().outcome() == RunOutcome.RUNNING) {
                 err.println((stopped ? "stopped; " : "") + "go on with: crw resume " + journal);
                 err.flush();
             }
         }
-        return report.result().outcome().exitCode();
+        int code = report.result().outcome().exitCode();
+        return told || code != ExitCode.OK ? code : ExitCode.FAILED;
     }
 }

@@ -1,9 +1,11 @@
 package org.sami.crw.sim.cli;
 
 import java.io.IOException;
+import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
@@ -33,6 +35,23 @@ final class Faults {
         return ExitCode.USAGE;
     }
 
+    /**
+     * Finds out whether everything that was printed arrived: a full disk or a closed pipe swallows it without a word.
+     *
+     * @param code the exit code of what was done
+     * @return the exit code to end with
+     */
+    static int checkOutput(CommandLine command, PrintStream standardOutput, int code) {
+        if (!command.getOut().checkError() && !standardOutput.checkError()) {
+            return code;
+        }
+        PrintWriter err = command.getErr();
+        err.println(
+                "crw: standard output could not be written (a full disk or a closed pipe); what was printed is not complete");
+        err.flush();
+        return code == ExitCode.OK ? ExitCode.FAILED : code;
+    }
+
     static int onException(Exception fault, CommandLine command, ParseResult arguments) {
         PrintWriter err = command.getErr();
         if (fault instanceof UsageFault) {
@@ -48,7 +67,8 @@ final class Faults {
         return ExitCode.FAILED;
     }
 
-    private static String words(Exception fault) {
+    /** A fault in words for people. */
+    static String words(Exception fault) {
         if (fault instanceof NoSuchFileException) {
             return "there is no file or folder " + fault.getMessage();
         }
@@ -57,6 +77,9 @@ final class Faults {
         }
         if (fault instanceof FileAlreadyExistsException) {
             return fault.getMessage() + " is there already";
+        }
+        if (fault instanceof FileSystemException file && file.getReason() != null) {
+            return file.getReason() + " (" + file.getFile() + ")";
         }
         String message = fault.getMessage();
         if (fault instanceof IOException && message != null) {

@@ -77,7 +77,7 @@ final class LogCommand implements Callable<Integer> {
     }
 
     private Path reportFolder() {
-        OutputOptions.toFolder(folder).prepare();
+        OutputOptions.toFolder(folder).prepare(spec.commandLine().getErr());
         return folder;
     }
 }

@@ -3,7 +3,7 @@ package org.sami.crw.sim.legacy;
 import java.util.List;
 import java.util.Objects;
 import org.sami.crw.sim.report.RunOutcome;
-import org.sami.crw.sim.run.Wait;
+import org.sami.crw.sim.report.Wait;
 import org.sami.spn.finding.Finding;
 
 /**

@@ -11,7 +11,7 @@ import java.util.Locale;
 import java.util.Map;
 import org.sami.crw.sim.report.ReportText;
 import org.sami.crw.sim.report.RunOutcome;
-import org.sami.crw.sim.run.Wait;
+import org.sami.crw.sim.report.Wait;
 import org.sami.spn.finding.Finding;
 
 /**

@@ -5,7 +5,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * Writes a report's files into a folder: {@code report.json}, {@code boats.csv}, {@code locations.csv},
@@ -13,6 +15,18 @@ import java.util.Objects;
  * {@code map.png}. Files of those names are replaced; each appears whole or not at all.
  */
 public final class ReportFolder {
+    private static final List<String> FILES = List.of(
+            "report.json",
+            "boats.csv",
+            "locations.csv",
+            "firings.csv",
+            "tracks.csv",
+            "readings.csv",
+            "decisions.csv",
+            "interrupts.csv",
+            "tasks.csv",
+            "map.png");
+
     private final Path folder;
 
     /** A folder, which is made when something is written. */
@@ -24,6 +38,11 @@ public final class ReportFolder {
     public void prepare() throws IOException {
         Files.createDirectories(folder);
         MapPicture.prepare();
+    }
+
+    /** A file of an earlier report, or one that would be taken for it; empty where there is none. */
+    public Optional<Path> earlier() {
+        return FILES.stream().map(folder::resolve).filter(Files::exists).findFirst();
     }
 
     /** Writes all files of a report. */

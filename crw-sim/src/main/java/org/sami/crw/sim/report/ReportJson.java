@@ -45,6 +45,7 @@ public final class ReportJson {
         json.put("firings", result.firings());
         json.put("locationsVisited", report.locationsVisited());
         json.put("distanceM", decimal(report.distanceM(), 2));
+        json.set("waitsFor", waits(report));
         json.set("boats", boats(report));
         json.set("locations", locations(report));
         json.set("interrupts", interrupts(report));
@@ -80,6 +81,23 @@ public final class ReportJson {
                     .put("batteryPercent", decimal(boat.batteryPercent(), 2))
                     .put("recharges", boat.recharges())
                     .put("why", link.why());
+        }
+        return array;
+    }
+
+    private static ArrayNode waits(RunReport report) {
+        ArrayNode array = NODES.arrayNode();
+        for (Wait wait : report.waits()) {
+            ObjectNode node = array.addObject().put("missions", wait.missions()).put("plan", wait.plan());
+            node.put("place", wait.place());
+            wait.tokens().forEach(node.putArray("tokens")::add);
+            node.put("occurrence", wait.occurrence());
+            ArrayNode transitions = node.putArray("transitions");
+            for (Wait.BlockedTransition blocked : wait.transitions()) {
+                ArrayNode reasons =
+                        transitions.addObject().put("name", blocked.name()).putArray("reasons");
+                blocked.reasons().forEach(reasons::add);
+            }
         }
         return array;
     }

@@ -20,6 +20,7 @@ public final class ReportText {
     public static String text(RunReport report) {
         StringBuilder text = new StringBuilder();
         summary(text, report);
+        waits(text, report);
         boats(text, report);
         interrupts(text, report);
         tasks(text, report);
@@ -63,6 +64,15 @@ public final class ReportText {
 
     private static String reason(RunResult result) {
         return result.reason().isEmpty() ? "" : ": " + result.reason();
+    }
+
+    /** Where the mission stood, and why it went no further. */
+    private static void waits(StringBuilder text, RunReport report) {
+        if (!report.waits().isEmpty()) {
+            line(text, "");
+            line(text, "  where the mission stood");
+            report.waits().forEach(wait -> wait.lines().forEach(line -> line(text, "  %s", line)));
+        }
     }
 
     private static void boats(StringBuilder text, RunReport report) {
@@ -180,13 +190,15 @@ public final class ReportText {
         }
     }
 
-    /** News that no transition wanted is counted, the rest is shown. */
+    /** Answers that no transition wanted are counted, news that nobody asked for is left out, the rest is shown. */
     private static void notes(StringBuilder text, RunReport report) {
         List<NoteResult> shown = report.notes().stream()
-                .filter(note -> !note.kind().equals(DISCARDED))
+                .filter(note -> !note.kind().equals(DISCARDED) && !note.kind().equals(NoteResult.NEWS))
                 .toList();
-        int discarded = report.notes().size() - shown.size();
-        if (report.notes().isEmpty()) {
+        long discarded = report.notes().stream()
+                .filter(note -> note.kind().equals(DISCARDED))
+                .count();
+        if (shown.isEmpty() && discarded == 0) {
             return;
         }
         line(text, "");
@@ -198,7 +210,12 @@ public final class ReportText {
             line(text, "  and %d more (report.json)", shown.size() - NOTES_SHOWN);
         }
         if (discarded > 0) {
-            line(text, "  %d answers or pieces of news were discarded, for no transition waited for them", discarded);
+            line(
+                    text,
+                    "  %d %s discarded, for no transition waited for %s any longer (report.json)",
+                    discarded,
+                    discarded == 1 ? "answer was" : "answers were",
+                    discarded == 1 ? "it" : "them");
         }
     }
 

@@ -23,6 +23,11 @@ public enum RunOutcome {
         return exitCode;
     }
 
+    /** Whether the mission itself is over; otherwise it stands somewhere and waits for something. */
+    public boolean isOver() {
+        return this == ENDED || this == ABORTED;
+    }
+
     /** The word in reports, such as {@code ended}. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);

@@ -3,7 +3,11 @@ package org.sami.crw.sim.report;
 import java.util.List;
 import java.util.Objects;
 
-/** Everything that is told about one run. Immutable; all writers read only this. */
+/**
+ * Everything that is told about one run. Immutable; all writers read only this.
+ *
+ * @param waits where the mission stood and what it waited for; empty where it is over
+ */
 public record RunReport(
         RunHeader header,
         RunResult result,
@@ -14,7 +18,8 @@ public record RunReport(
         List<InterruptResult> interrupts,
         List<NoteResult> notes,
         List<ReadingResult> readings,
-        List<TaskResult> tasks) {
+        List<TaskResult> tasks,
+        List<Wait> waits) {
     public RunReport {
         Objects.requireNonNull(header, "header");
         Objects.requireNonNull(result, "result");
@@ -26,6 +31,7 @@ public record RunReport(
         notes = List.copyOf(notes);
         readings = List.copyOf(readings);
         tasks = List.copyOf(tasks);
+        waits = List.copyOf(waits);
     }
 
     /** A report of a run without tasks, of boats that measured nothing. */
@@ -38,17 +44,25 @@ public record RunReport(
             List<FiringResult> firings,
             List<InterruptResult> interrupts,
             List<NoteResult> notes) {
-        this(header, result, boats, locations, decisions, firings, interrupts, notes, List.of(), List.of());
+        this(header, result, boats, locations, decisions, firings, interrupts, notes, List.of(), List.of(), List.of());
     }
 
     /** The same with what the boats measured. */
     public RunReport withReadings(List<ReadingResult> measured) {
-        return new RunReport(header, result, boats, locations, decisions, firings, interrupts, notes, measured, tasks);
+        return new RunReport(
+                header, result, boats, locations, decisions, firings, interrupts, notes, measured, tasks, waits);
     }
 
     /** The same with what became of the tasks. */
     public RunReport withTasks(List<TaskResult> told) {
-        return new RunReport(header, result, boats, locations, decisions, firings, interrupts, notes, readings, told);
+        return new RunReport(
+                header, result, boats, locations, decisions, firings, interrupts, notes, readings, told, waits);
+    }
+
+    /** The same with where the mission stands. */
+    public RunReport withWaits(List<Wait> told) {
+        return new RunReport(
+                header, result, boats, locations, decisions, firings, interrupts, notes, readings, tasks, told);
     }
 
     /** How many of the locations a boat has visited. */

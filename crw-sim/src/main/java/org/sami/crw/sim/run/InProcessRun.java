@@ -33,6 +33,7 @@ public final class InProcessRun {
     private static final long LOOK_MILLIS = 200;
     private static final long TRACK_MILLIS = 1000;
     private static final long MARK_MILLIS = 10_000;
+    private static final long STALL_MILLIS = 1000;
     private static final long MARK_ENTRIES = 10;
     private static final long JOIN_MILLIS = 30_000;
 
@@ -91,7 +92,7 @@ public final class InProcessRun {
         base.host().addListener(interrupts);
         operator.connect(base.host());
         interrupts.connect(base.host());
-        stall = new StallWatch(base.host(), operator, interrupts, recorder);
+        stall = new StallWatch(base.host(), plan, operator, interrupts, recorder);
     }
 
     /**
@@ -113,11 +114,20 @@ public final class InProcessRun {
                         visits.locations(),
                         interrupts.results(),
                         base.messages())
-                .withReadings(base.readings().readings());
+                .withReadings(base.readings().readings())
+                .withWaits(outcome.isOver() ? List.of() : ask(view -> Waits.of(plan, view)));
+    }
+
+    private boolean isWanted(String boat) {
+        return !proxy(boat).isAtRest();
+    }
+
+    private BoatProxy proxy(String boat) {
+        return water.fleet().proxies().find(boat).orElseThrow();
     }
 
     private LinkResult link(String boat) {
-        BoatProxy proxy = water.fleet().proxies().find(boat).orElseThrow();
+        BoatProxy proxy = proxy(boat);
         return new LinkResult(
                 LINK,
                 proxy.status().bootId(),
@@ -175,7 +185,9 @@ public final class InProcessRun {
         repeat(TRACK_MILLIS, () -> tracks.look(now(), water.boats()));
         repeat(MARK_MILLIS, this::mark);
         if (endsWhenStuck) {
-            repeat(MARK_MILLIS, () -> stall.look(now(), water.boats()).ifPresent(this::fail));
+            repeat(
+                    STALL_MILLIS,
+                    () -> stall.look(now(), water.boats(), this::isWanted).ifPresent(this::fail));
         }
         water.fleet().start();
     }

@@ -192,6 +192,11 @@ public final class InterruptStation implements HostListener {
         return !over && presses.stream().anyMatch(p -> p.state == State.AHEAD);
     }
 
+    /** Whether it presses as soon as the battery of a boat turns critical that is not yet. */
+    public boolean waitForBatteries() {
+        return !over && planned.stream().anyMatch(PlannedInterrupt::isForBattery);
+    }
+
     /** How it went with each, in the order in which they were planned, then in which boats turned critical. */
     public List<InterruptResult> results() {
         return presses.stream().map(InterruptPress::result).toList();

@@ -60,7 +60,7 @@ public final class RunRecorder implements HostListener {
         clicks.count(input, effects);
         costOfInput = clicks.clicks() - before;
         for (Effect effect : effects) {
-            take(index, atMillis, effect);
+            take(index, atMillis, input, effect);
         }
         if (input instanceof Input.StartMission && root.isEmpty()) {
             failure = Optional.of(
@@ -75,7 +75,7 @@ public final class RunRecorder implements HostListener {
         failure = Optional.of(reason);
     }
 
-    private void take(long index, long atMillis, Effect effect) {
+    private void take(long index, long atMillis, Input input, Effect effect) {
         if (effect instanceof Effect.MissionStarted started) {
             planOfMission.put(started.mission(), started.plan());
             if (started.parent() == Ids.NONE && root.isEmpty()) {
@@ -88,7 +88,7 @@ public final class RunRecorder implements HostListener {
         } else if (effect instanceof Effect.DecisionClosed closed) {
             closed(atMillis, closed);
         } else if (effect instanceof Effect.Noted noted) {
-            noted(atMillis, noted);
+            noted(atMillis, input, noted);
         } else if (effect instanceof Effect.MissionEnded ended && isRoot(ended.mission())) {
             outcome = Optional.of(ended.outcome());
             endedAtMillis = OptionalLong.of(atMillis);
@@ -151,13 +151,22 @@ public final class RunRecorder implements HostListener {
                         closed.answer().isPresent() ? (int) costOfInput : 0));
     }
 
-    private void noted(long atMillis, Effect.Noted noted) {
-        notes.add(new NoteResult(
-                atMillis, noted.kind().name().toLowerCase(Locale.ROOT), noted.mission(), noted.message()));
+    private void noted(long atMillis, Input input, Effect.Noted noted) {
+        String kind = noted.kind() == NoteKind.DISCARDED && !isAnswer(input)
+                ? NoteResult.NEWS
+                : noted.kind().name().toLowerCase(Locale.ROOT);
+        notes.add(new NoteResult(atMillis, kind, noted.mission(), noted.message()));
         if (noted.kind() == NoteKind.LIVELOCK && isRoot(noted.mission())) {
             outcome = Optional.of(Outcome.HALTED);
             endedAtMillis = OptionalLong.of(atMillis);
         }
+    }
+
+    /** Whether somebody was asked for it. Of news, and of a press that is refused, nobody misses what no transition takes. */
+    private static boolean isAnswer(Input input) {
+        return !(input instanceof Input.Interrupt)
+                && !(input instanceof Input.Received received
+                        && received.occurrence().activation() == Ids.NONE);
     }
 
     /** How the run's mission ended; empty while it goes on. */

@@ -179,6 +179,12 @@ public record RunSettings(
                 plan, mission, fleet, speed, limitMillis, parameters, answerAfterMillis, answers, connect, others);
     }
 
+    /** The same run with other boats. */
+    public RunSettings withFleet(Fleet other) {
+        return new RunSettings(
+                plan, mission, other, speed, limitMillis, parameters, answerAfterMillis, answers, connect, interrupts);
+    }
+
     /** The same run at another speed. */
     public RunSettings withSpeed(Speed other) {
         return new RunSettings(

@@ -8,7 +8,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.sami.crw.sim.report.Wait;
+import org.sami.crw.sim.report.Wait.BlockedTransition;
 import org.sami.spn.engine.EngineView;
+import org.sami.spn.engine.Explanation;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InputEventSpec;
@@ -47,20 +50,18 @@ public final class Waits {
         return merged(all);
     }
 
+    /** The same for a run's project. */
+    public static List<Wait> of(RunPlan plan, EngineView view) {
+        return of(plan.vocabulary(), plan.project(), view);
+    }
+
     private static List<Wait> merged(List<Wait> all) {
         Map<Wait, Integer> counts = new LinkedHashMap<>();
         all.forEach(wait -> counts.merge(wait, 1, Integer::sum));
-        return counts.entrySet().stream()
-                .map(e -> new Wait(
-                        e.getValue(),
-                        e.getKey().plan(),
-                        e.getKey().place(),
-                        e.getKey().tokens(),
-                        e.getKey().occurrence()))
-                .toList();
+        return counts.entrySet().stream().map(e -> e.getKey().of(e.getValue())).toList();
     }
 
-    private static List<String> words(List<Token> tokens) {
+    private static List<String> who(List<Token> tokens) {
         Map<String, Integer> counts = new LinkedHashMap<>();
         tokens.forEach(token -> counts.merge(Words.token(token), 1, Integer::sum));
         return counts.entrySet().stream()
@@ -92,13 +93,13 @@ public final class Waits {
                     List.of(),
                     mission.status() == MissionView.Status.HALTED
                             ? "nothing: halted as a livelock"
-                            : "the values that the plan asks at its start"));
+                            : "the values that the plan asks at its start",
+                    List.of()));
             return;
         }
-        standing.forEach((place, tokens) ->
-                all.add(new Wait(1, plan.id(), name(plan, place), words(tokens), occurrence(mission, plan, place))));
+        standing.forEach((place, tokens) -> all.add(at(mission, plan, place, tokens)));
         if (standing.isEmpty()) {
-            all.add(new Wait(1, plan.id(), "", List.of(), unmarked(plan)));
+            all.add(new Wait(1, plan.id(), "", List.of(), unmarked(plan), List.of()));
         }
     }
 
@@ -106,39 +107,41 @@ public final class Waits {
         return plan.place(place).map(Place::name).filter(n -> !n.isEmpty()).orElse(place);
     }
 
-    private String occurrence(MissionView mission, Plan plan, String place) {
+    /** What lets a mission go on at a place, and the transitions out of it. */
+    private Wait at(MissionView mission, Plan plan, String place, List<Token> tokens) {
         Set<String> events = new LinkedHashSet<>();
         Set<String> reasons = new LinkedHashSet<>();
-        plan.place(place).stream()
-                .flatMap(p -> p.subMissions().stream())
+        List<BlockedTransition> transitions = new ArrayList<>();
+        view.missions().stream()
+                .filter(child -> child.parent() == mission.id() && child.place().equals(place))
                 .forEach(child -> events.add("the end of "
                         + project.plan(child.plan()).map(Plan::title).orElse(child.plan())));
         for (InEdge edge : plan.inEdges()) {
-            if (!edge.place().equals(place)) {
+            Transition transition = plan.transition(edge.transition()).orElseThrow();
+            if (!edge.place().equals(place) || comesAtAnyTime(transition)) {
                 continue;
             }
-            plan.transition(edge.transition()).ifPresent(transition -> {
-                if (transition.inputs().isEmpty()) {
-                    reasons.addAll(
-                            view.whyNotEnabled(mission.id(), transition.id()).reasons());
-                } else if (!comesAtAnyTime(transition)) {
-                    events.add(words(transition));
-                }
-            });
+            Explanation why = view.whyNotEnabled(mission.id(), transition.id());
+            transitions.add(new BlockedTransition(Words.transition(plan, transition.id()), why.reasons()));
+            if (why.awaited().isEmpty()) {
+                reasons.addAll(why.reasons());
+            } else {
+                events.add(words(why.awaited()));
+            }
         }
-        if (!events.isEmpty()) {
-            return String.join(" or ", events);
-        }
-        return reasons.isEmpty()
-                ? "nothing: only an abort or completion leads on"
-                : "other tokens: " + String.join(" ", reasons);
+        String occurrence = !events.isEmpty()
+                ? String.join(" or ", events)
+                : reasons.isEmpty()
+                        ? "nothing: only an abort or completion leads on"
+                        : "other tokens: " + String.join(" ", reasons);
+        return new Wait(1, plan.id(), name(plan, place), who(tokens), occurrence, transitions);
     }
 
     private String unmarked(Plan plan) {
         String events = plan.transitions().stream()
                 .filter(t -> !t.inputs().isEmpty() && !comesAtAnyTime(t))
                 .filter(t -> plan.inEdgesOf(t.id()).isEmpty())
-                .map(Waits::words)
+                .map(t -> words(t.inputs()))
                 .distinct()
                 .collect(Collectors.joining(" or "));
         return events.isEmpty() ? "nothing: no place is marked" : events;
@@ -153,11 +156,11 @@ public final class Waits {
                         .isPresent());
     }
 
-    private static String words(Transition transition) {
-        return transition.inputs().stream().map(Waits::words).collect(Collectors.joining(" and "));
+    private static String words(List<InputEventSpec> inputs) {
+        return inputs.stream().map(Waits::word).collect(Collectors.joining(" and "));
     }
 
-    private static String words(InputEventSpec input) {
+    private static String word(InputEventSpec input) {
         return input.fields().get(Reserved.INTERRUPT_NAME) instanceof TextValue name
                 ? input.type() + " '" + name.value() + "'"
                 : input.type();

@@ -29,6 +29,7 @@ import org.sami.crw.sim.run.RunSettings;
 import org.sami.crw.sim.run.StallWatch;
 import org.sami.crw.sim.run.TrackRecorder;
 import org.sami.crw.sim.run.VisitRecorder;
+import org.sami.crw.sim.run.Waits;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.host.HostStatus;
 import org.sami.spn.protocol.Input;
@@ -40,7 +41,7 @@ import org.sami.spn.value.Value;
 final class MissionWatch {
     private static final long LOOK_MS = 200;
     private static final long TRACK_MS = 1000;
-    private static final long STALL_MS = 10_000;
+    private static final long STALL_MS = 1000;
 
     private final RunPlan plan;
     private final RunSettings settings;
@@ -90,7 +91,7 @@ final class MissionWatch {
         interrupts = new InterruptStation(planned(plan, settings, area), clock);
         recorder = new RunRecorder(plan.project());
         locations = new LocationListener(visits, plane);
-        stall = new StallWatch(station.host(), operator, interrupts, recorder);
+        stall = new StallWatch(station.host(), plan, operator, interrupts, recorder);
         progress = progress();
     }
 
@@ -187,7 +188,7 @@ final class MissionWatch {
     /** As long as a mission wants something of a boat that can move, something can happen: a link or an operator comes back. */
     private void stall() {
         if (!station.desk().someoneIsWanted()) {
-            stall.look(now(), boats()).ifPresent(this::fail);
+            stall.look(now(), boats(), boat -> false).ifPresent(this::fail);
         }
     }
 
@@ -282,7 +283,8 @@ final class MissionWatch {
                         visits.locations(),
                         interrupts.results(),
                         told(atMillis))
-                .withReadings(station.readings());
+                .withReadings(station.readings())
+                .withWaits(outcome.isOver() ? List.of() : station.host().ask(view -> Waits.of(plan, view)));
     }
 
     private List<NoteResult> told(long atMillis) {

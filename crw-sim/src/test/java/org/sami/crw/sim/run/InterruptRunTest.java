@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.sim.report.InterruptResult;
+import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.sim.report.ReportText;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 
@@ -47,6 +49,39 @@ class InterruptRunTest {
                         OptionalLong.empty(),
                         OptionalLong.empty(),
                         0));
+    }
+
+    @Test
+    void boatThatTurnsCriticalDuringAnAlarmIsRechargedAtOnce() {
+        RunPlan plan = Runs.plan("clv-interrupts");
+        RunSettings settings = Runs.settings(plan, 3, 12, 1);
+        RunReport report = Runs.run(
+                plan,
+                settings.withFleet(settings.fleet().with(Charges.parse("100,37,100")))
+                        .withInterrupts(List.of("recharge@battery", "alarm@120")));
+
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.interrupts()).allSatisfy(pressed -> {
+            assertThat(pressed.taken()).isTrue();
+            assertThat(pressed.presses()).isEqualTo(1);
+        });
+        assertThat(ReportText.text(report)).doesNotContain("refused", "discarded");
+    }
+
+    @Test
+    void refusedPressSaysWhereTheBoatIs() {
+        RunReport report = run("clv-interrupts", "recharge:2@60", "recharge:2@70");
+
+        assertThat(report.notes())
+                .extracting(NoteResult::message)
+                .contains("Nobody is there for the interrupt 'recharge'; boat2 is in 'Recharge'");
+    }
+
+    @Test
+    void runInWhichAllWentRightTellsOfNothingThatWasDiscarded() {
+        for (String plan : List.of("clv", "station-keep", "measure", "explore-area")) {
+            assertThat(ReportText.text(run(plan))).as(plan).contains("ended").doesNotContain("discarded");
+        }
     }
 
     private static RunReport run(String plan, String... interrupts) {

@@ -2,14 +2,23 @@ package org.sami.crw.sim.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.Wait;
+import org.sami.crw.sim.report.Wait.BlockedTransition;
+import org.sami.spn.json.ProjectReader;
+import org.sami.spn.model.Project;
 
 /** A run in which nothing can happen any longer ends and says why. */
 class StuckRunTest {
+    private static final Conditions WINDY = new Conditions(0, 0, Flow.parse("0.3@90"), Flow.parse("6@270"), List.of());
+
     @Test
     void missionThatNobodyAnswersFailsWithTheQuestion() {
         RunPlan plan = Runs.plan("clv");
@@ -24,6 +33,68 @@ class StuckRunTest {
 
         assertThat(report.result().outcome()).isEqualTo(RunOutcome.FAILED);
         assertThat(report.result().reason()).startsWith("nobody answers: ");
-        assertThat(report.result().simulatedMillis()).isLessThan(400_000);
+        assertThat(report.result().simulatedMillis()).isLessThan(60_000);
+    }
+
+    @Test
+    void missionThatWantsNothingOfItsBoatsIsStuckAtOnceThoughTheyDrift() {
+        RunReport report = run("drifting", WINDY);
+
+        long lastFiring = report.firings().get(0).atMillis();
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.FAILED);
+        assertThat(report.result().reason()).isEqualTo("nothing can happen in the mission any longer");
+        assertThat(report.result().simulatedMillis()).isBetween(lastFiring, lastFiring + 15_000);
+    }
+
+    @Test
+    void answeredQuestionIsNotWaitedForAndWhatIsMissingIsNamed() {
+        assertThat(run("drifting", Conditions.CALM).waits())
+                .containsExactly(
+                        new Wait(
+                                1,
+                                "drifting",
+                                "Go there",
+                                List.of("generic"),
+                                "other tokens: It waits for ProxyPathCompleted, which can come no longer: "
+                                        + "whom 'Go there' asked is there no longer.",
+                                List.of(new BlockedTransition(
+                                        "There",
+                                        List.of("It waits for ProxyPathCompleted, which can come no longer: "
+                                                + "whom 'Go there' asked is there no longer.")))),
+                        new Wait(
+                                1,
+                                "drifting",
+                                "Asked",
+                                List.of("boat1"),
+                                "other tokens: 'Gate' must have at least 1 generic tokens; there are 0. "
+                                        + "It waits for NoOption, which can come no longer: what 'Asked' asked has been answered.",
+                                List.of(
+                                        new BlockedTransition(
+                                                "Yes",
+                                                List.of("'Gate' must have at least 1 generic tokens; there are 0.")),
+                                        new BlockedTransition(
+                                                "No",
+                                                List.of("It waits for NoOption, which can come no longer: "
+                                                        + "what 'Asked' asked has been answered.")))));
+    }
+
+    @Test
+    void subMissionThatHasEndedIsNotWaitedFor() {
+        Wait wait = run("helped", Conditions.CALM).waits().get(0);
+
+        assertThat(wait.place()).isEqualTo("Help");
+        assertThat(wait.occurrence())
+                .isEqualTo("other tokens: It waits for CheckReturn 'good', which can come no longer: "
+                        + "the sub-mission on 'Help' is over.");
+    }
+
+    private static RunReport run(String id, Conditions water) {
+        Project project = new ProjectReader(Runs.LIBRARY.vocabulary())
+                .read(Runs.text("stuck-project.json"))
+                .orThrow();
+        RunPlan plan =
+                new RunPlan(Runs.LIBRARY.vocabulary(), project, project.plan(id).orElseThrow());
+        RunSettings settings = Runs.settings(plan, 1, 3, 1);
+        return Runs.run(plan, settings.withFleet(settings.fleet().on(water)));
     }
 }
