@@ -21,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.finding.SourceLocation;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.json.Reading;
@@ -71,6 +72,35 @@ class ProjectFormatTest {
     }
 
     @Test
+    void schemaThatAFileNamesIsKept() throws IOException {
+        String text =
+                Files.readString(EVERYTHING).replaceFirst("\\{", "{\n  \"\\$schema\": \"project-1.schema.json\",");
+
+        Project project = reader.read(text).orThrow();
+
+        assertThat(writer.text(project)).isEqualTo(text);
+    }
+
+    @Test
+    void everyFindingOfAFileHasItsPlaceAndElement(@TempDir Path folder) throws IOException {
+        JsonNode root = tree();
+        edit(root, "/plans/0/places/0/outputs/0/type", "\"Dance\"");
+        edit(root, "/plans/0/inEdges/0/place", "\"nowhere\"");
+        Path file = Files.writeString(folder.resolve("p.json"), root.toPrettyString());
+
+        Reading<Project> reading = reader.read(file);
+
+        assertThat(reading.findings()).hasSizeGreaterThanOrEqualTo(2).allSatisfy(finding -> {
+            assertThat(finding.elements()).isNotEmpty();
+            SourceLocation at = finding.location().orElseThrow();
+            assertThat(at.file()).isEqualTo(file.toString());
+            String value = Files.readAllLines(file).get(at.line() - 1).substring(at.column() - 1);
+            JsonNode meant = root.at(finding.pointer());
+            assertThat(value).startsWith(meant.isContainerNode() ? meant.isArray() ? "[" : "{" : meant.toString());
+        });
+    }
+
+    @Test
     void writingReplacesTheFileAndLeavesNothingElse(@TempDir Path folder) throws IOException {
         Path file = Files.writeString(folder.resolve("p.json"), "old");
 
@@ -117,6 +147,7 @@ class ProjectFormatTest {
 
         assertThat(reading.result()).isEmpty();
         assertThat(reading.findings())
+                .usingRecursiveFieldByFieldElementComparatorIgnoringFields("location")
                 .containsExactly(Finding.error(
                         "E-VERSION",
                         "/formatVersion",
@@ -129,7 +160,7 @@ class ProjectFormatTest {
 
         assertThat(reading.findings()).hasSize(1);
         assertThat(reading.findings().get(0).code()).isEqualTo("E-SYNTAX");
-        assertThat(reading.findings().get(0).message()).startsWith("Line 3, column ");
+        assertThat(reading.findings().get(0).location()).contains(new SourceLocation("", 3, 8));
     }
 
     @ParameterizedTest
@@ -176,6 +207,7 @@ class ProjectFormatTest {
         edit(root, "/plans/0/places/2/subMissions", "[]");
 
         assertThat(reader.read(root.toString()).findings())
+                .usingRecursiveFieldByFieldElementComparatorIgnoringFields("location")
                 .containsExactly(Finding.error("E-WRONG-TYPE", "/plans/1/id", "Text is expected here, not 5"));
     }
 

@@ -128,7 +128,7 @@ final class AnswerForm {
             Reading<Value> reading =
                     ValueJson.read(given.getValue(), field.get().type(), vocabulary.types());
             for (Finding f : reading.findings()) {
-                findings.add(new Finding(f.severity(), f.code(), at + f.pointer(), f.message(), f.elements()));
+                findings.add(f.within(at));
             }
         }
     }

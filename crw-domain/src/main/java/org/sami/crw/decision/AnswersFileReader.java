@@ -27,9 +27,10 @@ public final class AnswersFileReader {
             .enable(JsonParser.Feature.STRICT_DUPLICATE_DETECTION)
             .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
             .build();
+    private static final String BYTE_ORDER_MARK = "\uFEFF";
     private static final String FORMAT = "crw-answers";
     private static final int VERSION = 1;
-    private static final List<String> TOP = List.of("format", "version", "rules");
+    private static final List<String> TOP = List.of("$schema", "format", "version", "rules");
     private static final List<String> RULE = List.of("event", "plan", "nth", "answer");
 
     private final Vocabulary vocabulary;
@@ -46,7 +47,7 @@ public final class AnswersFileReader {
 
     private Reading<AnswersFile> read(String text) {
         try {
-            JsonNode top = MAPPER.readTree(text);
+            JsonNode top = MAPPER.readTree(text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text);
             List<AnswerRule> rules = top == null || !top.isObject() ? noObject("") : rules(top);
             return new Reading<>(findings.isEmpty() ? Optional.of(new AnswersFile(rules)) : Optional.empty(), findings);
         } catch (JsonProcessingException e) {

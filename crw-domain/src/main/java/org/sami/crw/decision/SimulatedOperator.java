@@ -158,7 +158,7 @@ public final class SimulatedOperator {
         Map<String, NamedType> types = vocabulary.types();
         Reading<Value> reading = ValueJson.read(given.node(), item.type(), types);
         for (Finding f : reading.findings()) {
-            findings.add(new Finding(f.severity(), f.code(), given.pointer() + f.pointer(), f.message(), f.elements()));
+            findings.add(f.within(given.pointer()));
         }
         return reading.result();
     }

@@ -6,7 +6,9 @@ import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedInput;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.finding.Suggestions;
 import org.sami.spn.model.FieldSource;
+import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.FieldType;
@@ -61,14 +63,17 @@ final class FieldValues implements PlanCheck {
             report.accept(Finding.error(
                     "E-UNKNOWN-FIELD",
                     pointer + "/fields/" + name,
-                    type.name() + " has no field \"" + name + "\"",
+                    type.name() + " has no field \"" + name + "\""
+                            + Suggestions.meant(
+                                    type.fields().stream().map(FieldType::name).toList(), name),
                     id));
         } else if (value.isPresent()
                 && !field.get().type().accepts(value.get(), plan.vocabulary().types())) {
             report.accept(Finding.error(
                     "E-FIELD-TYPE",
                     pointer + "/fields/" + name,
-                    "The value of " + name + " in " + type.name() + " is not of its type",
+                    "The value of " + name + " in " + type.name() + " is not of its type "
+                            + TypeNames.of(field.get().type()),
                     id));
         }
     }

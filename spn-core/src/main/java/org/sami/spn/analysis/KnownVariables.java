@@ -2,6 +2,7 @@ package org.sami.spn.analysis;
 
 import java.util.function.Consumer;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.finding.Suggestions;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.SubMissionSpec;
 
@@ -12,12 +13,12 @@ final class KnownVariables implements PlanCheck {
         VariableScope scope = new VariableScope(plan);
         for (VariableScope.Use read : scope.reads()) {
             if (!known(plan, scope, read.variable())) {
-                report(read, "reads", report);
+                report(read, "reads", scope, report);
             }
         }
         for (VariableScope.Use redefined : scope.redefinitions()) {
             if (scope.declared(redefined.variable()).isEmpty() && !declaredAsRead(plan, redefined.variable())) {
-                report(redefined, "asks for", report);
+                report(redefined, "asks for", scope, report);
             }
         }
         for (Place place : plan.plan().places()) {
@@ -45,17 +46,19 @@ final class KnownVariables implements PlanCheck {
                         "E-VARIABLE-UNKNOWN",
                         pointer,
                         "The sub-mission " + s.id() + " is given " + parent
-                                + ", which the plan neither declares nor writes",
+                                + ", which the plan neither declares nor writes"
+                                + Suggestions.meant(scope.names(), parent),
                         s.id()));
             }
         });
     }
 
-    private static void report(VariableScope.Use use, String verb, Consumer<Finding> report) {
+    private static void report(VariableScope.Use use, String verb, VariableScope scope, Consumer<Finding> report) {
         report.accept(Finding.error(
                 "E-VARIABLE-UNKNOWN",
                 use.pointer(),
-                "The event " + use.event() + " " + verb + " " + use.variable() + ", which nobody declares or writes",
+                "The event " + use.event() + " " + verb + " " + use.variable() + ", which nobody declares or writes"
+                        + Suggestions.meant(scope.names(), use.variable()),
                 use.event()));
     }
 }

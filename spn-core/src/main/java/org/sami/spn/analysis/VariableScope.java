@@ -168,6 +168,18 @@ final class VariableScope {
                 .findFirst();
     }
 
+    /** The variables that the plan or the project declares, or that the plan writes. */
+    List<String> names() {
+        return Stream.of(
+                        plan.plan().variables().stream().map(VariableSpec::name),
+                        plan.project().globals().stream().map(VariableSpec::name),
+                        plan.plan().reads().stream(),
+                        writes.stream().map(Use::variable))
+                .flatMap(names -> names)
+                .distinct()
+                .toList();
+    }
+
     /** Whether a plan, or one that it runs, reads a variable under the name that it has there. */
     static boolean readBelow(PlanContext plan, String variable, Set<String> seen) {
         if (!seen.add(plan.plan().id() + " " + variable)) {

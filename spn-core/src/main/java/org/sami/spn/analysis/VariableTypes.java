@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.VariableSpec;
+import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.ValueType;
 
 /** A variable fits every field that reads or writes it. The type of one that is not declared is that of its first write. */
@@ -18,14 +19,14 @@ final class VariableTypes implements PlanCheck {
             write.type().ifPresent(type -> {
                 Optional<ValueType> variable = scope.declared(write.variable());
                 ValueType target = variable.orElseGet(() -> written.computeIfAbsent(write.variable(), v -> type));
-                check(type, target, write, "is written with", report);
+                check(type, target, target, write, "is written by", report);
             });
         }
         for (VariableScope.Use read : scope.reads()) {
             Optional<ValueType> variable =
                     scope.declared(read.variable()).or(() -> Optional.ofNullable(written.get(read.variable())));
             variable.ifPresent(
-                    source -> read.type().ifPresent(type -> check(source, type, read, "is read as", report)));
+                    source -> read.type().ifPresent(type -> check(source, type, source, read, "is read by", report)));
         }
         for (VariableSpec v : plan.plan().variables()) {
             if (v.initial().isPresent()
@@ -33,20 +34,26 @@ final class VariableTypes implements PlanCheck {
                 report.accept(Finding.error(
                         "E-VARIABLE-TYPE",
                         plan.pointer() + "/variables/" + plan.plan().variables().indexOf(v),
-                        "The first value of " + v.name() + " is not of its type",
+                        "The first value of " + v.name() + " is not of its type " + TypeNames.of(v.type()),
                         v.name()));
             }
         }
     }
 
     private static void check(
-            ValueType from, ValueType to, VariableScope.Use use, String verb, Consumer<Finding> report) {
+            ValueType from,
+            ValueType to,
+            ValueType variable,
+            VariableScope.Use use,
+            String verb,
+            Consumer<Finding> report) {
         if (!assignable(from, to)) {
+            ValueType field = variable.equals(from) ? to : from;
             report.accept(Finding.error(
                     "E-VARIABLE-TYPE",
                     use.pointer(),
-                    "The variable " + use.variable() + " " + verb + " a field of another type in the event "
-                            + use.event(),
+                    "The variable " + use.variable() + " is of type " + TypeNames.of(variable) + " and " + verb
+                            + " a field of type " + TypeNames.of(field) + " in the event " + use.event(),
                     use.event()));
         }
     }

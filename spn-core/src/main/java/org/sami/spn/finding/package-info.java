@@ -1,7 +1,7 @@
 /**
  * Findings: problems of files and plans as data, collected and never thrown.
  *
- * <p>Belongs here: the finding and its severity. Does not belong here: the checks themselves ({@code spn.json},
+ * <p>Belongs here: the finding, its severity and its place in a file. Does not belong here: the checks themselves ({@code spn.json},
  * {@code spn.analysis}).
  */
 package org.sami.spn.finding;

@@ -34,27 +34,48 @@ public record DomainLibrary(Vocabulary vocabulary, VocabularyFiles files, Map<St
      * @param folder absolute, such as {@code /org/sami/domain/NAME}
      */
     public static Reading<DomainLibrary> fromClassPath(String folder) {
-        return load(VocabularyFiles.fromClassPath(folder), name -> VocabularyFiles.resource(folder + "/" + name));
+        return load(
+                VocabularyFiles.fromClassPath(folder), folder, name -> VocabularyFiles.resource(folder + "/" + name));
     }
 
     /** Loads a domain from a folder. */
     public static Reading<DomainLibrary> fromFolder(Path folder) {
-        return load(VocabularyFiles.fromFolder(folder), name -> VocabularyFiles.Texts.read(folder.resolve(name)));
+        return load(
+                VocabularyFiles.fromFolder(folder),
+                folder.toString(),
+                name -> VocabularyFiles.Texts.read(folder.resolve(name)));
     }
 
-    private static Reading<DomainLibrary> load(Reading<VocabularyFiles> files, VocabularyFiles.Source source) {
+    private static Reading<DomainLibrary> load(
+            Reading<VocabularyFiles> files, String folder, VocabularyFiles.Source source) {
         Problems problems = new Problems();
+        SourceTexts texts = new SourceTexts();
+        Optional<DomainLibrary> library = load(files, folder, source, texts, problems);
+        return new Reading<>(problems.none() ? library : Optional.empty(), texts.locate(problems.findings()));
+    }
+
+    private static Optional<DomainLibrary> load(
+            Reading<VocabularyFiles> files,
+            String folder,
+            VocabularyFiles.Source source,
+            SourceTexts texts,
+            Problems problems) {
         problems.addAll(files.findings(), "");
         Optional<Vocabulary> vocabulary = files.result().flatMap(f -> {
+            f.texts().forEach((name, text) -> texts.add(name + "#", folder + "/" + name, text));
             Reading<Vocabulary> reading = VocabularyReader.read(f);
             problems.addAll(reading.findings(), "");
             return reading.result();
         });
-        if (vocabulary.isEmpty()) {
-            return Reading.nothing(problems);
-        }
-        Map<String, Project> projects = readProjects(files.orThrow(), vocabulary.get(), source, problems);
-        return Reading.of(new DomainLibrary(vocabulary.get(), files.orThrow(), projects), problems);
+        return vocabulary.map(v -> {
+            VocabularyFiles found = files.orThrow();
+            VocabularyFiles.Source plans = name -> {
+                Optional<String> text = source.text(name);
+                text.ifPresent(t -> texts.add(name + "#", folder + "/" + name, t));
+                return text;
+            };
+            return new DomainLibrary(v, found, readProjects(found, v, plans, problems));
+        });
     }
 
     private static Map<String, Project> readProjects(

@@ -1,9 +1,11 @@
 package org.sami.spn.json;
 
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.OutputEventSpec;
@@ -15,8 +17,11 @@ import org.sami.spn.vocabulary.Reserved;
 
 /** Reads the events on places and transitions. */
 final class EventSpecReader {
+    private static final List<String> SOURCE = List.of("value", "ask", "variable", "default");
+
     private final PlanParts parts;
     private final Names ids;
+    private final Set<String> refused = new HashSet<>();
 
     EventSpecReader(PlanParts parts, Names ids) {
         this.parts = parts;
@@ -35,6 +40,9 @@ final class EventSpecReader {
         Map<String, String> writes = writes(m, type);
         var markups = parts.markups(m);
         m.done();
+        if (type.isEmpty()) {
+            refused.add(id);
+        }
         return type.map(t -> new OutputEventSpec(id, t.name(), fields, writes, markups));
     }
 
@@ -50,6 +58,11 @@ final class EventSpecReader {
         return type.map(t -> new InputEventSpec(id, t.name(), fields, writes, markups));
     }
 
+    /** Ids of output events that stand in the document and could not be read: what refers to them is no problem of its own. */
+    Set<String> refused() {
+        return refused;
+    }
+
     private String id(Members m) {
         String id = m.text("id");
         ids.take(id, m.at("id"));
@@ -60,23 +73,20 @@ final class EventSpecReader {
         String name = m.text("type");
         Optional<EventType> type = parts.vocabulary().event(name);
         if (type.isEmpty() && !name.isEmpty()) {
-            m.problem(Codes.UNKNOWN_EVENT, "type", "There is no event \"" + name + "\"" + guess(name, side), name);
+            m.problem(
+                    Codes.UNKNOWN_EVENT,
+                    "type",
+                    "There is no event \"" + name + "\"" + NearMatches.guess(parts.vocabulary(), side, name));
         }
         if (type.isPresent() && type.get().direction() != side) {
             m.problem(
                     Codes.EVENT_SIDE,
                     "type",
                     type.get().name() + " is an " + Words.of(type.get().direction()) + " event: it stands on "
-                            + (side == Direction.INPUT ? "places" : "transitions"),
-                    name);
+                            + (side == Direction.INPUT ? "places" : "transitions"));
             return Optional.empty();
         }
         return type;
-    }
-
-    private String guess(String name, Direction side) {
-        List<String> alike = NearMatches.ofEvents(parts.vocabulary(), side, name);
-        return alike.isEmpty() ? "" : "; is " + String.join(" or ", alike) + " meant?";
     }
 
     private Map<String, String> writes(Members m, Optional<EventType> type) {
@@ -99,17 +109,29 @@ final class EventSpecReader {
         }
         Members m = found.get();
         int kinds = (m.has("value") ? 1 : 0) + (m.has("ask") ? 1 : 0) + (m.has("variable") ? 1 : 0);
+        if (kinds == 0 && reportsUnknown(m)) {
+            return Optional.empty();
+        }
         if (kinds != 1) {
             m.problem(
                     Codes.MISSING,
                     "",
-                    "The field " + field.name() + " comes from exactly one of \"value\", \"ask\", \"variable\"",
-                    field.name());
+                    "The field " + field.name() + " comes from exactly one of \"value\", \"ask\", \"variable\"");
             return Optional.empty();
         }
         Optional<FieldSource> source = m.has("ask") ? asked(m, field) : m.has("value") ? fixed(m, field) : variable(m);
         m.done();
         return source;
+    }
+
+    /** Reports members that none of the sources of a field has; one of them may be a misspelt source. */
+    private boolean reportsUnknown(Members m) {
+        int before = parts.problems().count();
+        for (String known : SOURCE) {
+            m.node(known);
+        }
+        m.done();
+        return parts.problems().count() > before;
     }
 
     private Optional<FieldSource> fixed(Members m, FieldType field) {
@@ -124,7 +146,7 @@ final class EventSpecReader {
         Optional<Value> value =
                 m.node("default").flatMap(n -> parts.value(new Members.Element(n, m.at("default")), field.type()));
         if (ask.isPresent() && ask.get() == Ask.LOCKED && !m.has("default")) {
-            m.problem(Codes.MISSING, "", "The locked field " + field.name() + " needs a \"default\"", field.name());
+            m.problem(Codes.MISSING, "", "The locked field " + field.name() + " needs a \"default\"");
         }
         return parts.problems().count() > before
                 ? Optional.empty()

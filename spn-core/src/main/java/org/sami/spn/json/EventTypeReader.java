@@ -49,7 +49,7 @@ final class EventTypeReader {
             Optional<EventFlag> flag = Words.parse(EventFlag.class, word);
             flag.ifPresent(flags::add);
             if (flag.isEmpty()) {
-                m.problem(Codes.UNKNOWN_WORD, "flags", "\"" + word + "\" is none of: " + Words.all(EventFlag.class));
+                m.problem(Codes.UNKNOWN_WORD, "flags", "\"" + word + "\"" + Words.noneOf(EventFlag.class, word));
             }
         }
         return flags;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.spn.finding.Suggestions;
 import org.sami.spn.value.NamedType;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
@@ -67,10 +68,7 @@ final class FieldTypeReader {
         StringBuilder guess = new StringBuilder();
         for (String word : text.split("[<>, ]+", -1)) {
             if (!word.isEmpty() && !known.contains(word)) {
-                List<String> alike = NearMatches.alike(known, word);
-                if (!alike.isEmpty()) {
-                    guess.append("; is ").append(String.join(" or ", alike)).append(" meant?");
-                }
+                guess.append(Suggestions.meant(known, word));
             }
         }
         return guess.toString();

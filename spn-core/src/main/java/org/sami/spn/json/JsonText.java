@@ -7,6 +7,8 @@ import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.util.Optional;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.finding.SourceLocation;
 
 /** Turns text into a JSON tree, strictly: no duplicate members, nothing after the end. */
 final class JsonText {
@@ -15,25 +17,34 @@ final class JsonText {
             .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
             .build();
 
+    private static final String BYTE_ORDER_MARK = "\uFEFF";
+
     private JsonText() {}
 
-    /** The tree, or empty and a problem with line and column. */
+    /** The tree, or empty and a problem with line and column. A byte order mark, as some editors write it, is passed over. */
     static Optional<JsonNode> parse(String text, Problems problems) {
         try {
-            JsonNode node = MAPPER.readTree(text);
+            JsonNode node = MAPPER.readTree(withoutMark(text));
             if (node == null || node.isMissingNode()) {
                 problems.add(Codes.SYNTAX, "", "The document is empty");
                 return Optional.empty();
             }
             return Optional.of(node);
         } catch (JsonProcessingException e) {
-            problems.add(Codes.SYNTAX, "", place(e.getLocation()) + firstLine(e.getOriginalMessage()));
+            Finding finding = Finding.error(Codes.SYNTAX, "", firstLine(e.getOriginalMessage()));
+            problems.add(place(e.getLocation()).map(finding::at).orElse(finding));
             return Optional.empty();
         }
     }
 
-    private static String place(JsonLocation location) {
-        return location == null ? "" : "Line " + location.getLineNr() + ", column " + location.getColumnNr() + ": ";
+    static String withoutMark(String text) {
+        return text.startsWith(BYTE_ORDER_MARK) ? text.substring(BYTE_ORDER_MARK.length()) : text;
+    }
+
+    private static Optional<SourceLocation> place(JsonLocation location) {
+        return location == null || location.getLineNr() < 1 || location.getColumnNr() < 1
+                ? Optional.empty()
+                : Optional.of(new SourceLocation("", location.getLineNr(), location.getColumnNr()));
     }
 
     private static String firstLine(String message) {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.sami.spn.finding.Suggestions;
 
 /**
  * The members of one JSON object being read. Each is asked for once; {@link #done()} reports those that nobody asked for.
@@ -120,7 +121,7 @@ final class Members {
     private <E extends Enum<E>> Optional<E> parse(String member, Class<E> type, String word) {
         Optional<E> constant = Words.parse(type, word);
         if (constant.isEmpty()) {
-            problem(Codes.UNKNOWN_WORD, member, "\"" + word + "\" is none of: " + Words.all(type));
+            problem(Codes.UNKNOWN_WORD, member, "\"" + word + "\"" + Words.noneOf(type, word));
         }
         return constant;
     }
@@ -184,7 +185,8 @@ final class Members {
                 problem(
                         Codes.UNKNOWN_MEMBER,
                         e.getKey(),
-                        "\"" + e.getKey() + "\" is not known here; known are " + String.join(", ", known));
+                        "\"" + e.getKey() + "\" is not known here; known are " + String.join(", ", known)
+                                + Suggestions.meant(known, e.getKey()));
             }
         }
     }

@@ -1,11 +1,13 @@
 package org.sami.spn.json;
 
-import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
+import org.sami.spn.finding.Suggestions;
 
 /** Names that must be unique, each with the place where it was first seen. */
 final class Names {
-    private final Map<String, String> seen = new HashMap<>();
+    private final Map<String, String> seen = new LinkedHashMap<>();
     private final Problems problems;
 
     Names(Problems problems) {
@@ -21,6 +23,16 @@ final class Names {
         if (before != null) {
             problems.add(Codes.DUPLICATE, pointer, "\"" + name + "\" is used already at " + before, name);
         }
+    }
+
+    /** Where a name was first seen. */
+    Optional<String> where(String name) {
+        return Optional.ofNullable(seen.get(name));
+    }
+
+    /** The end of a sentence about a name that is not taken: which was probably meant, or nothing. */
+    String meant(String name) {
+        return Suggestions.meant(seen.keySet(), name);
     }
 
     boolean has(String name) {

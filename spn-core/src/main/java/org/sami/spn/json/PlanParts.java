@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.spn.finding.Suggestions;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.model.TaskSpec;
 import org.sami.spn.model.VariableSpec;
@@ -95,7 +96,7 @@ final class PlanParts {
             if (!name.isEmpty()) {
                 List<String> alike = NearMatches.ofMarkups(vocabulary, name);
                 String meant = alike.isEmpty() ? "" : "; is " + String.join(" or ", alike) + " meant?";
-                m.problem(Codes.UNKNOWN_MARKUP, "type", "There is no markup \"" + name + "\"" + meant, name);
+                m.problem(Codes.UNKNOWN_MARKUP, "type", "There is no markup \"" + name + "\"" + meant);
             }
             return Optional.empty();
         }
@@ -113,8 +114,7 @@ final class PlanParts {
                                         type.get().options().stream()
                                                 .map(FieldType::name)
                                                 .toList(),
-                                        option),
-                        type.get().name());
+                                        option));
             }
             declared.flatMap(d -> value(element, d.type())).ifPresent(v -> options.put(option, v));
         });
@@ -170,13 +170,12 @@ final class PlanParts {
         Optional<FieldType> found =
                 declared.stream().filter(f -> f.name().equals(name)).findFirst();
         if (found.isEmpty()) {
-            String known = declared.isEmpty()
-                    ? "it has none"
-                    : "it has "
-                            + String.join(
-                                    ", ", declared.stream().map(FieldType::name).toList());
+            List<String> names = declared.stream().map(FieldType::name).toList();
+            String known = names.isEmpty() ? "it has none" : "it has " + String.join(", ", names);
             problems.add(
-                    Codes.UNKNOWN_FIELD, pointer, "The " + owner + " has no field \"" + name + "\"; " + known, name);
+                    Codes.UNKNOWN_FIELD,
+                    pointer,
+                    "The " + owner + " has no field \"" + name + "\"; " + known + Suggestions.meant(names, name));
         }
         return found;
     }

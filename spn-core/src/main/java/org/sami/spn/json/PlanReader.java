@@ -60,7 +60,7 @@ final class PlanReader {
         checkParallel(inEdges, outEdges);
         Map<String, LayoutPoint> layout = layout();
         List<String> notes = m.texts("notes");
-        TestCaseReader testCases = new TestCaseReader(parts, readPlaces, globals, variables);
+        TestCaseReader testCases = new TestCaseReader(parts, readPlaces, globals, variables, events.refused());
         List<TestCase> cases =
                 m.objects("testCases").stream().map(testCases::read).toList();
         m.done();
@@ -126,7 +126,11 @@ final class PlanReader {
         ids.take(id, s.at("id"));
         String plan = s.text("plan");
         if (!plan.isEmpty() && !planIds.has(plan)) {
-            s.problem(Codes.UNKNOWN_PLAN, "plan", "There is no plan \"" + plan + "\" in this project", id);
+            s.problem(
+                    Codes.UNKNOWN_PLAN,
+                    "plan",
+                    "There is no plan \"" + plan + "\" in this project" + planIds.meant(plan),
+                    id);
         }
         Map<String, String> variables = s.textMap("variables");
         variables.forEach((child, parent) -> {
@@ -147,7 +151,7 @@ final class PlanReader {
                             Codes.DANGLING,
                             "places",
                             "The place " + readPlaces.get(i).id() + " orders a transition \"" + t
-                                    + "\" that is not there",
+                                    + "\" that is not there" + transitions.meant(t),
                             readPlaces.get(i).id());
                 }
             }
@@ -196,7 +200,8 @@ final class PlanReader {
             e.problem(
                     Codes.DANGLING,
                     member,
-                    "The edge " + e.text("id", "") + " hangs in the air: there is no " + member + " \"" + id + "\"",
+                    "The edge " + e.text("id", "") + " hangs in the air: there is no " + member + " \"" + id + "\""
+                            + vertices.meant(id),
                     e.text("id", ""));
         }
         return id;
@@ -229,7 +234,11 @@ final class PlanReader {
             JsonNode xy = element.node();
             if (!places.has(id) && !transitions.has(id)) {
                 parts.problems()
-                        .add(Codes.DANGLING, element.pointer(), "There is no vertex \"" + id + "\" to lay out", id);
+                        .add(
+                                Codes.DANGLING,
+                                element.pointer(),
+                                "There is no vertex \"" + id + "\" to lay out" + ids.meant(id),
+                                id);
             } else if (!xy.isArray()
                     || xy.size() != 2
                     || !xy.get(0).isNumber()

@@ -13,10 +13,14 @@ final class Problems {
         findings.add(Finding.error(code, pointer, message, elements));
     }
 
+    void add(Finding finding) {
+        findings.add(finding);
+    }
+
     /** Adds findings of another document whose place in this one, or whose name, is given. */
     void addAll(List<Finding> others, String prefix) {
         for (Finding f : others) {
-            findings.add(new Finding(f.severity(), f.code(), prefix + f.pointer(), f.message(), f.elements()));
+            findings.add(f.within(prefix));
         }
     }
 

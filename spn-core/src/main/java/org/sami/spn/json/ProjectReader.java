@@ -5,10 +5,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.MissionTreeNode;
@@ -26,6 +26,9 @@ public final class ProjectReader {
     /** The version of the format that is read and written. */
     public static final int FORMAT_VERSION = 1;
 
+    /** The member by which a file names its JSON Schema, for editors; it is kept as it stands. */
+    static final String SCHEMA = "$schema";
+
     private final Vocabulary vocabulary;
 
     /** A reader of projects of one domain; has no state of its own. */
@@ -35,16 +38,12 @@ public final class ProjectReader {
 
     /** Reads a file, or a folder that holds {@code project.json} and the plan files that it names. */
     public Reading<Project> read(Path path) {
-        Path file = Files.isDirectory(path) ? path.resolve("project.json") : path;
-        Problems problems = new Problems();
-        VocabularyFiles.Source beside = name -> VocabularyFiles.Texts.read(file.resolveSibling(name));
-        Optional<String> text = fetch(file, problems);
-        return text.map(t -> read(t, beside)).orElseGet(() -> Reading.nothing(problems));
+        return readAndCheck(path, ProjectReader::unchecked);
     }
 
     /** Reads one document; it may not name other files. */
     public Reading<Project> read(String text) {
-        return read(text, name -> Optional.empty());
+        return read("", text, name -> Optional.empty(), ProjectReader::unchecked);
     }
 
     /**
@@ -52,34 +51,47 @@ public final class ProjectReader {
      * edited; with an error no plan of it is to be started (thesis 5.1).
      */
     public Reading<Project> readAndCheck(Path path) {
-        return checked(read(path));
+        return readAndCheck(path, project -> PlanChecks.check(project, vocabulary));
     }
 
     /** Reads one document and checks its plans. */
     public Reading<Project> readAndCheck(String text) {
-        return checked(read(text));
+        return read("", text, name -> Optional.empty(), project -> PlanChecks.check(project, vocabulary));
     }
 
-    private Reading<Project> checked(Reading<Project> reading) {
-        if (reading.result().isEmpty()) {
-            return reading;
-        }
-        List<Finding> findings = new ArrayList<>(reading.findings());
-        findings.addAll(PlanChecks.check(reading.result().get(), vocabulary));
-        return new Reading<>(reading.result(), findings);
-    }
-
-    Reading<Project> read(String text, VocabularyFiles.Source beside) {
+    /**
+     * Reads a file or folder and makes checks of what was read; their findings get their places in the files as the reader's do.
+     *
+     * @param checks what a program finds in a project that could be read
+     */
+    public Reading<Project> readAndCheck(Path path, Function<Project, List<Finding>> checks) {
+        Path file = Files.isDirectory(path) ? path.resolve("project.json") : path;
         Problems problems = new Problems();
-        Optional<Members> root = JsonText.parse(text, problems).flatMap(node -> Members.of(node, "", problems));
-        if (root.isEmpty() || !checkVersion(root.get(), problems)) {
-            return Reading.nothing(problems);
-        }
-        Project project = readProject(root.get(), beside, problems);
+        VocabularyFiles.Source beside = name -> VocabularyFiles.Texts.read(file.resolveSibling(name));
+        Optional<String> text = fetch(file, problems);
+        return text.map(t -> read(file.toString(), t, beside, checks)).orElseGet(() -> Reading.nothing(problems));
+    }
+
+    private static List<Finding> unchecked(Project project) {
+        return List.of();
+    }
+
+    private Reading<Project> read(
+            String file, String text, VocabularyFiles.Source beside, Function<Project, List<Finding>> checks) {
+        Problems problems = new Problems();
+        SourceTexts sources = new SourceTexts();
+        sources.add("", file, text);
+        Optional<Project> project = JsonText.parse(text, problems)
+                .flatMap(node -> Members.of(node, "", problems))
+                .filter(root -> checkVersion(root, problems))
+                .map(root -> readProject(root, new PlanFiles(file, beside, sources), problems));
         if (!problems.none()) {
-            problems.addAll(PlanChecks.checkUnloaded(project, vocabulary), "");
+            project.ifPresent(p -> problems.addAll(PlanChecks.checkUnloaded(p, vocabulary), ""));
+            return new Reading<>(Optional.empty(), sources.locate(problems.findings()));
         }
-        return Reading.of(project, problems);
+        List<Finding> findings = new ArrayList<>(problems.findings());
+        project.ifPresent(p -> findings.addAll(checks.apply(p)));
+        return new Reading<>(project, sources.locate(findings));
     }
 
     private Optional<String> fetch(Path file, Problems problems) {
@@ -115,7 +127,8 @@ public final class ProjectReader {
         return problems.none();
     }
 
-    private Project readProject(Members root, VocabularyFiles.Source beside, Problems problems) {
+    private Project readProject(Members root, PlanFiles files, Problems problems) {
+        Optional<String> schema = root.has(SCHEMA) ? Optional.of(root.text(SCHEMA, "")) : Optional.empty();
         String id = root.text("id");
         String name = root.text("name", "");
         String domain = root.text("domain");
@@ -127,7 +140,7 @@ public final class ProjectReader {
         }
         PlanParts parts = new PlanParts(vocabulary, problems);
         List<VariableSpec> globals = parts.variables(root, "globals");
-        Map<String, Members> planMembers = planMembers(root, beside, problems);
+        Map<String, Members> planMembers = files.plans(root, problems);
         Names planIds = new Names(problems);
         planMembers.forEach((where, m) -> planIds.take(m.text("id", ""), m.at("id")));
         List<Plan> plans = new ArrayList<>();
@@ -136,38 +149,15 @@ public final class ProjectReader {
                 .map(m -> treeNode(m, planIds))
                 .toList();
         root.done();
-        return new Project(id, name, domain, globals, tree, plans);
-    }
-
-    /** The plans' objects by pointer; those in files of their own have pointers that begin with the file's name. */
-    private static Map<String, Members> planMembers(Members root, VocabularyFiles.Source beside, Problems problems) {
-        Map<String, Members> plans = new LinkedHashMap<>();
-        for (Members m : root.objects("plans")) {
-            if (!m.has("file")) {
-                plans.put(m.pointer(), m);
-                continue;
-            }
-            String name = m.text("file");
-            m.done();
-            if (name.contains("..") || name.startsWith("/") || name.contains("\\") || name.contains(":")) {
-                m.problem(Codes.FILE, "file", "A plan's file lies in the project's folder, not at " + name);
-                continue;
-            }
-            Problems inFile = new Problems();
-            VocabularyFiles.fetch(beside, name, inFile)
-                    .flatMap(text -> JsonText.parse(text, inFile))
-                    .flatMap(node -> Members.of(node, name + "#", problems))
-                    .ifPresent(members -> plans.put(name, members));
-            problems.addAll(inFile.findings(), "");
-        }
-        return plans;
+        return new Project(id, name, domain, globals, tree, plans, schema);
     }
 
     private static MissionTreeNode treeNode(Members m, Names planIds) {
         String label = m.text("label", "");
         Optional<String> plan = m.has("plan") ? Optional.of(m.text("plan")) : Optional.empty();
         plan.filter(p -> !p.isEmpty() && !planIds.has(p))
-                .ifPresent(p -> m.problem(Codes.UNKNOWN_PLAN, "plan", "There is no plan \"" + p + "\"", p));
+                .ifPresent(p ->
+                        m.problem(Codes.UNKNOWN_PLAN, "plan", "There is no plan \"" + p + "\"" + planIds.meant(p)));
         List<MissionTreeNode> children =
                 m.objects("children").stream().map(c -> treeNode(c, planIds)).toList();
         m.done();

@@ -83,7 +83,9 @@ public final class ProjectWriter {
     }
 
     private ObjectNode root(Project project) {
-        ObjectNode root = NODES.objectNode().put("formatVersion", ProjectReader.FORMAT_VERSION);
+        ObjectNode root = NODES.objectNode();
+        project.schema().ifPresent(schema -> root.put(ProjectReader.SCHEMA, schema));
+        root.put("formatVersion", ProjectReader.FORMAT_VERSION);
         root.put("id", project.id());
         PlanWriter.putText(root, "name", project.name());
         root.put("domain", project.domain());

@@ -5,6 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import org.sami.spn.finding.Suggestions;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.TestCase;
@@ -24,8 +26,21 @@ final class TestCaseReader {
     private final Map<String, OutputEventSpec> outputs = new LinkedHashMap<>();
     private final Map<String, ValueType> variables = new LinkedHashMap<>();
 
-    TestCaseReader(PlanParts parts, List<Place> places, List<VariableSpec> globals, List<VariableSpec> variables) {
+    private final Set<String> refused;
+
+    /**
+     * A reader of one plan's test cases.
+     *
+     * @param refused ids of output events that are in the document and could not be read
+     */
+    TestCaseReader(
+            PlanParts parts,
+            List<Place> places,
+            List<VariableSpec> globals,
+            List<VariableSpec> variables,
+            Set<String> refused) {
         this.parts = parts;
+        this.refused = refused;
         places.forEach(p -> {
             this.places.put(p.id(), p);
             p.outputs().forEach(o -> outputs.put(o.id(), o));
@@ -109,7 +124,7 @@ final class TestCaseReader {
     /** The type of a value in an answer, empty where the key means nothing, which is reported. */
     private Optional<ValueType> answerType(String event, String key, String pointer) {
         Optional<ValueType> type = AnswerKeys.type(parts.vocabulary(), outputs, variables, event, key);
-        if (type.isEmpty()) {
+        if (type.isEmpty() && !refused.contains(event)) {
             parts.problems().add(Codes.UNKNOWN_FIELD, pointer, "Nothing is asked under the name \"" + key + "\"");
         }
         return type;
@@ -123,7 +138,11 @@ final class TestCaseReader {
         List<String> tasks = s.texts("tasks");
         Map<String, Members.Element> given = s.map("values");
         if (type.isEmpty()) {
-            s.problem(Codes.UNKNOWN_EVENT, "type", "There is no input event \"" + name + "\"");
+            s.problem(
+                    Codes.UNKNOWN_EVENT,
+                    "type",
+                    "There is no input event \"" + name + "\""
+                            + NearMatches.guess(parts.vocabulary(), Direction.INPUT, name));
             return Optional.empty();
         }
         List<FieldType> fields = type.get().fields();
@@ -144,10 +163,14 @@ final class TestCaseReader {
         return by.map(v -> new TestStep.Advance(((DurationValue) v).millis()));
     }
 
-    private static String known(Members s, String member, Map<String, ?> elements) {
+    private String known(Members s, String member, Map<String, ?> elements) {
         String id = s.text(member);
-        if (!id.isEmpty() && !elements.containsKey(id)) {
-            s.problem(Codes.DANGLING, member, "The plan has no \"" + id + "\" that could be meant here", id);
+        if (!id.isEmpty() && !elements.containsKey(id) && !refused.contains(id)) {
+            s.problem(
+                    Codes.DANGLING,
+                    member,
+                    "The plan has no \"" + id + "\" that could be meant here"
+                            + Suggestions.meant(elements.keySet(), id));
         }
         return id;
     }

@@ -1,7 +1,9 @@
 package org.sami.spn.json;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.spn.finding.Suggestions;
 import org.sami.spn.value.NamedType;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.ValueType;
@@ -14,13 +16,20 @@ import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.Reserved;
 import org.sami.spn.vocabulary.Vocabulary;
 
-/** Checks what the events of a vocabulary say about each other. Its pointers name the event: {@code events#Name}. */
+/** Checks what the events of a vocabulary say about each other. */
 final class VocabularyChecks {
     private final Vocabulary vocabulary;
+    private final Names events;
     private final Problems problems;
 
-    VocabularyChecks(Vocabulary vocabulary, Problems problems) {
+    /**
+     * A check of one vocabulary.
+     *
+     * @param events the events' names with the places of their declarations
+     */
+    VocabularyChecks(Vocabulary vocabulary, Names events, Problems problems) {
         this.vocabulary = vocabulary;
+        this.events = events;
         this.problems = problems;
     }
 
@@ -45,7 +54,15 @@ final class VocabularyChecks {
     private void checkAnswer(EventType event, String answer) {
         EventType found = vocabulary.events().get(answer);
         if (found == null || found.direction() != Direction.INPUT) {
-            report(Codes.ANSWERS, event, "its answer " + answer + " is not an input event of this vocabulary");
+            List<String> inputs = vocabulary.events().values().stream()
+                    .filter(e -> e.direction() == Direction.INPUT)
+                    .map(EventType::name)
+                    .toList();
+            report(
+                    Codes.ANSWERS,
+                    event,
+                    "its answer " + answer + " is not an input event of this vocabulary"
+                            + Suggestions.meant(inputs, answer));
         }
     }
 
@@ -154,6 +171,10 @@ final class VocabularyChecks {
     }
 
     private void report(String code, EventType event, String message) {
-        problems.add(code, "events#" + event.name(), "The event " + event.name() + ": " + message, event.name());
+        problems.add(
+                code,
+                events.where(event.name()).orElse(""),
+                "The event " + event.name() + ": " + message,
+                event.name());
     }
 }

@@ -29,12 +29,12 @@ public record VocabularyFiles(Map<String, String> texts) {
      * @param folder absolute, such as {@code /org/sami/domain/NAME}
      */
     public static Reading<VocabularyFiles> fromClassPath(String folder) {
-        return load(name -> resource(folder + "/" + name));
+        return load(folder, name -> resource(folder + "/" + name));
     }
 
     /** Finds the files in a folder. */
     public static Reading<VocabularyFiles> fromFolder(Path folder) {
-        return load(name -> Texts.read(folder.resolve(name)));
+        return load(folder.toString(), name -> Texts.read(folder.resolve(name)));
     }
 
     /** A text by name; empty where there is none. */
@@ -57,11 +57,13 @@ public record VocabularyFiles(Map<String, String> texts) {
                 .orElse(List.of());
     }
 
-    private static Reading<VocabularyFiles> load(Source source) {
+    private static Reading<VocabularyFiles> load(String folder, Source source) {
         Problems problems = new Problems();
+        SourceTexts sources = new SourceTexts();
         Map<String, String> texts = new LinkedHashMap<>();
         fetch(source, INDEX, problems).ifPresent(text -> texts.put(INDEX, text));
         if (texts.containsKey(INDEX)) {
+            sources.add(INDEX + "#", folder + "/" + INDEX, texts.get(INDEX));
             Problems inIndex = new Problems();
             JsonText.parse(texts.get(INDEX), inIndex)
                     .flatMap(node -> Members.of(node, "", inIndex))
@@ -69,7 +71,9 @@ public record VocabularyFiles(Map<String, String> texts) {
                             .forEach(name -> fetch(source, name, problems).ifPresent(t -> texts.put(name, t))));
             problems.addAll(inIndex.findings(), INDEX + "#");
         }
-        return Reading.of(new VocabularyFiles(texts), problems);
+        return new Reading<>(
+                problems.none() ? Optional.of(new VocabularyFiles(texts)) : Optional.empty(),
+                sources.locate(problems.findings()));
     }
 
     static Optional<String> fetch(Source source, String name, Problems problems) {
@@ -94,10 +98,11 @@ public record VocabularyFiles(Map<String, String> texts) {
         }
 
         static String decode(byte[] bytes) throws IOException {
-            return StandardCharsets.UTF_8
+            String text = StandardCharsets.UTF_8
                     .newDecoder()
                     .decode(java.nio.ByteBuffer.wrap(bytes))
                     .toString();
+            return JsonText.withoutMark(text);
         }
     }
 }

@@ -57,13 +57,17 @@ public final class VocabularyReader {
         String domain = readIndex(index);
         readTypes();
         FieldTypeReader fields = new FieldTypeReader(types, problems);
-        List<EventType> events = all("events", new EventTypeReader(fields)::read);
+        Names eventNames = new Names(problems);
+        List<EventType> events = all("events", eventNames, new EventTypeReader(fields)::read);
         List<MarkupType> markups = all("markups", fields::markup);
         List<TaskClass> tasks = all("taskClasses", fields::taskClass);
-        roots.values().forEach(Members::done);
+        roots.values().forEach(root -> {
+            root.text(ProjectReader.SCHEMA, "");
+            root.done();
+        });
         Vocabulary vocabulary = new Vocabulary(domain, List.copyOf(types.values()), events, markups, tasks);
         if (problems.none()) {
-            new VocabularyChecks(vocabulary, problems).check();
+            new VocabularyChecks(vocabulary, eventNames, problems).check();
         }
         return Reading.of(vocabulary, problems);
     }
@@ -92,8 +96,11 @@ public final class VocabularyReader {
 
     /** Reads the items of a list that any of the files may hold; names taken so far are shared over the files. */
     private <T> List<T> all(String member, BiFunction<Members, Names, Optional<T>> reader) {
+        return all(member, new Names(problems), reader);
+    }
+
+    private <T> List<T> all(String member, Names taken, BiFunction<Members, Names, Optional<T>> reader) {
         List<T> items = new ArrayList<>();
-        Names taken = new Names(problems);
         for (Members root : roots.values()) {
             if (root.has(member)) {
                 root.objects(member).forEach(m -> {

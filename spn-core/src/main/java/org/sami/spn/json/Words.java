@@ -1,9 +1,11 @@
 package org.sami.spn.json;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.sami.spn.finding.Suggestions;
 
 /** The words that stand for enum constants in files: {@code AT_LEAST} is {@code at-least}. */
 final class Words {
@@ -17,6 +19,12 @@ final class Words {
         return Arrays.stream(type.getEnumConstants())
                 .filter(c -> of(c).equals(word))
                 .findFirst();
+    }
+
+    /** The end of a sentence about a word that stands for no constant: which there are, and which was probably meant. */
+    static <E extends Enum<E>> String noneOf(Class<E> type, String word) {
+        List<String> all = Arrays.stream(type.getEnumConstants()).map(Words::of).toList();
+        return " is none of: " + String.join(", ", all) + Suggestions.meant(all, word);
     }
 
     static <E extends Enum<E>> String all(Class<E> type) {

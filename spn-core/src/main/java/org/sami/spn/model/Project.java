@@ -9,6 +9,7 @@ import java.util.Optional;
  *
  * @param domain id of the vocabulary
  * @param missionTree roots of the tree in which the plans are shown
+ * @param schema the JSON Schema that the project's file names for editors; it means nothing here and is kept
  */
 public record Project(
         String id,
@@ -16,7 +17,8 @@ public record Project(
         String domain,
         List<VariableSpec> globals,
         List<MissionTreeNode> missionTree,
-        List<Plan> plans) {
+        List<Plan> plans,
+        Optional<String> schema) {
     public Project {
         Objects.requireNonNull(id, "id");
         Objects.requireNonNull(name, "name");
@@ -24,6 +26,18 @@ public record Project(
         globals = List.copyOf(globals);
         missionTree = List.copyOf(missionTree);
         plans = List.copyOf(plans);
+        Objects.requireNonNull(schema, "schema");
+    }
+
+    /** A project whose file names no JSON Schema. */
+    public Project(
+            String id,
+            String name,
+            String domain,
+            List<VariableSpec> globals,
+            List<MissionTreeNode> missionTree,
+            List<Plan> plans) {
+        this(id, name, domain, globals, missionTree, plans, Optional.empty());
     }
 
     /** The plan of that id. */

@@ -3,17 +3,24 @@ package org.sami.crw.sim.cli;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import org.sami.crw.sim.run.PlanInterrupts;
+import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Severity;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.Reading;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code crw check}: what is wrong with a plan or a file. */
+/** {@code crw check}: what is wrong with a plan, a file, or a domain and its library. */
 @Command(
         name = "check",
         mixinStandardHelpOptions = true,
@@ -26,26 +33,87 @@ import picocli.CommandLine.Spec;
             "2:wrong usage, or there is no such file"
         },
         footerHeading = "%nExamples:%n",
-        footer = {"  crw check my-plan.json", "  crw check clv --json"})
+        footer = {
+            "  crw check my-plan.json",
+            "  crw check clv --json",
+            "  crw check --domain my-domain              the domain and its library",
+            "  crw check --domain my-domain plan.json    a plan with that domain's words"
+        })
 final class CheckCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
     @Parameters(
             paramLabel = "FILE|PLAN",
-            description = "A project's file or folder, or a plan of the library by its id.")
+            arity = "0..1",
+            description =
+                    "A project's file or folder, or a plan of the library by its id. May be left out with --domain.")
     private String name;
+
+    @Option(
+            names = "--domain",
+            paramLabel = "FOLDER",
+            description = "The words of another domain: a folder with domain.json. Without it those of the boats.")
+    private Path domain;
 
     @Option(names = "--json", description = "Print one JSON object.")
     private boolean json;
 
     @Override
     public Integer call() {
-        DomainLibrary library = PlanSource.library();
-        PlanSource source = PlanSource.find(name, library);
+        if (name == null && domain == null) {
+            throw new UsageFault(
+                    "what is to be checked? FILE|PLAN, a file or a plan of the library, or --domain FOLDER");
+        }
+        if (domain == null) {
+            return tell(name, PlanSource.library(), PlanSource.find(name, PlanSource.library()));
+        }
+        if (!Files.isDirectory(domain)) {
+            throw new UsageFault("--domain: there is no folder '" + domain + "'");
+        }
+        Reading<DomainLibrary> read = DomainLibrary.fromFolder(domain);
+        if (read.result().isEmpty()) {
+            return tell(domain.toString(), read.findings());
+        }
+        DomainLibrary library = read.result().get();
+        if (name == null) {
+            List<Finding> findings = new ArrayList<>(read.findings());
+            library.projects().keySet().stream()
+                    .map(file -> PlanSource.find(domain.resolve(file).toString(), library))
+                    .forEach(source -> findings.addAll(source.findings()));
+            return tell(domain.toString(), findings);
+        }
+        return tell(name, library, PlanSource.find(fileOf(name, library), library));
+    }
+
+    /** The file in which a plan of the domain's library stands, so that findings name it; else the name as it is. */
+    private String fileOf(String wanted, DomainLibrary library) {
+        if (Files.exists(Path.of(wanted))) {
+            return wanted;
+        }
+        return library.projects().entrySet().stream()
+                .filter(e -> e.getValue().plan(wanted).isPresent())
+                .map(Map.Entry::getKey)
+                .map(file -> domain.resolve(file).toString())
+                .findFirst()
+                .orElse(wanted);
+    }
+
+    private int tell(String source, List<Finding> findings) {
         PrintWriter out = spec.commandLine().getOut();
         if (json) {
-            ObjectNode object = FindingsText.json(name, source.findings());
+            out.println(FindingsText.json(source, findings).toPrettyString());
+        } else {
+            print(out, source, findings);
+        }
+        out.flush();
+        return findings.stream().anyMatch(Finding::isError) ? ExitCode.FINDINGS : ExitCode.OK;
+    }
+
+    private int tell(String checked, DomainLibrary library, PlanSource source) {
+        PrintWriter out = spec.commandLine().getOut();
+        if (json) {
+            ObjectNode object = FindingsText.json(checked, source.findings());
             ObjectNode interrupts = object.putObject("interrupts");
             source.project()
                     .ifPresent(project -> project.plans().forEach(plan -> {
@@ -56,12 +124,7 @@ final class CheckCommand implements Callable<Integer> {
                     }));
             out.println(object.toPrettyString());
         } else {
-            FindingsText.print(out, name, source.findings());
-            out.printf(
-                    "%s: %d errors, %d warnings%n",
-                    name,
-                    FindingsText.count(source.findings(), Severity.ERROR),
-                    FindingsText.count(source.findings(), Severity.WARNING));
+            print(out, checked, source.findings());
             source.project()
                     .ifPresent(project -> project.plans().forEach(plan -> {
                         PlanInterrupts interrupts = new PlanInterrupts(library.vocabulary(), project, plan);
@@ -72,5 +135,12 @@ final class CheckCommand implements Callable<Integer> {
         }
         out.flush();
         return source.hasErrors() ? ExitCode.FINDINGS : ExitCode.OK;
+    }
+
+    private static void print(PrintWriter out, String source, List<Finding> findings) {
+        FindingsText.print(out, source, findings);
+        out.printf(
+                "%s: %d errors, %d warnings%n",
+                source, FindingsText.count(findings, Severity.ERROR), FindingsText.count(findings, Severity.WARNING));
     }
 }

@@ -16,6 +16,7 @@ import picocli.CommandLine.Spec;
         subcommands = {
             PlansCommand.class,
             CheckCommand.class,
+            SchemaCommand.class,
             EventsCommand.class,
             MarkupsCommand.class,
             RunCommand.class,
@@ -55,7 +56,7 @@ public final class Crw implements Runnable {
     public void run() {
         throw new ParameterException(
                 spec.commandLine(),
-                "Which command? One of plans, check, events, markups, run, resume, journal, demo, boat, log, import-legacy, "
+                "Which command? One of plans, check, schema, events, markups, run, resume, journal, demo, boat, log, import-legacy, "
                         + "import-locations.");
     }
 

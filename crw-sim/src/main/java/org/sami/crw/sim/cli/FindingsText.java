@@ -13,18 +13,25 @@ import org.sami.spn.finding.Severity;
 final class FindingsText {
     private FindingsText() {}
 
-    /** One line each: severity, code, place, message. */
+    /** One line each: file, line and column as compilers print them, severity, code, place in the document, elements, message. */
     static void print(PrintWriter out, String source, List<Finding> findings) {
         for (Finding finding : findings) {
             out.printf(
                     Locale.ROOT,
-                    "%s: %s %s at %s: %s%n",
-                    source,
+                    "%s: %s %s at %s%s: %s%n",
+                    place(source, finding),
                     word(finding.severity()),
                     finding.code(),
                     finding.pointer().isEmpty() ? "the top" : finding.pointer(),
+                    finding.elements().isEmpty() ? "" : " (" + String.join(", ", finding.elements()) + ")",
                     finding.message());
         }
+    }
+
+    private static String place(String source, Finding finding) {
+        return finding.location()
+                .map(at -> at.file().isEmpty() ? source + ":" + at : at.toString())
+                .orElse(source);
     }
 
     static ObjectNode json(String source, List<Finding> findings) {
@@ -38,6 +45,11 @@ final class FindingsText {
             node.put("severity", word(finding.severity()));
             node.put("code", finding.code());
             node.put("pointer", finding.pointer());
+            finding.location().ifPresent(at -> {
+                node.put("file", at.file());
+                node.put("line", at.line());
+                node.put("column", at.column());
+            });
             node.put("message", finding.message());
             ArrayNode elements = node.putArray("elements");
             finding.elements().forEach(elements::add);

@@ -19,6 +19,7 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.SubMissionSpec;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * A project that was named on the command line: a plan of the library by its id, or a file or folder by its path.
@@ -50,24 +51,25 @@ record PlanSource(String source, Optional<Project> project, Optional<Plan> plan,
     static PlanSource find(String name, DomainLibrary library) {
         Path path = Path.of(name);
         if (Files.exists(path)) {
-            Reading<Project> reading = new ProjectReader(library.vocabulary()).read(path);
-            return new PlanSource(
-                    name, reading.result(), Optional.empty(), checked(library, reading.result(), reading.findings()));
+            Reading<Project> reading =
+                    new ProjectReader(library.vocabulary()).readAndCheck(path, read -> checked(library, read));
+            return new PlanSource(name, reading.result(), Optional.empty(), reading.findings());
         }
         Optional<Project> project = library.projectOf(name);
         if (project.isEmpty()) {
             String kind = name.endsWith(".json") || name.contains("/") ? "file" : "file and no plan of the library";
             throw new UsageFault("there is no " + kind + " '" + name + "'; the library has " + ids(library.plans()));
         }
-        return new PlanSource(name, project, project.get().plan(name), checked(library, project, List.of()));
+        return new PlanSource(name, project, project.get().plan(name), checked(library, project.get()));
     }
 
-    private static List<Finding> checked(DomainLibrary library, Optional<Project> project, List<Finding> read) {
-        List<Finding> all = new ArrayList<>(read);
-        project.ifPresent(p -> {
-            all.addAll(PlanChecks.check(p, library.vocabulary()));
-            all.addAll(PlanChecks.checkHandled(p, library.vocabulary(), HandledEvents.of(library.vocabulary())));
-        });
+    /** What the checks of the language find and, in the domain whose handlers are here, what nothing would handle. */
+    private static List<Finding> checked(DomainLibrary library, Project project) {
+        Vocabulary vocabulary = library.vocabulary();
+        List<Finding> all = new ArrayList<>(PlanChecks.check(project, vocabulary));
+        if (DOMAIN.endsWith("/" + vocabulary.domain())) {
+            all.addAll(PlanChecks.checkHandled(project, vocabulary, HandledEvents.of(vocabulary)));
+        }
         return all;
     }
 

@@ -27,6 +27,7 @@ public final class ProjectVariables {
                 project.domain(),
                 List.copyOf(globals.values()),
                 project.missionTree(),
-                project.plans());
+                project.plans(),
+                project.schema());
     }
 }

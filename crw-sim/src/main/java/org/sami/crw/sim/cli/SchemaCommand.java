@@ -1,0 +1,55 @@
+package org.sami.crw.sim.cli;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.Callable;
+import org.sami.spn.finding.Suggestions;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code crw schema}: the JSON Schemas of the files, for editors. */
+@Command(
+        name = "schema",
+        mixinStandardHelpOptions = true,
+        description =
+                "Prints the JSON Schema (draft 2020-12) of a kind of file, for editors that check and complete as you type.",
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {"0:done", "2:wrong usage"},
+        footerHeading = "%nExamples:%n",
+        footer = {"  crw schema > project-1.schema.json", "  crw schema vocabulary"})
+final class SchemaCommand implements Callable<Integer> {
+    private static final Map<String, String> FILES = new TreeMap<>(Map.of(
+            "project", "project-1.schema.json",
+            "vocabulary", "vocabulary-1.schema.json",
+            "legacy-classes", "legacy-classes-1.schema.json"));
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(
+            paramLabel = "KIND",
+            arity = "0..1",
+            defaultValue = "project",
+            description = "project (a project's file; the default), vocabulary (a domain's files) or legacy-classes "
+                    + "(a domain's table of class names of the earlier system).")
+    private String kind;
+
+    @Override
+    public Integer call() throws IOException {
+        String file = FILES.get(kind);
+        if (file == null) {
+            throw new UsageFault("there is no schema '" + kind + "'; there are " + String.join(", ", FILES.keySet())
+                    + Suggestions.meant(FILES.keySet(), kind));
+        }
+        try (InputStream in = SchemaCommand.class.getResourceAsStream("/org/sami/schemas/" + file)) {
+            spec.commandLine().getOut().print(new String(in.readAllBytes(), StandardCharsets.UTF_8));
+        }
+        spec.commandLine().getOut().flush();
+        return ExitCode.OK;
+    }
+}

@@ -1,0 +1,57 @@
+package org.sami.spn.json;
+
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Objects;
+
+/**
+ * The plans of a project's document, each in the document itself or in a file of its own beside it.
+ *
+ * @param file the document's file; empty text where it came from none
+ * @param beside the files beside it
+ * @param sources where the texts of the plans' files are kept for the places of findings
+ */
+record PlanFiles(String file, VocabularyFiles.Source beside, SourceTexts sources) {
+    PlanFiles {
+        Objects.requireNonNull(file, "file");
+        Objects.requireNonNull(beside, "beside");
+        Objects.requireNonNull(sources, "sources");
+    }
+
+    /** The plans' objects by pointer; those in files of their own have pointers that begin with the file's name. */
+    Map<String, Members> plans(Members root, Problems problems) {
+        Map<String, Members> plans = new LinkedHashMap<>();
+        for (Members m : root.objects("plans")) {
+            if (!m.has("file")) {
+                plans.put(m.pointer(), m);
+                continue;
+            }
+            String name = m.text("file");
+            m.done();
+            if (name.contains("..") || name.startsWith("/") || name.contains("\\") || name.contains(":")) {
+                m.problem(Codes.FILE, "file", "A plan's file lies in the project's folder, not at " + name);
+                continue;
+            }
+            Problems inFile = new Problems();
+            VocabularyFiles.fetch(beside, name, inFile)
+                    .flatMap(text -> {
+                        String prefix = name + "#";
+                        sources.add(prefix, beside(name), text);
+                        sources.planIn(plans.size(), prefix);
+                        Problems syntax = new Problems();
+                        var node = JsonText.parse(text, syntax);
+                        inFile.addAll(syntax.findings(), prefix);
+                        return node;
+                    })
+                    .flatMap(node -> Members.of(node, name + "#", problems))
+                    .ifPresent(members -> plans.put(name, members));
+            problems.addAll(inFile.findings(), "");
+        }
+        return plans;
+    }
+
+    private String beside(String name) {
+        return file.isEmpty() ? name : Path.of(file).resolveSibling(name).toString();
+    }
+}
