@@ -4,14 +4,21 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Clock;
+import java.time.ZoneId;
+import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
+import org.sami.crw.service.Geodesy;
+import org.sami.crw.sim.report.RunOrigin;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.resume.EarlierProcesses;
@@ -23,10 +30,12 @@ import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.Parameters;
 import org.sami.crw.sim.run.PlanInterrupts;
+import org.sami.crw.sim.run.PlanLocations;
 import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.crw.sim.run.RunPlan;
 import org.sami.crw.sim.run.RunSettings;
+import org.sami.crw.sim.run.Site;
 import org.sami.crw.sim.tcp.BoatsNotReadyException;
 import org.sami.crw.sim.tcp.SessionJournal;
 import org.sami.crw.sim.tcp.SessionStart;
@@ -41,6 +50,8 @@ import org.sami.spn.json.VocabularyFiles;
 import org.sami.spn.json.VocabularyReader;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Vocabulary;
 import picocli.CommandLine;
 
@@ -51,6 +62,7 @@ final class Execution {
     private final DomainLibrary library;
     private final OutputOptions output;
     private final long connectWithinMillis;
+    private final Clock clock;
 
     /** What is run, watched by somebody, with what is to be said at once. */
     @FunctionalInterface
@@ -60,7 +72,7 @@ final class Execution {
 
     /** Of runs in this process alone. */
     Execution(CommandLine command, DomainLibrary library, OutputOptions output) {
-        this(command, library, output, 0);
+        this(command, library, output, 0, Clock.system(ZoneId.systemDefault()));
     }
 
     /**
@@ -69,7 +81,18 @@ final class Execution {
      * @param connectWithinMillis how long boats behind TCP may take to answer
      */
     Execution(CommandLine command, DomainLibrary library, OutputOptions output, long connectWithinMillis) {
+        this(command, library, output, connectWithinMillis, Clock.system(ZoneId.systemDefault()));
+    }
+
+    /**
+     * Of all runs.
+     *
+     * @param connectWithinMillis how long boats behind TCP may take to answer
+     * @param clock says when a run begins, and in which time zone; nothing in the run reads it
+     */
+    Execution(CommandLine command, DomainLibrary library, OutputOptions output, long connectWithinMillis, Clock clock) {
         this.connectWithinMillis = connectWithinMillis;
+        this.clock = clock;
         out = command.getOut();
         err = command.getErr();
         this.library = library;
@@ -97,7 +120,8 @@ final class Execution {
                 settings,
                 source.source(),
                 new ProjectWriter(library.vocabulary()).text(project),
-                library.files().texts());
+                library.files().texts(),
+                Optional.of(new RunRecord.Start(clock.instant(), clock.getZone())));
         checkJournal(journal);
         return settings.isConnected()
                 ? runConnected(runPlan, record, answers.orThrow(), journal)
@@ -121,11 +145,11 @@ final class Execution {
     private int runInProcess(RunPlan plan, RunRecord record, AnswersFile answers, Path journal) throws IOException {
         RunSettings settings = record.settings();
         if (journal == null) {
-            return run(inProcess(plan, settings, answers, RunJournal.none()), settings, journal);
+            return run(inProcess(plan, settings, answers, RunJournal.none()), record, journal);
         }
         try (WrittenJournal written = WrittenJournal.create(journal, record)) {
             tellJournal(journal);
-            return run(inProcess(plan, settings, answers, written), settings, journal);
+            return run(inProcess(plan, settings, answers, written), record, journal);
         }
     }
 
@@ -136,7 +160,7 @@ final class Execution {
             if (journal != null) {
                 tellJournal(journal);
             }
-            return run(connected(plan, settings, answers, session), settings, journal);
+            return run(connected(plan, settings, answers, session), record, journal);
         } catch (BoatsNotReadyException e) {
             throw journal == null ? e : new IOException(e.getMessage() + "; once they are: crw resume " + journal, e);
         }
@@ -164,7 +188,9 @@ final class Execution {
 
     private static void checkSettings(RunPlan plan, RunSettings settings) {
         try {
-            new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
+            Map<String, Value> parameters =
+                    new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
+            checkPlace(plan, settings, parameters.values());
         } catch (IllegalArgumentException e) {
             throw new UsageFault("--set: " + e.getMessage());
         }
@@ -180,9 +206,26 @@ final class Execution {
         }
     }
 
+    /** The run is not moved to where the plan is: whoever wants that says so. */
+    private static void checkPlace(RunPlan plan, RunSettings settings, Collection<Value> parameters) {
+        GeoPoint centre = settings.fleet().site().centreInProcess();
+        PlanLocations places = new PlanLocations(plan.project(), plan.plan(), parameters);
+        Optional<GeoPoint> beyond = settings.isConnected() ? Optional.empty() : places.beyond(centre);
+        if (beyond.isPresent()) {
+            double km = Geodesy.distanceM(centre, beyond.get()) / 1000;
+            throw new UsageFault(String.format(
+                    Locale.ROOT,
+                    "the plan names %s, %.0f km from the centre of the run, %s; to run it there: --at %s",
+                    Site.words(beyond.get()),
+                    km,
+                    Site.words(centre),
+                    Site.words(places.suitable(centre, settings.fleet().areaM()))));
+        }
+    }
+
     private static Reading<AnswersFile> answers(RunSettings settings, Vocabulary vocabulary) {
         return settings.answers().isEmpty()
-                ? new Reading<>(java.util.Optional.of(AnswersFile.EMPTY), List.of())
+                ? new Reading<>(Optional.of(AnswersFile.EMPTY), List.of())
                 : AnswersFileReader.read(settings.answers(), vocabulary);
     }
 
@@ -213,7 +256,10 @@ final class Execution {
             tellDifferences(resumed);
             tell("going through " + resumed.resumedFrom().orElse(0) + " journal entries again, then going on");
             AnswersFile answers = answers(settings, plan.vocabulary()).orThrow();
-            int code = run(inProcess(plan, settings, answers, resumed), settings, journal);
+            int code = run(
+                    inProcess(plan, settings, answers, resumed),
+                    resumed.record().with(settings),
+                    journal);
             tellIfOver(code, resumed.added());
             return code;
         }
@@ -226,7 +272,10 @@ final class Execution {
             tellDifferences(resumed);
             tell("going on after journal entry " + resumed.resumedFrom().orElse(0));
             AnswersFile answers = answers(settings, plan.vocabulary()).orThrow();
-            int code = run(connected(plan, settings, answers, resumed), settings, journal);
+            int code = run(
+                    connected(plan, settings, answers, resumed),
+                    resumed.record().with(settings),
+                    journal);
             tellIfOver(code, resumed.added());
             return code;
         }
@@ -293,7 +342,8 @@ final class Execution {
         }
     }
 
-    private int run(Mission mission, RunSettings settings, Path journal) throws IOException {
+    private int run(Mission mission, RunRecord record, Path journal) throws IOException {
+        RunSettings settings = record.settings();
         RunSettings.Fleet fleet = settings.fleet();
         err.printf(
                 Locale.ROOT,
@@ -307,6 +357,9 @@ final class Execution {
         if (settings.isConnected()) {
             err.println("boats at "
                     + settings.connect().stream().map(BoatAddress::toString).collect(Collectors.joining(", ")));
+        } else {
+            err.println("centre " + Site.words(fleet.site().centreInProcess()) + ", quay "
+                    + Site.words(fleet.site().quayInProcess(fleet.areaM())));
         }
         err.flush();
         ProgressDisplay progress = new ProgressDisplay(err, Terminal.onStandardError(), System::nanoTime);
@@ -320,6 +373,10 @@ final class Execution {
             });
             progress.end();
             boolean stopped = Thread.interrupted(); // files could not be written otherwise
+            report = record.start()
+                    .map(start -> new RunOrigin(start.at(), start.zone(), Version.ofThisProgram()))
+                    .map(report::withOrigin)
+                    .orElse(report);
             told = output.tell(report, out, err);
             tellFailure(report);
             if (journal != null && report.result().outcome() == RunOutcome.RUNNING) {

@@ -13,7 +13,9 @@ import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.BoatAddress;
 import org.sami.crw.sim.run.Charges;
 import org.sami.crw.sim.run.RunSettings;
+import org.sami.crw.sim.run.Site;
 import org.sami.crw.sim.run.Speed;
+import org.sami.spn.value.GeoPoint;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
@@ -57,6 +59,24 @@ final class RunOptions {
             defaultValue = "600",
             description = "Side of the square in which they lie; 10 to 20000 (default ${DEFAULT-VALUE}).")
     private double areaM;
+
+    @Option(
+            names = "--at",
+            paramLabel = "LAT,LON",
+            converter = PositionConverter.class,
+            description =
+                    "Where its centre lies, in degrees (default 45.7,10.72; with --connect the middle of the boats). "
+                            + "Nothing else moves it.")
+    private GeoPoint centre;
+
+    @Option(
+            names = "--quay",
+            paramLabel = "LAT,LON",
+            converter = PositionConverter.class,
+            description =
+                    "Where the boats of this process lie at the start and get full batteries, the middle of their "
+                            + "line (default 20 m south of the square).")
+    private GeoPoint quay;
 
     @Option(
             names = "--seed",
@@ -133,7 +153,7 @@ final class RunOptions {
             return new RunSettings(
                     plan,
                     mission,
-                    new RunSettings.Fleet(count, locations, areaM, seed, conditions.conditions(), charges()),
+                    new RunSettings.Fleet(count, locations, areaM, seed, conditions.conditions(), charges(), site()),
                     Optional.ofNullable(speed).orElse(addresses.isEmpty() ? DEFAULT_SPEED : Speed.REAL),
                     Optional.ofNullable(limitMillis).map(OptionalLong::of).orElse(OptionalLong.empty()),
                     parameters,
@@ -144,6 +164,10 @@ final class RunOptions {
         } catch (IllegalArgumentException e) {
             throw new UsageFault(e.getMessage());
         }
+    }
+
+    private Site site() {
+        return new Site(Optional.ofNullable(centre), Optional.ofNullable(quay));
     }
 
     private Charges charges() {
@@ -163,6 +187,9 @@ final class RunOptions {
         if (!addresses.isEmpty() && !conditions.conditions().equals(Conditions.CALM)) {
             throw new UsageFault(
                     "with --connect the boats have their own water, instruments and sensors: see 'crw boat --help'");
+        }
+        if (!addresses.isEmpty() && quay != null) {
+            throw new UsageFault("with --connect the boats lie where they were started: see 'crw boat --help'");
         }
         if (!addresses.isEmpty() && speed != null && !speed.equals(Speed.REAL)) {
             throw new UsageFault("--speed: boats that are connected run at speed 1, not " + speed);

@@ -4,11 +4,16 @@ import picocli.CommandLine.IVersionProvider;
 
 /** The version of the build, from the jar's manifest. */
 final class Version implements IVersionProvider {
+    /** Version and commit, as the build knew them, such as {@code 0.1.0+3f2a1b4c5d6e}. */
+    static String ofThisProgram() {
+        String built = Crw.class.getPackage().getImplementationVersion();
+        return built == null ? "(not packaged)" : built;
+    }
+
     @Override
     public String[] getVersion() {
-        String built = Crw.class.getPackage().getImplementationVersion();
         return new String[] {
-            "crw " + (built == null ? "(not packaged)" : built),
+            "crw " + ofThisProgram(),
             "Java " + System.getProperty("java.version") + ", " + System.getProperty("os.name")
         };
     }

@@ -12,10 +12,12 @@ import org.sami.crw.sim.report.Wait;
 import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.PlanInterrupts;
+import org.sami.crw.sim.run.PlanLocations;
 import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.crw.sim.run.RunPlan;
 import org.sami.crw.sim.run.RunSettings;
+import org.sami.crw.sim.run.Site;
 import org.sami.crw.sim.run.Speed;
 import org.sami.crw.sim.run.Waits;
 import org.sami.spn.analysis.PlanChecks;
@@ -52,7 +54,8 @@ public final class PlanTrials {
     /** Runs a plan, unless the observer wants an end. */
     public PlanTrial run(Plan plan, RunObserver observer) {
         long seed = settings.seed() * 31 + project.plans().indexOf(plan);
-        RunSettings.Fleet fleet = new RunSettings.Fleet(settings.boats(), settings.locations(), settings.areaM(), seed);
+        RunSettings.Fleet fleet = new RunSettings.Fleet(settings.boats(), settings.locations(), settings.areaM(), seed)
+                .at(Site.at(new PlanLocations(project, plan, List.of()).suitable(Site.USUAL_CENTRE, settings.areaM())));
         List<String> presses =
                 RandomPresses.draw(new PlanInterrupts(vocabulary, project, plan), fleet.boatNames(), settings, seed);
         RunSettings run = new RunSettings(

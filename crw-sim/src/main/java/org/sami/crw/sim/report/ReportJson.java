@@ -2,6 +2,7 @@ package org.sami.crw.sim.report;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.SerializationFeature;
 import com.fasterxml.jackson.databind.node.ArrayNode;
@@ -36,7 +37,13 @@ public final class ReportJson {
         json.put("reason", result.reason());
         json.put("plan", header.plan());
         json.put("planName", header.planName());
+        json.put("planHash", header.planHash());
         json.put("mission", header.mission());
+        origin(json, report);
+        json.set("centre", position(header.place().centre()));
+        json.set(
+                "quay",
+                header.place().quay().<JsonNode>map(ReportJson::position).orElse(NODES.nullNode()));
         json.put("seed", header.seed());
         json.put("speed", header.speed());
         json.put("simulatedSeconds", seconds(result.simulatedMillis()));
@@ -60,6 +67,18 @@ public final class ReportJson {
         }
         json.put("runHash", result.runHash());
         return json;
+    }
+
+    private static void origin(ObjectNode json, RunReport report) {
+        json.put(
+                "startedAt",
+                report.origin().map(from -> from.startedAt().toString()).orElse(null));
+        json.put("timeZone", report.origin().map(from -> from.zone().getId()).orElse(null));
+        json.put("version", report.origin().map(RunOrigin::version).orElse(null));
+    }
+
+    private static ObjectNode position(MapPoint point) {
+        return NODES.objectNode().put("latDeg", decimal(point.latDeg(), 7)).put("lonDeg", decimal(point.lonDeg(), 7));
     }
 
     private static ArrayNode boats(RunReport report) {

@@ -1,5 +1,8 @@
 package org.sami.crw.sim.report;
 
+import java.time.ZoneOffset;
+import java.time.ZonedDateTime;
+import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -34,6 +37,7 @@ public final class ReportText {
         RunResult result = report.result();
         line(text, "%s (plan %s), seed %d", header.planName(), header.plan(), header.seed());
         line(text, "  %-20s%s%s", "outcome", result.outcome().word(), reason(result));
+        report.origin().ifPresent(from -> line(text, "  %-20s%s", "started", moment(from)));
         line(
                 text,
                 "  %-20s%s (%.1f s)",
@@ -59,7 +63,26 @@ public final class ReportText {
                 answered,
                 report.decisions().size());
         result.resumedFrom().ifPresent(from -> line(text, "  %-20sjournal entry %d", "resumed from", from));
+        line(text, "  %-20s%s", "centre", degrees(header.place().centre()));
+        header.place().quay().ifPresent(quay -> line(text, "  %-20s%s", "quay", degrees(quay)));
+        report.origin().ifPresent(from -> line(text, "  %-20scrw %s", "program", from.version()));
+        line(text, "  %-20s%s", "plan hash", header.planHash());
         line(text, "  %-20s%s", "run hash", result.runHash());
+    }
+
+    /** When a run began, in UTC and, where that is another time, in the time zone of its machine. */
+    static String moment(RunOrigin origin) {
+        DateTimeFormatter form = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm:ss", Locale.ROOT);
+        ZonedDateTime utc = origin.startedAt().atZone(ZoneOffset.UTC);
+        ZonedDateTime there = origin.startedAt().atZone(origin.zone());
+        String zone = origin.zone().getId();
+        String local = there.toLocalDateTime().equals(utc.toLocalDateTime()) ? zone : form.format(there) + " " + zone;
+        return form.format(utc) + " UTC" + (local.equals("UTC") ? "" : " (" + local + ")");
+    }
+
+    /** A position as the command line takes it. */
+    static String degrees(MapPoint point) {
+        return String.format(Locale.ROOT, "%.7f,%.7f", point.latDeg(), point.lonDeg());
     }
 
     private static String reason(RunResult result) {

@@ -2,11 +2,13 @@ package org.sami.crw.sim.report;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * Everything that is told about one run. Immutable; all writers read only this.
  *
  * @param waits where the mission stood and what it waited for; empty where it is over
+ * @param origin when it began, and who tells of it; empty where nobody wrote that down
  */
 public record RunReport(
         RunHeader header,
@@ -19,8 +21,10 @@ public record RunReport(
         List<NoteResult> notes,
         List<ReadingResult> readings,
         List<TaskResult> tasks,
-        List<Wait> waits) {
+        List<Wait> waits,
+        Optional<RunOrigin> origin) {
     public RunReport {
+        Objects.requireNonNull(origin, "origin");
         Objects.requireNonNull(header, "header");
         Objects.requireNonNull(result, "result");
         boats = List.copyOf(boats);
@@ -44,25 +48,65 @@ public record RunReport(
             List<FiringResult> firings,
             List<InterruptResult> interrupts,
             List<NoteResult> notes) {
-        this(header, result, boats, locations, decisions, firings, interrupts, notes, List.of(), List.of(), List.of());
+        this(
+                header,
+                result,
+                boats,
+                locations,
+                decisions,
+                firings,
+                interrupts,
+                notes,
+                List.of(),
+                List.of(),
+                List.of(),
+                Optional.empty());
     }
 
     /** The same with what the boats measured. */
     public RunReport withReadings(List<ReadingResult> measured) {
         return new RunReport(
-                header, result, boats, locations, decisions, firings, interrupts, notes, measured, tasks, waits);
+                header,
+                result,
+                boats,
+                locations,
+                decisions,
+                firings,
+                interrupts,
+                notes,
+                measured,
+                tasks,
+                waits,
+                origin);
     }
 
     /** The same with what became of the tasks. */
     public RunReport withTasks(List<TaskResult> told) {
         return new RunReport(
-                header, result, boats, locations, decisions, firings, interrupts, notes, readings, told, waits);
+                header, result, boats, locations, decisions, firings, interrupts, notes, readings, told, waits, origin);
     }
 
     /** The same with where the mission stands. */
     public RunReport withWaits(List<Wait> told) {
         return new RunReport(
-                header, result, boats, locations, decisions, firings, interrupts, notes, readings, tasks, told);
+                header, result, boats, locations, decisions, firings, interrupts, notes, readings, tasks, told, origin);
+    }
+
+    /** The same with when it began and which program tells of it. */
+    public RunReport withOrigin(RunOrigin from) {
+        return new RunReport(
+                header,
+                result,
+                boats,
+                locations,
+                decisions,
+                firings,
+                interrupts,
+                notes,
+                readings,
+                tasks,
+                waits,
+                Optional.of(from));
     }
 
     /** How many of the locations a boat has visited. */

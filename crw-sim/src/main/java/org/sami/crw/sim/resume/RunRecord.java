@@ -1,9 +1,12 @@
 package org.sami.crw.sim.resume;
 
+import java.time.Instant;
+import java.time.ZoneId;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.TreeMap;
 import org.sami.crw.sim.run.RunSettings;
 import org.sami.spn.journal.JournalHeader;
@@ -14,18 +17,41 @@ import org.sami.spn.journal.JournalHeader;
  * @param source where the project came from: a file's path, or the name of a plan of the library
  * @param project the project as one document
  * @param vocabulary the domain's files by name
+ * @param start when and where it began, which nothing in it depends on; empty in journals that do not say so
  */
-public record RunRecord(RunSettings settings, String source, String project, Map<String, String> vocabulary) {
+public record RunRecord(
+        RunSettings settings, String source, String project, Map<String, String> vocabulary, Optional<Start> start) {
     private static final String KIND = "kind";
     private static final String IN_PROCESS = "in-process";
     private static final String TCP = "tcp";
     private static final String SOURCE = "source";
+    private static final String STARTED_AT = "startedAt";
+    private static final String TIME_ZONE = "timeZone";
+
+    /** When a run began, and the time zone of the machine on which it did. */
+    public record Start(Instant at, ZoneId zone) {
+        public Start {
+            Objects.requireNonNull(at, "at");
+            Objects.requireNonNull(zone, "zone");
+        }
+    }
 
     public RunRecord {
         Objects.requireNonNull(settings, "settings");
         Objects.requireNonNull(source, "source");
         Objects.requireNonNull(project, "project");
+        Objects.requireNonNull(start, "start");
         vocabulary = Collections.unmodifiableMap(new LinkedHashMap<>(vocabulary));
+    }
+
+    /** A record that does not say when the run began. */
+    public RunRecord(RunSettings settings, String source, String project, Map<String, String> vocabulary) {
+        this(settings, source, project, vocabulary, Optional.empty());
+    }
+
+    /** The same run with other settings. */
+    public RunRecord with(RunSettings others) {
+        return new RunRecord(others, source, project, vocabulary, start);
     }
 
     /** The header of a run's journal. */
@@ -33,6 +59,10 @@ public record RunRecord(RunSettings settings, String source, String project, Map
         Map<String, String> map = new TreeMap<>(settings.toMap());
         map.put(KIND, settings.isConnected() ? TCP : IN_PROCESS);
         map.put(SOURCE, source);
+        start.ifPresent(begun -> {
+            map.put(STARTED_AT, begun.at().toString());
+            map.put(TIME_ZONE, begun.zone().getId());
+        });
         return JournalHeader.of(project, vocabulary, map);
     }
 
@@ -47,6 +77,15 @@ public record RunRecord(RunSettings settings, String source, String project, Map
             throw new IllegalArgumentException("it is not the journal of a run");
         }
         return new RunRecord(
-                RunSettings.fromMap(map), map.getOrDefault(SOURCE, ""), header.project(), header.vocabulary());
+                RunSettings.fromMap(map),
+                map.getOrDefault(SOURCE, ""),
+                header.project(),
+                header.vocabulary(),
+                start(map));
+    }
+
+    private static Optional<Start> start(Map<String, String> map) {
+        return Optional.ofNullable(map.get(STARTED_AT))
+                .map(at -> new Start(Instant.parse(at), ZoneId.of(map.getOrDefault(TIME_ZONE, "UTC"))));
     }
 }

@@ -21,7 +21,6 @@ import org.sami.spn.host.HostListener;
 import org.sami.spn.host.HostStatus;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Outcome;
-import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 
 /**
@@ -70,15 +69,18 @@ public final class InProcessRun {
         this.journal = journal;
         parameters = new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
         RunSettings.Fleet fleet = settings.fleet();
-        GeoPoint centre = new PlanLocations(plan.project(), plan.plan(), parameters.values())
-                .centre(SimulatedWater.CENTRE, fleet.areaM());
         harbour = new SimulatedHarbour();
         base = new BaseStation(plan, journal.inputs(), new ScheduledHostClock(clock), executor, harbour);
-        water = new SimulatedWater(clock, fleet, centre, boat -> base.boatListener());
+        water = new SimulatedWater(clock, fleet, boat -> base.boatListener());
         harbour.open(water, base);
         base.know(water.fleet().proxies());
         OperatorDefaults defaults = new OperatorDefaults(
-                water.quay(), centre, fleet.areaM(), fleet.locations(), fleet.seed(), fleet.boatNames());
+                water.quay(),
+                fleet.site().centreInProcess(),
+                fleet.areaM(),
+                fleet.locations(),
+                fleet.seed(),
+                fleet.boatNames());
         operator = new OperatorStation(
                 new SimulatedOperator(plan.vocabulary(), defaults, answers), clock, settings.answerAfterMillis());
         interrupts = new InterruptStation(
@@ -106,7 +108,7 @@ public final class InProcessRun {
         RunOutcome outcome = loop(pacer, observer);
         double wallSeconds = (System.nanoTime() - wallStart) / 1e9;
         List<BoatState> boats = water.boats();
-        return new ReportBuilder(plan, settings, recorder, journal.resumedFrom())
+        return new ReportBuilder(plan, settings, recorder, journal.resumedFrom(), water.plane())
                 .build(
                         new ReportBuilder.End(outcome, fault.orElse(""), now(), wallSeconds),
                         boats,

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.model.FieldSource;
@@ -18,21 +19,20 @@ import org.sami.spn.value.MapValue;
 import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.Value;
 
-/** The places on earth that a plan, those that it runs, and the global variables name: where its water must be. */
-final class PlanLocations {
-    /** The plane of the simulated water is exact to about this distance from its centre. */
-    static final double REACH_M = RunSettings.Fleet.LONGEST_AREA_M;
-
+/** The places on earth that a plan, those that it runs, and the global variables name: where its water should be. */
+public final class PlanLocations {
     private final List<GeoPoint> points = new ArrayList<>();
+    private final int ofPlan; // so many of the points are the plan's; those of the project's variables follow
 
     /**
      * Looks through a plan.
      *
      * @param parameters what it is given at its start
      */
-    PlanLocations(Project project, Plan plan, Collection<Value> parameters) {
+    public PlanLocations(Project project, Plan plan, Collection<Value> parameters) {
         parameters.forEach(this::add);
         add(project, plan, new HashSet<>());
+        ofPlan = points.size();
         project.globals().forEach(this::add);
     }
 
@@ -78,16 +78,23 @@ final class PlanLocations {
         }
     }
 
+    /** The first place that the plan or its parameters name and that is beyond the water around a centre. */
+    public Optional<GeoPoint> beyond(GeoPoint centre) {
+        return points.subList(0, ofPlan).stream()
+                .filter(point -> Geodesy.distanceM(centre, point) > Site.REACH_M)
+                .findFirst();
+    }
+
     /**
-     * Where the water's centre must be. It stays where it is while all places are in the area; else it is in the middle of those
+     * Where the centre suits the plan. It stays where it is while all places are in the area; else it is in the middle of those
      * that can be reached from the first one: what the plan names comes before what the project's variables hold.
      */
-    GeoPoint centre(GeoPoint usual, double areaM) {
+    public GeoPoint suitable(GeoPoint usual, double areaM) {
         if (points.stream().allMatch(p -> Geodesy.distanceM(usual, p) <= areaM / 2)) {
             return usual;
         }
         List<GeoPoint> near = points.stream()
-                .filter(p -> Geodesy.distanceM(points.get(0), p) <= REACH_M / 2)
+                .filter(p -> Geodesy.distanceM(points.get(0), p) <= Site.REACH_M / 2)
                 .toList();
         double latDeg = near.stream().mapToDouble(GeoPoint::latDeg).average().orElseThrow();
         double lonDeg = near.stream().mapToDouble(GeoPoint::lonDeg).average().orElseThrow();

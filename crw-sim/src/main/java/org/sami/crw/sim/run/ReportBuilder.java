@@ -3,15 +3,20 @@ package org.sami.crw.sim.run;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalLong;
+import org.sami.boat.server.LocalFrame;
 import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.InterruptResult;
 import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.sim.report.MapPoint;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.RunHeader;
 import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunPlace;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.report.RunResult;
+import org.sami.spn.value.GeoPoint;
 
 /** Puts the report of a run together. */
 public final class ReportBuilder {
@@ -19,17 +24,21 @@ public final class ReportBuilder {
     private final RunSettings settings;
     private final RunRecorder recorder;
     private final OptionalLong resumedFrom;
+    private final LocalFrame plane;
 
     /**
      * For one run.
      *
      * @param resumedFrom index of the last input that was taken from a journal
+     * @param plane around the area's centre
      */
-    public ReportBuilder(RunPlan plan, RunSettings settings, RunRecorder recorder, OptionalLong resumedFrom) {
+    public ReportBuilder(
+            RunPlan plan, RunSettings settings, RunRecorder recorder, OptionalLong resumedFrom, LocalFrame plane) {
         this.plan = plan;
         this.settings = settings;
         this.recorder = recorder;
         this.resumedFrom = resumedFrom;
+        this.plane = plane;
     }
 
     /**
@@ -56,10 +65,12 @@ public final class ReportBuilder {
                         new RunHeader(
                                 plan.plan().id(),
                                 plan.plan().title(),
+                                PlanHash.of(plan),
                                 settings.mission(),
                                 settings.fleet().seed(),
                                 settings.speed().toString(),
-                                settings.fleet().areaM()),
+                                settings.fleet().areaM(),
+                                place()),
                         new RunResult(
                                 end.outcome(),
                                 end.reason(),
@@ -76,6 +87,23 @@ public final class ReportBuilder {
                         interrupts,
                         notes(messages))
                 .withTasks(recorder.tasks());
+    }
+
+    private RunPlace place() {
+        RunSettings.Fleet fleet = settings.fleet();
+        Optional<GeoPoint> quay = settings.isConnected()
+                ? Optional.empty()
+                : Optional.of(fleet.site().quayInProcess(fleet.areaM()));
+        MapPoint centre = new MapPoint(plane.originLatDeg(), plane.originLonDeg(), 0, 0);
+        return new RunPlace(centre, quay.map(this::point));
+    }
+
+    private MapPoint point(GeoPoint at) {
+        return new MapPoint(
+                at.latDeg(),
+                at.lonDeg(),
+                plane.eastM(at.latDeg(), at.lonDeg()),
+                plane.northM(at.latDeg(), at.lonDeg()));
     }
 
     private List<NoteResult> notes(List<NoteResult> messages) {

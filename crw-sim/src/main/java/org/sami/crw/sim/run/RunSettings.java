@@ -53,8 +53,10 @@ public record RunSettings(
      * @param areaM side of the square in which locations lie, in metres
      * @param conditions on the water of boats in this process; others have their own
      * @param charges of the batteries of boats in this process; others have their own
+     * @param site where on earth that is
      */
-    public record Fleet(int boats, int locations, double areaM, long seed, Conditions conditions, Charges charges) {
+    public record Fleet(
+            int boats, int locations, double areaM, long seed, Conditions conditions, Charges charges, Site site) {
         /** The greatest number of boats (DESIGN, Numbers to design for). */
         public static final int MOST_BOATS = 250;
 
@@ -79,21 +81,27 @@ public record RunSettings(
                 throw new IllegalArgumentException(
                         "the batteries of " + boats + " boats have one charge for all or one for each, not " + charges);
             }
+            Objects.requireNonNull(site, "site");
         }
 
         /** A fleet with full batteries in calm water. */
         public Fleet(int boats, int locations, double areaM, long seed) {
-            this(boats, locations, areaM, seed, Conditions.CALM, Charges.FULL);
+            this(boats, locations, areaM, seed, Conditions.CALM, Charges.FULL, Site.USUAL);
         }
 
         /** The same fleet on other water. */
         public Fleet on(Conditions water) {
-            return new Fleet(boats, locations, areaM, seed, water, charges);
+            return new Fleet(boats, locations, areaM, seed, water, charges, site);
         }
 
         /** The same fleet with other charges. */
         public Fleet with(Charges others) {
-            return new Fleet(boats, locations, areaM, seed, conditions, others);
+            return new Fleet(boats, locations, areaM, seed, conditions, others, site);
+        }
+
+        /** The same fleet elsewhere. */
+        public Fleet at(Site other) {
+            return new Fleet(boats, locations, areaM, seed, conditions, charges, other);
         }
 
         /** The names of the boats, in order. */
@@ -132,6 +140,9 @@ public record RunSettings(
         if (!connect.isEmpty() && !fleet.charges().equals(Charges.FULL)) {
             throw new IllegalArgumentException("boats behind TCP have their own batteries: see crw boat --help");
         }
+        if (!connect.isEmpty() && fleet.site().quay().isPresent()) {
+            throw new IllegalArgumentException("boats behind TCP lie where they were started: see crw boat --help");
+        }
     }
 
     /** A run on boats in this process, in which nobody presses an interrupt. */
@@ -158,7 +169,8 @@ public record RunSettings(
                         fleet.areaM(),
                         fleet.seed(),
                         fleet.conditions(),
-                        fleet.charges()),
+                        fleet.charges(),
+                        fleet.site()),
                 Speed.REAL,
                 limitMillis,
                 parameters,
@@ -219,6 +231,7 @@ public record RunSettings(
             map.put(CONNECT, connect.stream().map(BoatAddress::toString).collect(Collectors.joining(",")));
         }
         map.putAll(fleet.conditions().toMap());
+        map.putAll(fleet.site().toMap());
         if (!fleet.charges().equals(Charges.FULL)) {
             map.put(BATTERY, fleet.charges().toString());
         }
@@ -247,7 +260,8 @@ public record RunSettings(
                 Double.parseDouble(needed(map, "areaM")),
                 Long.parseLong(needed(map, "seed")),
                 Conditions.fromMap(map),
-                map.containsKey(BATTERY) ? Charges.parse(map.get(BATTERY)) : Charges.FULL);
+                map.containsKey(BATTERY) ? Charges.parse(map.get(BATTERY)) : Charges.FULL,
+                Site.fromMap(map));
         String limit = map.get("limitMillis");
         return new RunSettings(
                 needed(map, "plan"),

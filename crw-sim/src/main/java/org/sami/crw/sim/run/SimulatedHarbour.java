@@ -52,7 +52,7 @@ final class SimulatedHarbour implements BoatConnector {
         }
         double eastM = fleet.frame().eastM(start.latDeg(), start.lonDeg());
         double northM = fleet.frame().northM(start.latDeg(), start.lonDeg());
-        if (Math.hypot(eastM, northM) > PlanLocations.REACH_M) {
+        if (Math.hypot(eastM, northM) > Site.REACH_M) {
             throw new IllegalArgumentException("boats would begin at " + start.latDeg() + ", " + start.lonDeg()
                     + ", which is beyond the simulated water");
         }

@@ -17,12 +17,6 @@ import org.sami.spn.value.GeoPoint;
 
 /** The simulated part of the world that is not the base: the area, the boats on it, and their time. */
 final class SimulatedWater {
-    /** Centre of the area of plans that name no place: open water of Lake Garda. */
-    static final GeoPoint CENTRE = GeoPoint.of(45.7000, 10.7200);
-
-    /** The boats' line lies this far south of the area. */
-    private static final double QUAY_M = 20;
-
     private static final double SPACING_M = 5;
 
     private final VirtualClock clock;
@@ -30,19 +24,16 @@ final class SimulatedWater {
     private final GeoPoint quay;
     private final SimulatedFleet fleet;
 
-    /**
-     * Boats lie along its southern side.
-     *
-     * @param centre of the area
-     */
-    SimulatedWater(
-            VirtualClock clock, RunSettings.Fleet settings, GeoPoint centre, Function<String, BoatListener> listeners) {
+    /** Water with boats in a line from west to east, whose middle is the quay. */
+    SimulatedWater(VirtualClock clock, RunSettings.Fleet settings, Function<String, BoatListener> listeners) {
         this.clock = clock;
+        GeoPoint centre = settings.site().centreInProcess();
         plane = new LocalFrame(centre.latDeg(), centre.lonDeg());
-        double eastM = -(settings.boats() - 1) * SPACING_M / 2;
-        double northM = -settings.areaM() / 2 - QUAY_M;
-        quay = GeoPoint.of(plane.latDeg(0, northM), plane.lonDeg(0, northM));
-        double farthestM = Math.hypot(settings.areaM() / 2 - eastM, settings.areaM() + QUAY_M);
+        quay = settings.site().quayInProcess(settings.areaM());
+        double eastM = plane.eastM(quay.latDeg(), quay.lonDeg()) - (settings.boats() - 1) * SPACING_M / 2;
+        double northM = plane.northM(quay.latDeg(), quay.lonDeg());
+        double half = settings.areaM() / 2;
+        double farthestM = Math.hypot(Math.abs(eastM) + half, Math.abs(northM) + half);
         BatteryThresholds thresholds = BatteryThresholds.forWayBackM(farthestM, HullConfig.DEFAULT);
         fleet = new SimulatedFleet(
                 clock,

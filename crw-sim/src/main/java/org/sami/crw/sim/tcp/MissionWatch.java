@@ -275,7 +275,7 @@ final class MissionWatch {
                                 .map(boat ->
                                         "; " + station.desk().link(boat.id()).why())
                                 .collect(Collectors.joining());
-        return new ReportBuilder(plan, settings, recorder, journal.resumedFrom())
+        return new ReportBuilder(plan, settings, recorder, journal.resumedFrom(), plane)
                 .build(
                         new ReportBuilder.End(outcome, why, atMillis, wallSeconds),
                         boats,

@@ -7,7 +7,7 @@ import org.sami.spn.value.GeoPoint;
 /**
  * What was found when the boats had answered for the first time; it stays so for the whole run.
  *
- * @param centre of the area in which the locations lie: the middle of the boats
+ * @param centre of the area in which the locations lie
  * @param boats their names in the order of their addresses
  */
 record SessionArea(GeoPoint centre, List<String> boats) {

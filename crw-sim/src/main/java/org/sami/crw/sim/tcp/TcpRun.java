@@ -14,6 +14,7 @@ import org.sami.crw.sim.run.Parameters;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.crw.sim.run.RunPlan;
 import org.sami.crw.sim.run.RunSettings;
+import org.sami.crw.sim.run.Site;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 
@@ -104,14 +105,16 @@ public final class TcpRun {
         return new MissionWatch(plan, settings, parameters, answers, journal, station, area);
     }
 
-    /** The area lies around the boats: where they are their locations are. */
-    private static SessionArea found(TcpStation station, RollCall roll, boolean ready) {
+    /** The area lies where somebody said, else around the boats. It stays there, whatever becomes of the run. */
+    private SessionArea found(TcpStation station, RollCall roll, boolean ready) {
         List<GeoPoint> positions = station.desk().positions();
-        GeoPoint centre = GeoPoint.of(
+        GeoPoint middle = GeoPoint.of(
                 positions.stream().mapToDouble(GeoPoint::latDeg).average().orElse(0),
                 positions.stream().mapToDouble(GeoPoint::lonDeg).average().orElse(0));
+        GeoPoint centre = settings.fleet().site().centre().orElse(middle);
         SessionArea area = new SessionArea(centre, roll.boats());
         if (ready) {
+            lines.accept("centre " + Site.words(centre));
             station.notes().area(area);
         }
         return area;

@@ -2,6 +2,7 @@ package org.sami.crw.sim.report;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Random;
 
@@ -9,6 +10,9 @@ import java.util.Random;
 final class SampleReport {
     private static final LinkResult LINK =
             new LinkResult("in-process", "boot1", 0, 0, new LinkResult.Uploads(3, 3, 2, 1), "it does what it should");
+
+    private static final RunPlace PLACE =
+            new RunPlace(new MapPoint(40, -80, 0, 0), Optional.of(new MapPoint(40 - 320 / 111_000.0, -80, 0, -320)));
 
     private SampleReport() {}
 
@@ -33,7 +37,7 @@ final class SampleReport {
             fleet.add(boat(b, boats, places));
         }
         return new RunReport(
-                new RunHeader("clv", "Cooperative Location Visit", "clv", 7, "max", 600),
+                new RunHeader("clv", "Cooperative Location Visit", "cd".repeat(32), "clv", 7, "max", 600, PLACE),
                 new RunResult(
                         RunOutcome.ABORTED, "by the user", 754_300, 1.25, 19, 23, OptionalLong.of(12), "ab".repeat(32)),
                 fleet,

@@ -39,9 +39,20 @@ class ConnectingRunTest {
     }
 
     private static RunReport run(String text) {
+        return run(text, Site.USUAL);
+    }
+
+    private static RunReport run(String text, Site site) {
         Project project = new ProjectReader(LIBRARY.vocabulary()).read(text).orThrow();
         RunSettings settings = new RunSettings(
-                "p", "p", new RunSettings.Fleet(2, 3, 200, 5), Speed.MAX, OptionalLong.of(60_000), Map.of(), 1000, "");
+                "p",
+                "p",
+                new RunSettings.Fleet(2, 3, 200, 5).at(site),
+                Speed.MAX,
+                OptionalLong.of(60_000),
+                Map.of(),
+                1000,
+                "");
         return new InProcessRun(
                         new RunPlan(
                                 LIBRARY.vocabulary(), project, project.plans().get(0)),
@@ -63,10 +74,10 @@ class ConnectingRunTest {
     }
 
     @Test
-    void simulatedBoatsLieWhereThePlanWantsThemAndTheWaterIsThere() {
+    void simulatedBoatsLieWhereThePlanWantsThem() {
         RunReport report = run(plan("""
                 {"id": "o", "type": "CreateSimulatedProxy", "fields": {"name": {"value": "Sim"},
-                 "startLocation": {"value": {"lat": 25.3542, "lon": 51.5283}}, "numberToCreate": {"value": 3}}}"""));
+                 "startLocation": {"value": {"lat": 25.3542, "lon": 51.5283}}, "numberToCreate": {"value": 3}}}"""), Site.at(DOHA));
 
         assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
         assertThat(report.boats()).map(BoatResult::id).containsExactly("boat1", "boat2", "Sim1", "Sim2", "Sim3");

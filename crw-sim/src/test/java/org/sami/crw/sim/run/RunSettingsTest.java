@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
@@ -14,6 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.hull.SensorSetting;
+import org.sami.spn.value.GeoPoint;
 
 class RunSettingsTest {
     private static final RunSettings FULL = new RunSettings(
@@ -53,6 +55,18 @@ class RunSettingsTest {
         assertThat(FULL.toMap()).doesNotContainKeys("current", "wind", "gpsNoiseM", "compassNoiseDeg", "sensors");
         assertThatThrownBy(() -> rough.connectedTo(BoatAddress.parseAll("quay:5002")))
                 .hasMessageContaining("their own water");
+    }
+
+    @Test
+    void comesBackWithItsPlaceOnEarth() {
+        Site site = new Site(Optional.of(GeoPoint.of(-12.25, 0.1 + 0.2)), Optional.of(GeoPoint.of(-12.2501, 0.3)));
+        RunSettings there = new RunSettings(
+                "visit", "visit", FULL.fleet().at(site), Speed.MAX, OptionalLong.empty(), Map.of(), 0, "");
+
+        assertThat(RunSettings.fromMap(there.toMap())).isEqualTo(there);
+        assertThat(FULL.toMap()).doesNotContainKeys("at", "quay");
+        assertThatThrownBy(() -> there.connectedTo(BoatAddress.parseAll("quay:5002")))
+                .hasMessageContaining("where they were started");
     }
 
     @ParameterizedTest
