@@ -6,7 +6,7 @@ import java.util.List;
 /** Finds the earliest combination of pending occurrences that enables a transition (SEMANTICS, Input events). */
 final class Combinations {
     /** Occurrences that enable a transition together. */
-    record Found(List<Pending> used, Relevant relevant, Pool.Reach reach) {}
+    record Found(List<Pending> used, Relevant relevant, Scope scope) {}
 
     private final Rules rules;
 
@@ -21,8 +21,8 @@ final class Combinations {
                 return null;
             }
         }
-        Pool.Reach reach = t.transition.reach();
-        if (!rules.enabling.isReady(t, reach) || !rules.enabling.meetsPlain(t, reach)) {
+        Scope.Reach reach = t.transition.reach();
+        if (!t.transition.checksReturns && !isPossible(t, Scope.of(reach))) {
             return null;
         }
         if (t.barrier != null) {
@@ -40,7 +40,12 @@ final class Combinations {
         return search(t, new ArrayList<>(), reach);
     }
 
-    private Found search(TransitionState t, List<Pending> chosen, Pool.Reach reach) {
+    /** Whether the marking allows it, whatever occurrences it uses; returns that it checks bind it to other tokens. */
+    private boolean isPossible(TransitionState t, Scope scope) {
+        return rules.enabling.isReady(t, scope) && rules.enabling.meetsPlain(t, scope);
+    }
+
+    private Found search(TransitionState t, List<Pending> chosen, Scope.Reach reach) {
         if (chosen.size() == t.queues.length) {
             return attempt(t, List.copyOf(chosen), reach);
         }
@@ -57,8 +62,11 @@ final class Combinations {
         return null;
     }
 
-    /** Those that name tokens must name the same ones; those that name none join with any. */
+    /** Those that name tokens must name the same ones; those that name none join with any, returns with those of their visit. */
     private static boolean joins(List<Pending> chosen, Pending p) {
+        if (excluded(chosen, p)) {
+            return false;
+        }
         if (p.names.length == 0) {
             return true;
         }
@@ -70,8 +78,20 @@ final class Combinations {
         return true;
     }
 
+    private static boolean excluded(List<Pending> chosen, Pending p) {
+        if (p.told == null) {
+            return false;
+        }
+        for (Pending other : chosen) {
+            if (other.told != null && p.told.excludes(other.told)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Waits until every robot or task in the watched places has reported, then uses all reports. */
-    private Found all(TransitionState t, Pool.Reach reach) {
+    private Found all(TransitionState t, Scope.Reach reach) {
         if (t.barrier.isEmpty()) {
             return null;
         }
@@ -84,7 +104,7 @@ final class Combinations {
         boolean somebody = false;
         for (TransitionState.Queue q : t.queues) {
             for (Pending p = q.first; p != null; p = p.next) {
-                if (p.names.length == 0 || stands(t, p)) {
+                if ((p.names.length == 0 || stands(t, p)) && !excluded(used, p)) {
                     used.add(p);
                     somebody |= p.names.length > 0;
                 }
@@ -104,8 +124,9 @@ final class Combinations {
         return false;
     }
 
-    private Found attempt(TransitionState t, List<Pending> used, Pool.Reach reach) {
+    private Found attempt(TransitionState t, List<Pending> used, Scope.Reach reach) {
         Relevant relevant = Relevant.of(used);
-        return rules.enabling.isEnabled(t, relevant, reach) ? new Found(used, relevant, reach) : null;
+        Scope scope = Scope.of(reach, used);
+        return rules.enabling.isEnabled(t, relevant, scope) ? new Found(used, relevant, scope) : null;
     }
 }

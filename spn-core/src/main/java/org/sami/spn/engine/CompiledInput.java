@@ -41,6 +41,11 @@ final class CompiledInput {
         return isPress(role);
     }
 
+    /** Whether it waits for a return of that value. */
+    boolean checks(String returnValue) {
+        return role == EventRole.CHECK_RETURN && returnValue.equals(selector);
+    }
+
     static boolean isPress(EventRole role) {
         return switch (role) {
             case INTERRUPT, GENERAL_INTERRUPT_RECEIVED, PROXY_INTERRUPT_RECEIVED, ABORT_RECEIVED, COMPLETE_RECEIVED ->

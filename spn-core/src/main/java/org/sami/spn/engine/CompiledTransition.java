@@ -7,6 +7,7 @@ import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.WaitFor;
+import org.sami.spn.vocabulary.EventRole;
 
 /** A transition with its edges; what the rules ask of it again and again is worked out here. */
 @SuppressWarnings("ArrayRecordComponent") // read in the innermost loops, never compared and never handed out
@@ -25,7 +26,7 @@ final class CompiledTransition {
     /** In places, each once, in in-edge order. */
     final CompiledPlace[] inPlaces;
 
-    private final Pool.Reach reach;
+    private final Scope.Reach reach;
     final boolean waitsForAll;
     /** Places in which every robot must report; empty where it does not wait for all. */
     final CompiledPlace[] watched;
@@ -35,6 +36,8 @@ final class CompiledTransition {
     final boolean speaksOfRelevant;
     /** Whether an out requirement speaks of sub-mission tokens. */
     final boolean wantsSubTokens;
+    /** Whether an input event checks the return value of a sub-mission. */
+    final boolean checksReturns;
     /** Whether an out requirement takes or consumes all tokens of any kind. */
     final boolean clears;
 
@@ -52,12 +55,13 @@ final class CompiledTransition {
         this.speaksOfRelevant =
                 anyIn(r -> r.kind() == TokenKind.RELEVANT) || anyOut(r -> r.kind() == TokenKind.RELEVANT);
         this.wantsSubTokens = anyOut(r -> r.kind() == TokenKind.SUB_MISSION_TOKENS);
+        this.checksReturns = List.of(inputs).stream().anyMatch(i -> i.role == EventRole.CHECK_RETURN);
         this.clears = anyOut(
                 r -> r.kind() == TokenKind.ANY_TOKEN && r.takesAll() && r.action() != org.sami.spn.model.Action.ADD);
     }
 
     /** How far its firings reach: what its input events allow. */
-    Pool.Reach reach() {
+    Scope.Reach reach() {
         return reach;
     }
 
@@ -97,10 +101,10 @@ final class CompiledTransition {
         return transition.name().isEmpty() ? transition.id() : transition.name();
     }
 
-    private static Pool.Reach reachOf(CompiledInput[] inputs) {
-        Pool.Reach widest = Pool.Reach.FREE;
+    private static Scope.Reach reachOf(CompiledInput[] inputs) {
+        Scope.Reach widest = Scope.Reach.FREE;
         for (CompiledInput input : inputs) {
-            Pool.Reach own = Enabling.reachOf(input.role);
+            Scope.Reach own = Enabling.reachOf(input.role);
             widest = own.compareTo(widest) > 0 ? own : widest;
         }
         return widest;

@@ -74,13 +74,12 @@ final class Drops {
             List<Instance> instances = new ArrayList<>();
             place.instanceVisits().values().forEach(v -> instances.addAll(v.instances));
             for (SharedRun run : place.shared) {
-                instances.add(run.instance);
-                run.returns.forEach(r -> r.tokens().removeIf(token::equals));
+                rules.sharedInstances.forget(run, token);
             }
             for (Instance i : instances) {
                 i.returned.removeIf(token::equals);
                 boolean started = i.starting.removeIf(token::equals);
-                if (started && i.starting.isEmpty() && !i.isShared() && i.child != null) {
+                if (started && i.starting.isEmpty() && i.child != null) {
                     i.status = Instance.Status.ABORTED;
                     rules.missionEnd.stopSilently(i.child, Outcome.ABORTED);
                 }
@@ -118,6 +117,7 @@ final class Drops {
         for (Entry e : removed) {
             rules.leaving.left(e, before, true);
         }
+        rules.sharedInstances.pulled(removed, List.of());
     }
 
     private void withdrawCommands(Mission m, Token token) {

@@ -15,63 +15,77 @@ final class Enabling {
         this.rules = rules;
     }
 
-    boolean isEnabled(TransitionState t, Relevant relevant, Pool.Reach reach) {
-        return isReady(t, reach) && meetsPlain(t, reach) && meetsRelevant(t, relevant, reach);
+    boolean isEnabled(TransitionState t, Relevant relevant, Scope scope) {
+        return isReady(t, scope) && meetsPlain(t, scope) && meetsRelevant(t, relevant, scope);
     }
 
     /** Whether no in place makes it wait for a sub-mission. */
-    boolean isReady(TransitionState t, Pool.Reach reach) {
-        if (reach != Pool.Reach.FREE) {
+    boolean isReady(TransitionState t, Scope scope) {
+        if (scope.reach == Scope.Reach.ALL) {
             return true;
         }
         for (CompiledPlace place : t.transition.inPlaces) {
-            if (!isReady(t, place)) {
+            if (!isReady(t, place, scope)) {
                 return false;
             }
         }
-        return !t.transition.wantsSubTokens || somethingReturned(t);
+        return !t.transition.wantsSubTokens || somethingReturned(t, scope);
     }
 
-    /** Whether an in place has a completion for a transition that speaks of sub-mission tokens. */
-    boolean somethingReturned(TransitionState t) {
+    /** Whether an in place has a completion for a transition that speaks of sub-mission tokens: it fires for each once. */
+    boolean somethingReturned(TransitionState t, Scope scope) {
         boolean possible = false;
         for (CompiledPlace place : t.transition.inPlaces) {
-            PlaceState state = t.mission.places[place.index];
-            if (!place.dynamic.isEmpty()) {
-                possible = true;
-                if (state != null && !state.instanceVisits().isEmpty() && isReady(t, place)) {
-                    return true;
-                }
-            } else if (!place.shared.isEmpty()) {
-                return true;
+            if (scope.reach != Scope.Reach.FREE || !place.shared.isEmpty()) {
+                return true; // its return is the completion
             }
+            possible |= !place.dynamic.isEmpty();
         }
-        return !possible;
+        return !possible || anyVisit(t, scope, v -> v.complete() && (!v.used || v.hasSubTokens()));
     }
 
-    boolean isReady(TransitionState t, CompiledPlace place) {
-        PlaceState state = t.mission.places[place.index];
-        for (int i = 0; i < place.shared.size(); i++) {
-            if (state == null || state.shared.length <= i || state.shared[i].returns.isEmpty()) {
-                return false;
-            }
-        }
-        if (place.dynamic.isEmpty() || state == null || state.instanceVisits().isEmpty()) {
-            return true;
-        }
-        for (Visit v : state.instanceVisits().values()) {
-            if (v.complete() && (!t.transition.wantsSubTokens || !v.used || v.hasSubTokens())) {
+    private static boolean anyVisit(TransitionState t, Scope scope, Predicate<Visit> test) {
+        for (CompiledPlace place : t.transition.inPlaces) {
+            PlaceState state = t.mission.places[place.index];
+            if (state != null && anyVisit(state, scope, test)) {
                 return true;
             }
         }
         return false;
     }
 
+    private static boolean anyVisit(PlaceState place, Scope scope, Predicate<Visit> test) {
+        Visit bound = scope.visitIn(place);
+        for (Visit v : place.instanceVisits().values()) {
+            if ((bound == null || bound == v) && test.test(v)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    boolean isReady(TransitionState t, CompiledPlace place, Scope scope) {
+        PlaceState state = t.mission.places[place.index];
+        for (int i = 0; i < place.shared.size(); i++) {
+            if (state == null || state.shared.length <= i) {
+                return false;
+            }
+            if (scope.needsReturn(state.shared[i]) && scope.returnOf(state.shared[i]) == null) {
+                return false;
+            }
+        }
+        return state == null || state.instanceVisits().isEmpty() || anyVisit(state, scope, v -> isOver(v, scope));
+    }
+
+    private static boolean isOver(Visit v, Scope scope) {
+        return v.complete() || (scope.reach == Scope.Reach.ABORTED && v.leftByAborted());
+    }
+
     /** Requirements that do not depend on occurrences. */
-    boolean meetsPlain(TransitionState t, Pool.Reach reach) {
+    boolean meetsPlain(TransitionState t, Scope scope) {
         for (CompiledTransition.In in : t.transition.ins) {
             for (InRequirement r : in.requirements()) {
-                if (r.kind() != TokenKind.RELEVANT && !isMet(t, in.place(), r, Relevant.NOBODY, reach)) {
+                if (r.kind() != TokenKind.RELEVANT && !isMet(t, in.place(), r, Relevant.NOBODY, scope)) {
                     return false;
                 }
             }
@@ -79,10 +93,10 @@ final class Enabling {
         return true;
     }
 
-    private boolean meetsRelevant(TransitionState t, Relevant relevant, Pool.Reach reach) {
+    private boolean meetsRelevant(TransitionState t, Relevant relevant, Scope scope) {
         for (CompiledTransition.In in : t.transition.ins) {
             for (InRequirement r : in.requirements()) {
-                if (r.kind() == TokenKind.RELEVANT && !isMet(t, in.place(), r, relevant, reach)) {
+                if (r.kind() == TokenKind.RELEVANT && !isMet(t, in.place(), r, relevant, scope)) {
                     return false;
                 }
             }
@@ -90,15 +104,15 @@ final class Enabling {
         return true;
     }
 
-    boolean isMet(TransitionState t, CompiledPlace place, InRequirement r, Relevant relevant, Pool.Reach reach) {
+    boolean isMet(TransitionState t, CompiledPlace place, InRequirement r, Relevant relevant, Scope scope) {
         if (r.kind() == TokenKind.UNCONDITIONAL) {
             return true;
         }
         PlaceState state = t.mission.places[place.index];
         if (r.match() == Match.ALL) {
-            return state == null ? relevant.names.length == 0 : allHere(state, relevant, reach);
+            return state == null ? relevant.names.length == 0 : allHere(state, relevant, scope);
         }
-        int n = state == null ? 0 : count(state, r, relevant, reach);
+        int n = state == null ? 0 : count(state, r, relevant, scope);
         return switch (r.match()) {
             case ZERO -> n == 0;
             case LESS_THAN -> n < r.n();
@@ -108,11 +122,11 @@ final class Enabling {
     }
 
     /** For every name one of its tokens is here. */
-    private boolean allHere(PlaceState state, Relevant relevant, Pool.Reach reach) {
+    private boolean allHere(PlaceState state, Relevant relevant, Scope scope) {
         for (Name n : relevant.names) {
             boolean here = false;
             for (int i = 0; i < n.tokens.length && !here; i++) {
-                here = rules.pool.copies(state, n.tokens[i], reach) > 0;
+                here = rules.pool.copies(state, n.tokens[i], scope) > 0;
             }
             if (!here) {
                 return false;
@@ -122,8 +136,8 @@ final class Enabling {
     }
 
     /** What a requirement counts: the pool where it wants tokens, everything that stands here where it inhibits. */
-    int count(PlaceState state, InRequirement r, Relevant relevant, Pool.Reach reach) {
-        Pool.Reach counted = r.match() == Match.AT_LEAST ? reach : Pool.Reach.ALL;
+    int count(PlaceState state, InRequirement r, Relevant relevant, Scope scope) {
+        Scope counted = r.match() == Match.AT_LEAST ? scope : Scope.of(Scope.Reach.ALL);
         Pool pool = rules.pool;
         return switch (r.kind()) {
             case GENERIC -> pool.count(state, Entry.GENERIC, counted);
@@ -174,10 +188,10 @@ final class Enabling {
         };
     }
 
-    static Pool.Reach reachOf(EventRole role) {
+    static Scope.Reach reachOf(EventRole role) {
         if (CompiledInput.isPress(role)) {
-            return Pool.Reach.ALL;
+            return Scope.Reach.ALL;
         }
-        return role == EventRole.SUB_MISSION_ABORTED ? Pool.Reach.ABORTED : Pool.Reach.FREE;
+        return role == EventRole.SUB_MISSION_ABORTED ? Scope.Reach.ABORTED : Scope.Reach.FREE;
     }
 }

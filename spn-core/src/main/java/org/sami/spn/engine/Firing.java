@@ -31,15 +31,15 @@ final class Firing {
     /** Looks at a transition whose turn it is on the work list. */
     void lookAt(TransitionState t) {
         if (!t.transition.hasInputs()) {
-            if (rules.enabling.isEnabled(t, Relevant.NOBODY, Pool.Reach.FREE) && mayFire(t)) {
-                fire(t, List.of(), Relevant.NOBODY, Pool.Reach.FREE);
+            if (rules.enabling.isEnabled(t, Relevant.NOBODY, Scope.FREE) && mayFire(t)) {
+                fire(t, List.of(), Relevant.NOBODY, Scope.FREE);
             }
             return;
         }
         if (t.pending > 0) {
             Combinations.Found found = combinations.find(t);
             if (found != null && mayFire(t)) {
-                fire(t, found.used(), found.relevant(), found.reach());
+                fire(t, found.used(), found.relevant(), found.scope());
                 if (t.pending > 0 && t.mission.runs()) {
                     rules.work.add(t);
                 }
@@ -63,10 +63,10 @@ final class Firing {
         return true;
     }
 
-    private void fire(TransitionState t, List<Pending> used, Relevant relevant, Pool.Reach reach) {
+    private void fire(TransitionState t, List<Pending> used, Relevant relevant, Scope scope) {
         Mission m = t.mission;
         CompiledTransition ct = t.transition;
-        Selection.Selected selected = rules.selection.select(t, relevant, reach);
+        Selection.Selected selected = rules.selection.select(t, relevant, scope);
         long before = rules.state.stamp;
         rules.state.firings++;
         List<Occurrence> occurrences = new ArrayList<>(used.size());
@@ -80,14 +80,17 @@ final class Firing {
             rules.note(NoteKind.SHORT_OF_TOKENS, m.id, "'" + ct + "' found " + shortOf);
         }
         boolean ending = ends(m, ct);
-        List<Visit> nobody = endingVisitsByNobody(m, ct, used, reach);
+        List<Visit> nobody = endingVisitsByNobody(m, ct, used, scope.reach);
         List<Visit> entered = move(m, ct, selected);
-        if (reach == Pool.Reach.ALL) {
+        if (scope.reach == Scope.Reach.ALL) {
             withdrawCommands(m, selected.removed);
         }
-        useReturns(m, ct, selected, reach);
+        List<Return> returns = useReturns(m, ct, selected, scope);
         for (Entry e : selected.removed) {
-            rules.leaving.left(e, before, reach != Pool.Reach.FREE);
+            rules.leaving.left(e, before, scope.reach != Scope.Reach.FREE);
+        }
+        if (scope.reach != Scope.Reach.FREE) {
+            rules.sharedInstances.pulled(selected.removed, returns);
         }
         nobody.forEach(rules.visits::end);
         write(m, used);
@@ -146,27 +149,33 @@ final class Firing {
         return entered;
     }
 
-    private void useReturns(Mission m, CompiledTransition t, Selection.Selected selected, Pool.Reach reach) {
+    /** Uses up completions and returns of sub-missions; the returns of static instances that it used. */
+    private List<Return> useReturns(Mission m, CompiledTransition t, Selection.Selected selected, Scope scope) {
         for (Selection.UsedReturn used : selected.usedReturns) {
             used.instance().returned.remove(used.token());
         }
-        if (reach == Pool.Reach.ALL) {
-            return;
-        }
+        List<Return> result = new ArrayList<>(0);
         for (CompiledPlace place : t.inPlaces) {
             PlaceState state = m.places[place.index];
             if (state == null) {
                 continue;
             }
-            if (t.wantsSubTokens) {
+            if (t.wantsSubTokens && scope.reach != Scope.Reach.ALL) {
+                Visit bound = scope.visitIn(state);
                 for (Visit v : state.instanceVisits().values()) {
-                    v.used |= v.complete();
+                    v.used |= v.complete() && (bound == null || bound == v);
                 }
             }
             for (SharedRun run : state.shared) {
-                run.returns.poll();
+                Return used = scope.returnOf(run);
+                if (used != null) {
+                    result.add(used);
+                }
             }
         }
+        scope.checked.forEach(rules.pendings::over);
+        result.forEach(rules.sharedInstances::over);
+        return result;
     }
 
     private void withdrawCommands(Mission m, List<Entry> removed) {
@@ -191,7 +200,7 @@ final class Firing {
      * a place have instances, one completion lets the transition fire: whose instances still run goes on.
      */
     private static List<Visit> endingVisitsByNobody(
-            Mission m, CompiledTransition t, List<Pending> used, Pool.Reach reach) {
+            Mission m, CompiledTransition t, List<Pending> used, Scope.Reach reach) {
         List<Visit> ending = List.of();
         for (CompiledPlace place : t.inPlaces) {
             PlaceState state = m.places[place.index];
@@ -199,7 +208,7 @@ final class Firing {
                 continue;
             }
             for (Visit v : state.nobody) {
-                boolean goesOn = reach != Pool.Reach.ALL && v.hasRunning();
+                boolean goesOn = reach != Scope.Reach.ALL && v.hasRunning();
                 if (!goesOn && (!t.hasInputs() || t.clears || answers(used, v))) {
                     ending = ending.isEmpty() ? new ArrayList<>() : ending;
                     ending.add(v);

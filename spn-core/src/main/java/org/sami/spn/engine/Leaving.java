@@ -19,7 +19,7 @@ final class Leaving {
     }
 
     /**
-     * Ends what hung on a token that was taken out.
+     * Ends what hung on a token that was taken out; what static instances have of it, {@link SharedInstances#pulled} says.
      *
      * @param before the stamp before the firing: what entered later has a greater order
      * @param withdraw whether it is to be taken out of running instances too (interrupts, abort, complete, dropped robots)
@@ -36,11 +36,6 @@ final class Leaving {
                 if (withdraw) {
                     rules.subMissions.withdraw(i, e.token);
                 }
-            }
-        }
-        if (withdraw) {
-            for (SharedRun run : e.place.shared) {
-                rules.subMissions.withdraw(run.instance, e.token);
             }
         }
         if (v.live == 0) {

@@ -10,6 +10,8 @@ final class Pending {
     final Sent answered;
     /** A visit with whose end it goes, though it answers no activation; else null. */
     final Visit bound;
+    /** The return whose value it tells; else null. */
+    final Return told;
 
     Name[] names = {};
     int namesLeft;
@@ -22,10 +24,20 @@ final class Pending {
         this.input = input;
         this.answered = answered;
         this.bound = bound;
+        this.told = null;
+    }
+
+    /** Tells the value of a return. */
+    Pending(Occurrence occurrence, CompiledInput input, Return told) {
+        this.occurrence = occurrence;
+        this.input = input;
+        this.answered = null;
+        this.bound = told.visit();
+        this.told = told;
     }
 
     boolean isNews() {
-        return answered == null && bound == null;
+        return answered == null && bound == null && told == null;
     }
 
     /** The visit with whose end it goes where it names nobody, or null. */

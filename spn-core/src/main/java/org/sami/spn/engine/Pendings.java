@@ -2,11 +2,16 @@ package org.sami.spn.engine;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.Reserved;
 
 /** Occurrences that transitions have received and not used (SEMANTICS, Input events, Pending). */
 final class Pendings {
@@ -56,6 +61,41 @@ final class Pendings {
         }
         t.add(p);
         rules.work.add(t);
+    }
+
+    /** Tells all transitions that check it the value of a return: one occurrence for all of them. */
+    void tell(Return r) {
+        Mission m = r.place().mission;
+        if (r.over || !m.runs() || (r.visit() != null && r.visit().ended)) {
+            return;
+        }
+        for (CompiledTransition t : r.place().place.outTransitions) {
+            for (CompiledInput input : t.inputs) {
+                if (input.checks(r.value)) {
+                    Map<String, Value> values = Map.of(Reserved.VALUE, new TextValue(r.value));
+                    Occurrence o = new Occurrence(input.spec.type(), m.id, Ids.NONE, List.of(), List.of(), values);
+                    add(m.transition(t.index), new Pending(o, input, r));
+                }
+            }
+        }
+    }
+
+    /** A return was used or is void: no transition hears of its value any longer. */
+    void over(Return r) {
+        r.over = true;
+        for (CompiledTransition ct : r.place().place.outTransitions) {
+            TransitionState t = r.place().mission.transitions[ct.index];
+            if (t == null || !ct.checksReturns) {
+                continue;
+            }
+            for (TransitionState.Queue q : t.queues) {
+                for (Pending p = q.first; p != null; p = p.next) {
+                    if (p.told == r) {
+                        t.remove(p);
+                    }
+                }
+            }
+        }
     }
 
     /** The tokens that a name speaks of. */

@@ -10,33 +10,25 @@ import org.sami.spn.protocol.Token;
  * (SEMANTICS, Requirements and Sub-missions).
  */
 final class Pool {
-    /** How far a firing reaches. */
-    enum Reach {
-        /** Not what instances hold; of a static place only what the oldest unused return brought back. */
-        FREE,
-        /** Also what aborted instances left behind. */
-        ABORTED,
-        /** Everything: interrupts, abort and complete. */
-        ALL
-    }
-
     /** How many tokens of a kind the pool has. */
-    int count(PlaceState place, int kind, Reach reach) {
-        if (reach == Reach.ALL) {
-            return place.count[kind];
+    int count(PlaceState place, int kind, Scope scope) {
+        if (scope.checked.isEmpty()) {
+            if (scope.reach == Scope.Reach.ALL) {
+                return place.count[kind];
+            }
+            if (scope.reach == Scope.Reach.FREE && place.shared.length == 0) {
+                return place.count[kind] - place.held[kind];
+            }
         }
-        if (reach == Reach.FREE && place.shared.length == 0) {
-            return place.count[kind] - place.held[kind];
-        }
-        return count(place, kind, reach, t -> true);
+        return count(place, kind, scope, t -> true);
     }
 
     /** How many tokens of a kind the pool has that fit. */
-    int count(PlaceState place, int kind, Reach reach, Predicate<Token> fits) {
-        List<Entry> returned = limits(place, reach) ? returned(place) : null;
+    int count(PlaceState place, int kind, Scope scope, Predicate<Token> fits) {
+        List<Entry> returned = returned(place, scope);
         int n = 0;
         for (Entry e = place.first[kind]; e != null; e = e.nextOfKind) {
-            if (fits.test(e.token) && usable(e, reach, returned)) {
+            if (fits.test(e.token) && usable(e, scope, returned)) {
                 n++;
             }
         }
@@ -44,15 +36,15 @@ final class Pool {
     }
 
     /** How many copies of a proxy or task token the pool has. */
-    int copies(PlaceState place, Token token, Reach reach) {
+    int copies(PlaceState place, Token token, Scope scope) {
         Entry e = place.find(token);
         if (e == null) {
             return 0;
         }
-        List<Entry> returned = limits(place, reach) ? returned(place) : null;
+        List<Entry> returned = returned(place, scope);
         int n = 0;
         for (; e != null; e = e.nextCopy) {
-            if (usable(e, reach, returned)) {
+            if (usable(e, scope, returned)) {
                 n++;
             }
         }
@@ -60,11 +52,11 @@ final class Pool {
     }
 
     /** Adds the oldest tokens of a kind that fit, at most so many; says how many were added. */
-    int collect(PlaceState place, int kind, int limit, Reach reach, Predicate<Token> fits, List<Entry> into) {
-        List<Entry> returned = limits(place, reach) ? returned(place) : null;
+    int collect(PlaceState place, int kind, int limit, Scope scope, Predicate<Token> fits, List<Entry> into) {
+        List<Entry> returned = returned(place, scope);
         int n = 0;
         for (Entry e = place.first[kind]; e != null && n < limit; e = e.nextOfKind) {
-            if ((fits == null || fits.test(e.token)) && usable(e, reach, returned)) {
+            if ((fits == null || fits.test(e.token)) && usable(e, scope, returned)) {
                 into.add(e);
                 n++;
             }
@@ -73,7 +65,7 @@ final class Pool {
     }
 
     /** Adds the oldest tokens of any kind, at most so many; says how many were added. */
-    int collectAny(PlaceState place, int limit, Reach reach, List<Entry> into) {
+    int collectAny(PlaceState place, int limit, Scope scope, List<Entry> into) {
         int kinds = 0;
         int only = 0;
         for (int k = 0; k < Entry.KINDS; k++) {
@@ -83,15 +75,15 @@ final class Pool {
             }
         }
         if (kinds <= 1) {
-            return collect(place, only, limit, reach, null, into);
+            return collect(place, only, limit, scope, null, into);
         }
-        List<Entry> returned = limits(place, reach) ? returned(place) : null;
+        List<Entry> returned = returned(place, scope);
         int n = 0;
         for (Entry e : place.inOrder()) {
             if (n == limit) {
                 break;
             }
-            if (usable(e, reach, returned)) {
+            if (usable(e, scope, returned)) {
                 into.add(e);
                 n++;
             }
@@ -100,15 +92,15 @@ final class Pool {
     }
 
     /** Adds every copy of a proxy or task token; says how many were added. */
-    int collectCopies(PlaceState place, Token token, Reach reach, List<Entry> into) {
+    int collectCopies(PlaceState place, Token token, Scope scope, List<Entry> into) {
         Entry e = place.find(token);
         if (e == null) {
             return 0;
         }
-        List<Entry> returned = limits(place, reach) ? returned(place) : null;
+        List<Entry> returned = returned(place, scope);
         int n = 0;
         for (; e != null; e = e.nextCopy) {
-            if (usable(e, reach, returned)) {
+            if (usable(e, scope, returned)) {
                 into.add(e);
                 n++;
             }
@@ -116,46 +108,44 @@ final class Pool {
         return n;
     }
 
-    /** The parent's tokens that the oldest unused returns of static instances brought back: one copy for each. */
-    List<Entry> returned(PlaceState place) {
-        List<Entry> result = new ArrayList<>();
+    /**
+     * The tokens of a place that the returns used by a firing brought back, in order of entry; null where no static instance
+     * limits the firing. A token is free when every static instance on the place has brought it back.
+     */
+    List<Entry> returned(PlaceState place, Scope scope) {
+        List<Entry> result = null;
         for (SharedRun run : place.shared) {
-            SharedRun.Return oldest = run.returns.peek();
-            if (oldest != null) {
-                for (Token token : oldest.tokens()) {
-                    Entry e = Entry.kindOf(token) == Entry.GENERIC ? place.first[Entry.GENERIC] : place.find(token);
-                    while (e != null && result.contains(e)) {
-                        e = e.kind == Entry.GENERIC ? e.nextOfKind : e.nextCopy;
-                    }
-                    if (e != null) {
-                        result.add(e);
-                    }
+            if (scope.needsReturn(run)) {
+                if (result == null) {
+                    result = place.inOrder();
+                    result.removeIf(e -> !standsFree(e, scope));
                 }
+                keepEqual(result, scope.returnOf(run));
             }
         }
         return result;
     }
 
-    /** Whether only what static instances brought back can be used. */
-    private static boolean limits(PlaceState place, Reach reach) {
-        if (place.shared.length == 0 || reach == Reach.ALL) {
-            return false;
-        }
-        for (SharedRun run : place.shared) {
-            if (reach == Reach.ABORTED && run.instance.status == Instance.Status.ABORTED) {
-                return false;
-            }
-        }
-        return true;
+    /** Keeps the oldest of those equal to what returned, one for one. */
+    private static void keepEqual(List<Entry> entries, Return returned) {
+        List<Token> left = returned == null ? new ArrayList<>() : new ArrayList<>(returned.tokens);
+        entries.removeIf(e -> !left.remove(e.token));
     }
 
-    private static boolean usable(Entry e, Reach reach, List<Entry> returned) {
-        if (reach == Reach.ALL) {
-            return true;
-        }
-        if (returned != null && !returned.contains(e)) {
+    private static boolean usable(Entry e, Scope scope, List<Entry> returned) {
+        return returned == null ? standsFree(e, scope) : returned.contains(e);
+    }
+
+    /** Whether no dynamic instance holds a token back, and no checked return binds the firing to another visit. */
+    private static boolean standsFree(Entry e, Scope scope) {
+        Visit bound = scope.checked.isEmpty() ? null : scope.visitIn(e.place);
+        if (bound != null && bound != e.visit) {
             return false;
         }
-        return !e.visit.held || (reach == Reach.ABORTED && e.visit.hasAborted());
+        return switch (scope.reach) {
+            case FREE -> !e.visit.held;
+            case ABORTED -> !e.visit.held || e.visit.leftByAborted();
+            case ALL -> true;
+        };
     }
 }

@@ -42,14 +42,16 @@ final class ReturnedTokens {
         this.left = requirement.takesAll() ? Integer.MAX_VALUE : requirement.n();
     }
 
-    void select(Pool.Reach reach) {
+    void select(Scope scope) {
         for (CompiledPlace place : t.transition.inPlaces) {
             PlaceState state = t.mission.places[place.index];
             if (state != null) {
-                selectReturns(state, reach);
+                List<Entry> returned = rules.pool.returned(state, scope);
+                selectReturns(state, scope, returned);
+                Visit bound = scope.visitIn(state);
                 for (Visit v : state.instanceVisits().values()) {
-                    if (v.complete()) {
-                        selectVisit(v);
+                    if (v.complete() && (bound == null || bound == v)) {
+                        selectVisit(v, returned);
                     }
                 }
             }
@@ -59,17 +61,10 @@ final class ReturnedTokens {
         }
     }
 
-    private void selectReturns(PlaceState state, Pool.Reach reach) {
-        if (state.shared.length == 0) {
-            return;
-        }
-        List<Entry> entries = rules.pool.returned(state);
+    private void selectReturns(PlaceState state, Scope scope, List<Entry> entries) {
         for (SharedRun run : state.shared) {
-            SharedRun.Return oldest = run.returns.peek();
-            if (oldest == null || reach == Pool.Reach.ALL) {
-                continue;
-            }
-            for (Token token : oldest.tokens()) {
+            Return used = scope.returnOf(run);
+            for (Token token : used == null ? List.<Token>of() : used.tokens) {
                 Entry standing = null;
                 for (Entry e : entries) {
                     if (e.token.equals(token) && e.pickedBy != pick) {
@@ -82,17 +77,17 @@ final class ReturnedTokens {
         }
     }
 
-    private void selectVisit(Visit v) {
+    private void selectVisit(Visit v, List<Entry> free) {
         for (Instance instance : v.instances) {
             for (Token token : instance.returned) {
-                use(instance, token, standing(v, token));
+                use(instance, token, standing(v, token, free));
             }
         }
     }
 
-    private Entry standing(Visit v, Token token) {
+    private Entry standing(Visit v, Token token, List<Entry> free) {
         for (Entry e = v.first; e != null; e = e.nextOfVisit) {
-            if (e.pickedBy != pick && e.token.equals(token)) {
+            if (e.pickedBy != pick && e.token.equals(token) && (free == null || free.contains(e))) {
                 return e;
             }
         }

@@ -37,7 +37,7 @@ final class Selection {
         this.rules = rules;
     }
 
-    Selected select(TransitionState t, Relevant relevant, Pool.Reach reach) {
+    Selected select(TransitionState t, Relevant relevant, Scope scope) {
         Selected result = new Selected();
         long firing = ++rules.state.stamp;
         for (CompiledTransition.Out out : t.transition.outs) {
@@ -45,7 +45,7 @@ final class Selection {
             long edge = ++rules.state.stamp;
             result.made.clear();
             for (OutRequirement r : out.requirements()) {
-                select(t, out, r, relevant, reach, result, added, firing, edge);
+                select(t, out, r, relevant, scope, result, added, firing, edge);
             }
             result.added.add(added);
         }
@@ -57,7 +57,7 @@ final class Selection {
             CompiledTransition.Out out,
             OutRequirement r,
             Relevant relevant,
-            Pool.Reach reach,
+            Scope scope,
             Selected result,
             List<Token> added,
             long firing,
@@ -81,14 +81,14 @@ final class Selection {
             return;
         }
         if (r.kind() == TokenKind.SUB_MISSION_TOKENS) {
-            new ReturnedTokens(rules, t, out, r, result, added, firing, edge).select(reach);
+            new ReturnedTokens(rules, t, out, r, result, added, firing, edge).select(scope);
             return;
         }
         picked.clear();
         if (r.kind() == TokenKind.RELEVANT) {
-            pickRelevant(t, relevant, reach, result);
+            pickRelevant(t, relevant, scope, result);
         } else {
-            pick(t, r, reach, result);
+            pick(t, r, scope, result);
         }
         for (Entry e : picked) {
             use(e, r.action(), out, result, added, firing, edge);
@@ -130,13 +130,13 @@ final class Selection {
         result.moves.add(new TokenMove(token, Optional.empty(), out.place().inMoves));
     }
 
-    private void pick(TransitionState t, OutRequirement r, Pool.Reach reach, Selected result) {
+    private void pick(TransitionState t, OutRequirement r, Scope scope, Selected result) {
         int wanted = r.takesAll() ? Integer.MAX_VALUE : r.n();
         int found = 0;
         for (CompiledPlace place : t.transition.inPlaces) {
             PlaceState state = t.mission.places[place.index];
             if (state != null && found < wanted) {
-                found += pickIn(state, r, wanted - found, reach);
+                found += pickIn(state, r, wanted - found, scope);
             }
         }
         if (!r.takesAll() && found < wanted) {
@@ -144,24 +144,24 @@ final class Selection {
         }
     }
 
-    private int pickIn(PlaceState state, OutRequirement r, int limit, Pool.Reach reach) {
+    private int pickIn(PlaceState state, OutRequirement r, int limit, Scope scope) {
         Pool pool = rules.pool;
         return switch (r.kind()) {
-            case GENERIC -> pool.collect(state, Entry.GENERIC, limit, reach, null, picked);
-            case ANY_PROXY -> pool.collect(state, Entry.PROXY, limit, reach, null, picked);
-            case ANY_TASK -> pool.collect(state, Entry.TASK, limit, reach, null, picked);
-            case TASK -> pool.collect(state, Entry.TASK, limit, reach, rules.enabling.isTask(r.task()), picked);
-            default -> pool.collectAny(state, limit, reach, picked);
+            case GENERIC -> pool.collect(state, Entry.GENERIC, limit, scope, null, picked);
+            case ANY_PROXY -> pool.collect(state, Entry.PROXY, limit, scope, null, picked);
+            case ANY_TASK -> pool.collect(state, Entry.TASK, limit, scope, null, picked);
+            case TASK -> pool.collect(state, Entry.TASK, limit, scope, rules.enabling.isTask(r.task()), picked);
+            default -> pool.collectAny(state, limit, scope, picked);
         };
     }
 
-    private void pickRelevant(TransitionState t, Relevant relevant, Pool.Reach reach, Selected result) {
+    private void pickRelevant(TransitionState t, Relevant relevant, Scope scope, Selected result) {
         CompiledPlace[] places = t.transition.inPlaces;
         for (Token token : relevant.tokens) {
             for (CompiledPlace place : places) {
                 PlaceState state = t.mission.places[place.index];
                 if (state != null) {
-                    rules.pool.collectCopies(state, token, reach, picked);
+                    rules.pool.collectCopies(state, token, scope, picked);
                 }
             }
         }

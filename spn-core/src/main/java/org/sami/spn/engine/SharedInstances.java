@@ -3,6 +3,7 @@ package org.sami.spn.engine;
 import java.util.ArrayList;
 import java.util.List;
 import org.sami.spn.model.SubMissionSpec;
+import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Token;
 
 /** Static sub-missions: one instance per parent mission, joined by entering tokens, returning through end places. */
@@ -81,13 +82,86 @@ final class SharedInstances {
 
     private void give(Instance instance, List<Token> tokens, String value) {
         tokens.forEach(instance.starting::remove);
+        Return r = new Return(instance, tokens, value);
+        runOf(instance).returns.add(r);
+        rules.subMissions.post(r);
+        rules.work.entered(instance.place);
+    }
+
+    private static SharedRun runOf(Instance instance) {
         for (SharedRun run : instance.place.shared) {
             if (run.instance == instance) {
-                run.returns.add(new SharedRun.Return(tokens, value));
+                return run;
             }
         }
-        rules.subMissions.postReturn(instance.place, null, value);
-        rules.work.entered(instance.place);
+        throw new IllegalArgumentException("Not a static instance of '" + instance.place.place + "'");
+    }
+
+    /** A firing used a return, or it is void. */
+    void over(Return r) {
+        runOf(r.instance).returns.remove(r);
+        rules.pendings.over(r);
+    }
+
+    /**
+     * Tokens left a place of static instances other than with a return that brought them back: theirs is void, and who is
+     * still in the instance is taken out of it, unless a copy stays in the place.
+     *
+     * @param used returns that the firing used: they brought back what left with them
+     */
+    void pulled(List<Entry> removed, List<Return> used) {
+        List<Return> left = new ArrayList<>();
+        used.forEach(r -> left.add(new Return(r.instance, r.tokens, r.value)));
+        for (Entry e : removed) {
+            for (SharedRun run : e.place.shared) {
+                boolean broughtBack =
+                        left.stream().anyMatch(r -> r.instance == run.instance && r.tokens.remove(e.token));
+                if (!broughtBack) {
+                    pulled(run, e.token);
+                }
+            }
+        }
+    }
+
+    private void pulled(SharedRun run, Token token) {
+        PlaceState place = run.instance.place;
+        if (!voidOldest(run, token)) {
+            run.instance.starting.remove(token);
+        }
+        if (Entry.kindOf(token) == Entry.GENERIC || place.find(token) != null) {
+            return;
+        }
+        forget(run, token);
+        Mission child = run.instance.child;
+        if (child != null) {
+            rules.drops.takeOut(child, SubMissions.toChild(child, token));
+        }
+    }
+
+    /** Nobody waits for a token any longer. */
+    void forget(SharedRun run, Token token) {
+        while (voidOldest(run, token)) {
+            // once for each copy
+        }
+        run.instance.starting.removeIf(token::equals);
+    }
+
+    /** Strikes a token from the oldest unused return that brought it back; a return of nobody else is void. */
+    private boolean voidOldest(SharedRun run, Token token) {
+        for (Return r : run.returns) {
+            if (r.tokens.remove(token)) {
+                rules.note(
+                        NoteKind.DISCARDED,
+                        run.instance.place.mission.id,
+                        "The unused return of " + SubMissions.words(List.of(token)) + " from the sub-mission on '"
+                                + run.instance.place.place + "' is void: it was taken out of that place");
+                if (r.tokens.isEmpty()) {
+                    over(r);
+                }
+                return true;
+            }
+        }
+        return false;
     }
 
     /** The shared instance itself ended: what stands in its end places returns. */

@@ -1,23 +1,19 @@
 package org.sami.spn.engine;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
-import org.sami.spn.protocol.Token;
 
 /** The static instance on a place, with its returns that no firing has used, oldest first. */
 final class SharedRun {
-    /** One completion: the tokens that left the child with it, as the parent names them. */
-    record Return(List<Token> tokens, String value) {
-        Return {
-            tokens = new ArrayList<>(tokens);
-        }
-    }
-
     final Instance instance;
-    final ArrayDeque<Return> returns = new ArrayDeque<>();
+    final List<Return> returns = new ArrayList<>(0);
 
     SharedRun(Instance instance) {
         this.instance = instance;
+    }
+
+    /** The oldest unused return, or null. */
+    Return oldest() {
+        return returns.isEmpty() ? null : returns.get(0);
     }
 }

@@ -18,7 +18,9 @@ final class StateReader {
     private final ProtocolReader in;
     private final Map<Long, Visit> visits = new HashMap<>();
     private final Map<Long, Sent> sent = new HashMap<>();
+    private final Map<Instance, Return> returnsOfVisits = new HashMap<>();
     private EngineState state;
+    private int version;
 
     StateReader(byte[] bytes) {
         this.in = new ProtocolReader(bytes);
@@ -28,7 +30,7 @@ final class StateReader {
         if (in.integer() != StateWriter.MAGIC) {
             throw new IllegalArgumentException("This is not an engine's state");
         }
-        int version = in.integer();
+        version = in.integer();
         if (version < 1 || version > StateWriter.VERSION) {
             throw new IllegalArgumentException(
                     "The state is of version " + version + ", not of 1 to " + StateWriter.VERSION);
@@ -138,7 +140,7 @@ final class StateReader {
                 state.shared[i] = new SharedRun(instance(null, state, i));
                 for (int r = in.integer(); r > 0; r--) {
                     List<Token> tokens = in.tokens();
-                    state.shared[i].returns.add(new SharedRun.Return(tokens, in.text()));
+                    state.shared[i].returns.add(new Return(state.shared[i].instance, tokens, in.text()));
                 }
             }
         }
@@ -223,7 +225,9 @@ final class StateReader {
         Occurrence occurrence = in.occurrence();
         Sent answered = sent.get(in.number());
         Visit bound = visits.get(in.number());
-        Pending p = new Pending(occurrence, input, answered, bound);
+        Return told = version > 2 ? told(t.mission) : toldBefore(t, input, bound);
+        Pending p =
+                told == null ? new Pending(occurrence, input, answered, bound) : new Pending(occurrence, input, told);
         p.names = new Name[in.integer()];
         for (int i = 0; i < p.names.length; i++) {
             Name n = new Name(p, in.token());
@@ -234,6 +238,42 @@ final class StateReader {
             p.namesLeft += n.struck ? 0 : 1;
         }
         t.add(p);
+    }
+
+    private Return told(Mission m) {
+        if (!in.flag()) {
+            return null;
+        }
+        Instance instance = instanceReference(m);
+        if (instance.isShared()) {
+            return instance.place.shared[instance.specIndex].returns.get(in.integer());
+        }
+        return returnOf(instance);
+    }
+
+    private Return returnOf(Instance instance) {
+        return returnsOfVisits.computeIfAbsent(instance, i -> new Return(i, List.of(), i.returnValue));
+    }
+
+    /** Before version 3 an occurrence did not say of which return it tells: it is the oldest of that value. */
+    private Return toldBefore(TransitionState t, CompiledInput input, Visit bound) {
+        if (bound != null) {
+            return bound.instances.stream()
+                    .filter(i -> input.checks(i.returnValue))
+                    .findFirst()
+                    .map(this::returnOf)
+                    .orElse(null);
+        }
+        for (CompiledPlace place : t.transition.inPlaces) {
+            for (SharedRun run : t.mission.place(place.index).shared) {
+                for (Return r : run.returns) {
+                    if (input.checks(r.value)) {
+                        return r;
+                    }
+                }
+            }
+        }
+        return null;
     }
 
     private void decision() {

@@ -12,7 +12,7 @@ final class StateWriter {
     /** First bytes of every encoded state: "SPNS". */
     static final int MAGIC = 0x53504e53;
     /** Version of the form. */
-    static final int VERSION = 2;
+    static final int VERSION = 3;
 
     private final ProtocolWriter out = new ProtocolWriter();
 
@@ -107,8 +107,8 @@ final class StateWriter {
                 instance(run.instance);
                 out.integer(run.returns.size());
                 run.returns.forEach(r -> {
-                    out.tokens(r.tokens());
-                    out.text(r.value());
+                    out.tokens(r.tokens);
+                    out.text(r.value);
                 });
             }
         }
@@ -197,12 +197,23 @@ final class StateWriter {
         out.occurrence(p.occurrence);
         out.number(p.answered == null ? Ids.NONE : p.answered.activation.id());
         out.number(p.bound == null ? Ids.NONE : p.bound.id);
+        out.flag(p.told != null);
+        if (p.told != null) {
+            told(p.told);
+        }
         out.integer(p.names.length);
         for (Name n : p.names) {
             out.token(n.token);
             out.tokens(List.of(n.tokens));
             out.flag(n.struck);
             out.flag(n.stood);
+        }
+    }
+
+    private void told(Return r) {
+        instanceReference(r.instance);
+        if (r.instance.isShared()) {
+            out.integer(r.place().shared[r.instance.specIndex].returns.indexOf(r));
         }
     }
 

@@ -11,9 +11,7 @@ import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
-import org.sami.spn.value.TextValue;
 import org.sami.spn.vocabulary.EventRole;
-import org.sami.spn.vocabulary.Reserved;
 
 /** Starts dynamic instances, takes robots out of them, and brings their ends to the parent (SEMANTICS, Sub-missions). */
 final class SubMissions {
@@ -175,30 +173,18 @@ final class SubMissions {
         }
         v.setHeld(false);
         for (Instance i : v.instances) {
-            postReturn(v.place, v, i.returnValue);
+            post(new Return(i, List.of(), i.returnValue));
         }
         rules.work.entered(v.place);
     }
 
-    /** Posts a return value to the transitions that check it. */
-    void postReturn(PlaceState place, Visit bound, String value) {
-        Mission m = place.mission;
-        for (CompiledTransition t : place.place.outTransitions) {
+    /** Tells a return's value to those who check it, once the work list is empty. */
+    void post(Return r) {
+        for (CompiledTransition t : r.place().place.outTransitions) {
             for (CompiledInput input : t.inputs) {
-                if (input.role == EventRole.CHECK_RETURN && value.equals(input.selector)) {
-                    rules.post(() -> {
-                        if (m.runs() && (bound == null || !bound.ended)) {
-                            Occurrence o = new Occurrence(
-                                    input.spec.type(),
-                                    m.id,
-                                    Ids.NONE,
-                                    List.of(),
-                                    List.of(),
-                                    Map.of(Reserved.VALUE, new TextValue(value)));
-                            TransitionState state = m.transition(t.index);
-                            rules.pendings.add(state, rules.pendings.make(state, input, o, List.of(), null, bound));
-                        }
-                    });
+                if (input.checks(r.value)) {
+                    rules.post(() -> rules.pendings.tell(r));
+                    return;
                 }
             }
         }
@@ -259,21 +245,20 @@ final class SubMissions {
         complete(instance.visit);
     }
 
-    /** A token is taken out of an instance and its descendants; with its last starting token the instance is aborted. */
+    /**
+     * A token is taken out of a dynamic instance and its descendants, unless a copy of it stays in the visit; with its last
+     * starting token the instance is aborted.
+     */
     void withdraw(Instance instance, Token token) {
-        boolean started = instance.starting.remove(token);
-        Mission child = instance.child;
-        // Who returned from a static instance may have left a copy of itself there.
-        if (child == null || (!started && !instance.isShared())) {
+        if (!instance.starting.remove(token) || instance.child == null) {
             return;
         }
-        Token own = toChild(child, token);
-        if (Entry.kindOf(own) != Entry.GENERIC) {
-            rules.drops.takeOut(child, own);
+        if (Entry.kindOf(token) != Entry.GENERIC && !instance.visit.has(token)) {
+            rules.drops.takeOut(instance.child, toChild(instance.child, token));
         }
-        if (instance.starting.isEmpty() && !instance.isShared()) {
+        if (instance.starting.isEmpty()) {
             instance.status = Instance.Status.ABORTED;
-            rules.missionEnd.stopSilently(child, Outcome.ABORTED);
+            rules.missionEnd.stopSilently(instance.child, Outcome.ABORTED);
         }
     }
 

@@ -98,13 +98,16 @@ final class Visit {
         return false;
     }
 
-    boolean hasAborted() {
+    /** Whether an instance was aborted and none runs any longer. */
+    boolean leftByAborted() {
+        boolean aborted = false;
         for (Instance i : instances) {
-            if (i.status == Instance.Status.ABORTED) {
-                return true;
+            if (i.status == Instance.Status.RUNNING) {
+                return false;
             }
+            aborted |= i.status == Instance.Status.ABORTED;
         }
-        return false;
+        return aborted;
     }
 
     boolean hasSubTokens() {

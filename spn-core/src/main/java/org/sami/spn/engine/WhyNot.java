@@ -46,21 +46,23 @@ final class WhyNot {
                                 .orElse(", which has not been received."));
             }
         }
-        Pool.Reach reach = t.transition.reach();
-        for (CompiledPlace place : t.transition.inPlaces) {
-            if (reach == Pool.Reach.FREE && !rules.enabling.isReady(t, place)) {
-                reasons.add("It waits for the sub-mission on '" + place + "', which "
-                        + (Awaiting.wasAborted(t.mission.places[place.index]) ? "was aborted." : "is not complete."));
-            }
-        }
-        if (reach == Pool.Reach.FREE && t.transition.wantsSubTokens && !rules.enabling.somethingReturned(t)) {
-            reasons.add("It waits for what a sub-mission brings back.");
-        }
         List<Pending> received = new ArrayList<>();
         for (TransitionState.Queue q : t.queues) {
             if (q.first != null) {
                 received.add(q.first);
             }
+        }
+        Scope scope = Scope.of(t.transition.reach(), received);
+        for (CompiledPlace place : t.transition.inPlaces) {
+            if (scope.reach != Scope.Reach.ALL && !rules.enabling.isReady(t, place, scope)) {
+                reasons.add("It waits for the sub-mission on '" + place + "', which "
+                        + (Awaiting.wasAborted(t.mission.places[place.index]) ? "was aborted." : "is not complete."));
+            }
+        }
+        if (scope.reach == Scope.Reach.FREE
+                && t.transition.wantsSubTokens
+                && !rules.enabling.somethingReturned(t, scope)) {
+            reasons.add("It waits for what a sub-mission brings back.");
         }
         Relevant relevant = Relevant.of(received);
         for (CompiledTransition.In in : t.transition.ins) {
@@ -68,8 +70,8 @@ final class WhyNot {
                 if (r.kind() == TokenKind.RELEVANT && received.isEmpty()) {
                     continue;
                 }
-                if (!rules.enabling.isMet(t, in.place(), r, relevant, reach)) {
-                    reasons.add(unmet(t, in.place(), r, relevant, reach));
+                if (!rules.enabling.isMet(t, in.place(), r, relevant, scope)) {
+                    reasons.add(unmet(t, in.place(), r, relevant, scope));
                 }
             }
         }
@@ -88,26 +90,26 @@ final class WhyNot {
         return input.selector == null ? "" : " '" + input.selector + "'";
     }
 
-    private String unmet(TransitionState t, CompiledPlace place, InRequirement r, Relevant relevant, Pool.Reach reach) {
+    private String unmet(TransitionState t, CompiledPlace place, InRequirement r, Relevant relevant, Scope scope) {
         PlaceState here = t.mission.places[place.index];
         String what = kind(r);
-        int n = here == null ? 0 : rules.enabling.count(here, r, relevant, reach);
+        int n = here == null ? 0 : rules.enabling.count(here, r, relevant, scope);
         String are = "; there " + (n == 1 ? "is 1." : "are " + n + ".");
         return switch (r.match()) {
             case ZERO -> "'" + place + "' must have no " + what + are;
             case LESS_THAN -> "'" + place + "' must have fewer than " + r.n() + " " + what + are;
             case AT_LEAST -> "'" + place + "' must have at least " + r.n() + " " + what + are;
             case EXACTLY -> "'" + place + "' must have exactly " + r.n() + " " + what + are;
-            case ALL -> "'" + place + "' lacks " + missing(here, relevant, reach) + ".";
+            case ALL -> "'" + place + "' lacks " + missing(here, relevant, scope) + ".";
         };
     }
 
-    private String missing(PlaceState here, Relevant relevant, Pool.Reach reach) {
+    private String missing(PlaceState here, Relevant relevant, Scope scope) {
         List<Token> missing = new ArrayList<>();
         for (Name n : relevant.names) {
             boolean found = false;
             for (Token token : n.tokens) {
-                found |= here != null && rules.pool.copies(here, token, reach) > 0;
+                found |= here != null && rules.pool.copies(here, token, scope) > 0;
             }
             if (!found) {
                 missing.add(n.token);

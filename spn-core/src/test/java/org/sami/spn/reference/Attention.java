@@ -177,10 +177,10 @@ final class Attention {
     /** "Pending." */
     void keep(Mission m, Pending pending) {
         Optional<Visit> answered = pending.answeredVisit(world);
-        if (answered.isEmpty() && !pending.tellsReturn) {
+        if (answered.isEmpty() && pending.told.isEmpty()) {
             // "News: one pending per input event and named set, the newer replaces the older."
             m.pending.removeIf(older -> older.answeredVisit(world).isEmpty()
-                    && !older.tellsReturn
+                    && older.told.isEmpty()
                     && older.transition.equals(pending.transition)
                     && older.event.equals(pending.event)
                     && namedSet(older).equals(namedSet(pending)));
@@ -231,7 +231,7 @@ final class Attention {
                     p.struck.add(name);
                 }
             }
-            if (p.returnOf.isPresent() && p.returnOf.get().ended) {
+            if (p.told.flatMap(r -> r.by.visit).map(visit -> visit.ended).orElse(false)) {
                 m.pending.remove(p);
                 continue;
             }

@@ -84,22 +84,23 @@ final class Enabling {
     // ---- SEMANTICS, Requirements: the pool
 
     /** "All in places of the transition, in in-edge order, then in order of entry". */
-    List<Copy> pool(Mission m, Transition t) {
+    List<Copy> pool(Mission m, Transition t, List<Pending> used) {
         List<Copy> pool = new ArrayList<>();
-        m.inPlaces(t).forEach(place -> pool.addAll(poolIn(m, t, place)));
+        m.inPlaces(t).forEach(place -> pool.addAll(poolIn(m, t, place, used)));
         return pool;
     }
 
-    /** What of a place is in the pool of a transition. */
-    List<Copy> poolIn(Mission m, Transition t, Place place) {
-        if (world.overrides(t)) {
-            return List.copyOf(m.tokensIn(place));
-        }
+    /** What of a place is in the pool of a transition that would use these occurrences. */
+    List<Copy> poolIn(Mission m, Transition t, Place place, List<Pending> used) {
         // "While an instance runs, its starting tokens are outside every pool"
-        List<Copy> pool = new ArrayList<>(
-                m.tokensIn(place).stream().filter(copy -> isOver(copy.visit, t)).toList());
-        for (Instance shared : statics(m, place, t)) {
-            pool = equalTo(shared.returns.isEmpty() ? List.of() : shared.returns.get(0), pool);
+        List<Copy> pool = m.tokensIn(place).stream()
+                .filter(copy -> world.overrides(t) || isOver(copy.visit, t))
+                .filter(copy -> mayUse(copy.visit, used))
+                .toList();
+        for (Instance shared : m.statics) {
+            if (shared.place.equals(place) && needsReturn(shared, t, used)) {
+                pool = equalTo(usableReturn(shared, t, used).map(r -> r.tokens).orElse(List.of()), pool);
+            }
         }
         return pool;
     }
@@ -108,12 +109,30 @@ final class Enabling {
         return visit.complete() || (visit.aborted() && world.awaitsAborted(t));
     }
 
-    /** The shared instances of a place that a transition waits for: all, but for an aborted one where it asks for that. */
-    private List<Instance> statics(Mission m, Place place, Transition t) {
-        return m.statics.stream()
-                .filter(i -> i.place.equals(place))
-                .filter(i -> i.state != Instance.State.ABORTED || !world.awaitsAborted(t))
-                .toList();
+    /** "A transition that used its CheckReturn takes that visit's tokens and no other's". */
+    static boolean mayUse(Visit visit, List<Pending> used) {
+        return used.stream()
+                .flatMap(p -> p.told.stream())
+                .filter(r -> r.by.visit.isPresent() && r.by.parent == visit.mission && r.by.place.equals(visit.place))
+                .allMatch(r -> r.by.visit.get() == visit);
+    }
+
+    /** The return of a shared instance that a firing uses: the one that it checks, else the oldest one, if it needs any. */
+    Optional<Returned> usableReturn(Instance shared, Transition t, List<Pending> used) {
+        Optional<Returned> checked = used.stream()
+                .flatMap(p -> p.told.stream())
+                .filter(r -> r.by == shared)
+                .findFirst();
+        return checked.isPresent() || !needsReturn(shared, t, used)
+                ? checked
+                : shared.returns.stream().findFirst();
+    }
+
+    /** "Out-transitions need one unused return each"; not interrupts, and not for an instance whose abort they answer. */
+    private boolean needsReturn(Instance shared, Transition t, List<Pending> used) {
+        boolean answersAbort = shared.state == Instance.State.ABORTED && world.awaitsAborted(t);
+        boolean checksIt = used.stream().flatMap(p -> p.told.stream()).anyMatch(r -> r.by == shared);
+        return checksIt || (!world.overrides(t) && !answersAbort);
     }
 
     /** Of the parent's tokens those equal to the ones that returned, one for one. */
@@ -123,14 +142,16 @@ final class Enabling {
     }
 
     /** "Out-transitions wait for it (Algorithm 1, per visit)"; "out-transitions need one unused return each". */
-    private boolean waitsForSubMission(Mission m, Transition t, Place place) {
+    private boolean waitsForSubMission(Mission m, Transition t, Place place, List<Pending> used) {
         if (world.overrides(t)) {
             return false;
         }
         List<Visit> visits =
                 m.visits.stream().filter(v -> v.place.equals(place)).toList();
-        boolean allRun = !visits.isEmpty() && visits.stream().noneMatch(v -> isOver(v, t));
-        boolean noReturn = statics(m, place, t).stream().anyMatch(i -> i.returns.isEmpty());
+        boolean allRun = !visits.isEmpty() && visits.stream().noneMatch(v -> mayUse(v, used) && isOver(v, t));
+        boolean noReturn = m.statics.stream()
+                .filter(i -> i.place.equals(place) && needsReturn(i, t, used))
+                .anyMatch(i -> usableReturn(i, t, used).isEmpty());
         return allRun || noReturn;
     }
 
@@ -138,7 +159,7 @@ final class Enabling {
      * A transition that moves sub-mission tokens fires for a completion, once: a boat that did not come back does not make
      * it fire again.
      */
-    private boolean someCompletionIsNew(Mission m, Transition t) {
+    private boolean someCompletionIsNew(Mission m, Transition t, List<Pending> used) {
         boolean movesThem = m.outEdges(t).stream()
                 .flatMap(e -> e.requirements().stream())
                 .anyMatch(r -> r.kind() == TokenKind.SUB_MISSION_TOKENS);
@@ -149,21 +170,21 @@ final class Enabling {
                 || world.overrides(t)
                 || world.awaitsAborted(t)
                 || dynamic.isEmpty()
-                || m.inPlaces(t).stream().anyMatch(p -> !statics(m, p, t).isEmpty()) // its return is the completion
+                || m.statics.stream().anyMatch(i -> m.inPlaces(t).contains(i.place)) // its return is the completion
                 || m.visits.stream()
-                        .filter(v -> dynamic.contains(v.place) && isOver(v, t))
+                        .filter(v -> dynamic.contains(v.place) && isOver(v, t) && mayUse(v, used))
                         .anyMatch(v -> !v.used || v.instances.stream().anyMatch(i -> !i.back.isEmpty()));
     }
 
     // ---- SEMANTICS, Requirements: in edges
 
     boolean requirementsHold(Mission m, Transition t, List<Pending> used) {
-        if (!someCompletionIsNew(m, t)) {
+        if (!someCompletionIsNew(m, t, used)) {
             return false;
         }
         for (InEdge edge : m.inEdges(t)) {
             Place place = m.place(edge.place());
-            if (waitsForSubMission(m, t, place)) {
+            if (waitsForSubMission(m, t, place, used)) {
                 return false;
             }
             for (InRequirement requirement : edge.requirements()) {
@@ -180,7 +201,7 @@ final class Enabling {
             return true;
         }
         Set<Token> relevant = relevant(used);
-        long inPool = poolIn(m, t, place).stream()
+        long inPool = poolIn(m, t, place, used).stream()
                 .filter(c -> isOfKind(requirement.kind(), requirement.task(), c.token, relevant))
                 .count();
         long standing = m.tokensIn(place).stream()
@@ -191,13 +212,14 @@ final class Enabling {
             case LESS_THAN -> standing < requirement.n();
             case EXACTLY -> standing == requirement.n();
             case AT_LEAST -> inPool >= requirement.n();
-            case ALL -> used.stream().allMatch(p -> allNamedAreHere(m, t, place, p));
+            case ALL -> used.stream().allMatch(p -> allNamedAreHere(m, t, place, p, used));
         };
     }
 
     /** "Every named token is here". */
-    private boolean allNamedAreHere(Mission m, Transition t, Place place, Pending pending) {
-        List<Token> here = poolIn(m, t, place).stream().map(copy -> copy.token).toList();
+    private boolean allNamedAreHere(Mission m, Transition t, Place place, Pending pending, List<Pending> used) {
+        List<Token> here =
+                poolIn(m, t, place, used).stream().map(copy -> copy.token).toList();
         return pending.names().stream()
                 .allMatch(name -> tokensOf(name, pending).stream().anyMatch(here::contains));
     }
@@ -216,7 +238,7 @@ final class Enabling {
             return allReported(m, t).filter(used -> requirementsHold(m, t, used));
         }
         for (List<Pending> combination : combinations(m, t, 0)) {
-            if (nameTheSame(combination) && requirementsHold(m, t, combination)) {
+            if (nameTheSame(combination) && tellOfTheSame(combination) && requirementsHold(m, t, combination)) {
                 return Optional.of(combination);
             }
         }
@@ -251,6 +273,11 @@ final class Enabling {
                         .distinct()
                         .count()
                 <= 1;
+    }
+
+    private static boolean tellOfTheSame(List<Pending> combination) {
+        List<Returned> told = combination.stream().flatMap(p -> p.told.stream()).toList();
+        return told.stream().allMatch(one -> told.stream().allMatch(one::goesWith));
     }
 
     /** The places that a wait-for-all transition watches. */
@@ -291,7 +318,14 @@ final class Enabling {
             }
             somebodyReported = somebodyReported || !namesNobody;
             // "Those that name none join with any"
-            all.stream().filter(p -> reports.contains(p) || p.names().isEmpty()).forEach(used::add);
+            for (Pending p : all) {
+                boolean joins = used.stream()
+                        .flatMap(other -> other.told.stream())
+                        .allMatch(told -> p.told.map(told::goesWith).orElse(true));
+                if ((reports.contains(p) || p.names().isEmpty()) && joins) {
+                    used.add(p);
+                }
+            }
         }
         return somebodyReported ? Optional.of(used) : Optional.empty();
     }

@@ -51,12 +51,16 @@ final class Firing {
         Moves moves = select(m, t, used);
         boolean countedWasRemoved = removesWhatItCounts(m, t, used, moves.removed);
         m.pending.removeAll(used);
-        markCompletionsUsed(m, t);
+        markCompletionsUsed(m, t, used);
+        List<Returned> returns = useUpReturns(m, t, used);
 
         List<Visit> nobodys = nobodysVisitsThatEnd(m, t, used);
         List<Copy> left = new ArrayList<>(moves.removed);
         leaveCompletions(moves);
-        places.remove(m, left, world.overrides(t));
+        places.remove(m, left);
+        if (world.overrides(t) || world.awaitsAborted(t)) {
+            places.pulled(m, left, returns);
+        }
         nobodys.forEach(places::end);
         List<Visit> entered = new ArrayList<>();
         for (OutEdge edge : m.outEdges(t)) {
@@ -139,7 +143,7 @@ final class Firing {
             }
             moves.added.put(edge, onEdge);
         }
-        useUpSubMissionTokens(m, t, moves);
+        useUpSubMissionTokens(moves);
         return moves;
     }
 
@@ -167,7 +171,7 @@ final class Firing {
     /** "Each out requirement selects on its own from the same pool in the same order". */
     private List<Selected> selected(Mission m, Transition t, List<Pending> used, OutRequirement r) {
         if (r.kind() == TokenKind.SUB_MISSION_TOKENS) {
-            List<Selected> all = subMissionTokens(m, t);
+            List<Selected> all = subMissionTokens(m, t, used);
             return r.takesAll() ? all : all.subList(0, Math.min(r.n(), all.size()));
         }
         if (r.action() == Action.ADD && r.kind() == TokenKind.RELEVANT) {
@@ -187,7 +191,7 @@ final class Firing {
             return made;
         }
         Set<Token> relevant = enabling.relevant(used);
-        List<Selected> all = enabling.pool(m, t).stream()
+        List<Selected> all = enabling.pool(m, t, used).stream()
                 .filter(copy -> enabling.isOfKind(r.kind(), r.task(), copy.token, relevant))
                 .map(copy -> new Selected(copy.token, Optional.of(copy), Optional.empty()))
                 .toList();
@@ -199,12 +203,12 @@ final class Firing {
     // ---- SEMANTICS, Sub-missions: their tokens
 
     /** "The tokens in the instance's end places", each with the parent's copy that came back, if there is one. */
-    private List<Selected> subMissionTokens(Mission m, Transition t) {
+    private List<Selected> subMissionTokens(Mission m, Transition t, List<Pending> used) {
         List<Selected> tokens = new ArrayList<>();
         for (Place place : m.inPlaces(t)) {
-            List<Copy> free = new ArrayList<>(enabling.poolIn(m, t, place));
+            List<Copy> free = new ArrayList<>(enabling.poolIn(m, t, place, used));
             for (Instance instance : m.instancesOn(place)) {
-                for (Token token : available(instance, world.overrides(t))) {
+                for (Token token : available(instance, t, used)) {
                     Optional<Copy> came = free.stream()
                             .filter(c -> c.token.equals(token)
                                     && instance.visit.map(v -> v == c.visit).orElse(true))
@@ -217,30 +221,36 @@ final class Firing {
         return tokens;
     }
 
-    private static List<Token> available(Instance instance, boolean overrides) {
+    private List<Token> available(Instance instance, Transition t, List<Pending> used) {
         if (instance.spec.shared()) {
-            return overrides || instance.returns.isEmpty() ? List.of() : instance.returns.get(0);
+            return enabling.usableReturn(instance, t, used).map(r -> r.tokens).orElse(List.of());
         }
-        boolean visitIsOver = instance.visit.map(Visit::complete).orElse(false);
-        return visitIsOver ? instance.back : List.of();
+        boolean canBeTaken = instance.visit
+                .map(v -> v.complete() && Enabling.mayUse(v, used))
+                .orElse(false);
+        return canBeTaken ? instance.back : List.of();
     }
 
-    private void useUpSubMissionTokens(Mission m, Transition t, Moves moves) {
+    private void useUpSubMissionTokens(Moves moves) {
         moves.usedBack.forEach((instance, tokens) -> {
             if (!instance.spec.shared()) {
                 tokens.forEach(instance.back::remove);
                 reportWhoDidNotComeBack(instance, moves.removed);
             }
         });
-        if (world.overrides(t)) {
-            return;
-        }
-        // "Out-transitions need one unused return each": this firing uses it
+    }
+
+    /** "Out-transitions need one unused return each": this firing uses it, with the occurrence that tells its value. */
+    private List<Returned> useUpReturns(Mission m, Transition t, List<Pending> used) {
+        Set<Returned> all = new LinkedHashSet<>();
+        used.forEach(p -> p.told.ifPresent(all::add));
         for (Place place : m.inPlaces(t)) {
             m.statics.stream()
-                    .filter(i -> i.place.equals(place) && !i.returns.isEmpty())
-                    .forEach(i -> i.returns.remove(0));
+                    .filter(i -> i.place.equals(place))
+                    .forEach(i -> enabling.usableReturn(i, t, used).ifPresent(all::add));
         }
+        all.forEach(places::useUp);
+        return List.copyOf(all);
     }
 
     /** A token that leaves the parent's place otherwise leaves the end places of the completed instance as well. */
@@ -263,14 +273,15 @@ final class Firing {
         }
     }
 
-    private void markCompletionsUsed(Mission m, Transition t) {
+    private void markCompletionsUsed(Mission m, Transition t, List<Pending> used) {
         boolean movesThem = m.outEdges(t).stream()
                 .flatMap(e -> e.requirements().stream())
                 .anyMatch(r -> r.kind() == TokenKind.SUB_MISSION_TOKENS);
         if (movesThem && !world.overrides(t)) {
             List<Place> in = m.inPlaces(t);
             m.visits.stream()
-                    .filter(v -> in.contains(v.place) && !v.instances.isEmpty() && v.complete())
+                    .filter(v ->
+                            in.contains(v.place) && !v.instances.isEmpty() && v.complete() && Enabling.mayUse(v, used))
                     .forEach(v -> v.used = true);
         }
     }
@@ -290,7 +301,7 @@ final class Firing {
                         || movesEverything
                         || used.stream()
                                 .anyMatch(p -> world.visitOfActivation.get(p.occurrence.activation()) == v
-                                        || p.returnOf.equals(Optional.of(v))))
+                                        || p.told.flatMap(r -> r.by.visit).equals(Optional.of(v))))
                 .toList();
     }
 

@@ -28,7 +28,7 @@ final class Instance {
     /** Static: what joined it and has not returned. */
     final List<Token> joined = new ArrayList<>();
     /** Static: completions not yet used by an out-transition, oldest first. */
-    final List<List<Token>> returns = new ArrayList<>();
+    final List<Returned> returns = new ArrayList<>();
 
     Instance(SubMissionSpec spec, Mission parent, Place place, Optional<Visit> visit) {
         this.spec = spec;

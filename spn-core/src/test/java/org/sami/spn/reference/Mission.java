@@ -119,11 +119,11 @@ final class Mission {
         return pending.stream().filter(p -> p.transition.equals(t)).toList();
     }
 
-    /** Instances on a place: of its visits, and the shared ones. */
+    /** Instances on a place: the shared ones, and those of its visits. */
     List<Instance> instancesOn(Place place) {
         List<Instance> found = new ArrayList<>();
-        visits.stream().filter(v -> v.place.equals(place)).forEach(v -> found.addAll(v.instances));
         statics.stream().filter(i -> i.place.equals(place)).forEach(found::add);
+        visits.stream().filter(v -> v.place.equals(place)).forEach(v -> found.addAll(v.instances));
         return found;
     }
 }

@@ -231,22 +231,33 @@ final class Missions {
             return;
         }
         if (instance.spec.shared()) {
-            instance.returns.add(new ArrayList<>(inEndPlaces)); // what stands in its end places returns
+            returns(instance, inEndPlaces); // what stands in its end places returns
         } else {
             instance.back.addAll(inEndPlaces);
-        }
-        if (instance.visit.map(Visit::complete).orElse(true)) {
             completed(instance);
         }
     }
 
-    /** (c) "when a sub-mission on an in place completes or a static one returns". */
+    /** (c) "when a sub-mission on an in place completes": all instances of its visit have. */
     private void completed(Instance instance) {
-        places.lookAfterEntry(instance.parent, instance.place);
-        List<Instance> all = instance.visit.map(v -> v.instances).orElse(List.of(instance));
-        for (Instance one : all) {
-            one.child.returnValue.ifPresent(value -> world.internal.add(() -> postReturnValue(one, value)));
+        Visit visit = instance.visit.orElseThrow();
+        if (visit.complete()) {
+            places.lookAfterEntry(instance.parent, instance.place);
+            visit.instances.forEach(one -> tell(new Returned(one, List.of(), one.child.returnValue)));
         }
+    }
+
+    /** (c) "or a static one returns": "unused returns and their return values are kept in order, none replaces another". */
+    private void returns(Instance instance, List<Token> tokens) {
+        Returned returned = new Returned(instance, tokens, instance.child.returnValue);
+        instance.returns.add(returned);
+        tokens.forEach(instance.joined::remove);
+        places.lookAfterEntry(instance.parent, instance.place);
+        tell(returned);
+    }
+
+    private void tell(Returned returned) {
+        returned.value.ifPresent(value -> world.internal.add(() -> tell(returned, value)));
     }
 
     /** "Any other end place returns: its tokens leave the child as one completion". */
@@ -256,20 +267,19 @@ final class Missions {
         List<Copy> copies = child.tokensIn(visit.place).stream()
                 .filter(c -> c.visit == visit)
                 .toList();
-        places.remove(child, copies, false);
+        places.remove(child, copies);
         places.end(visit);
         List<Token> returned = copies.stream()
                 .map(c -> c.token)
                 .filter(token -> !isOwnTask(child, token))
                 .toList();
-        instance.returns.add(new ArrayList<>(returned));
-        returned.forEach(instance.joined::remove);
-        completed(instance);
+        returns(instance, returned);
     }
 
-    private void postReturnValue(Instance instance, Value value) {
+    private void tell(Returned returned, Value value) {
+        Instance instance = returned.by;
         Mission m = instance.parent;
-        if (!m.reacts() || instance.visit.map(v -> v.ended).orElse(false)) {
+        if (!m.reacts() || returned.usedUp || instance.visit.map(v -> v.ended).orElse(false)) {
             return;
         }
         for (Transition t : m.outTransitions(instance.place)) {
@@ -280,8 +290,7 @@ final class Missions {
                     Occurrence o =
                             new Occurrence(event.type(), m.id, Ids.NONE, List.of(), List.of(), Map.of("value", value));
                     Pending pending = new Pending(t, event, o);
-                    pending.tellsReturn = true;
-                    pending.returnOf = instance.visit;
+                    pending.told = Optional.of(returned);
                     attention.keep(m, pending);
                 }
             }
@@ -358,11 +367,9 @@ final class Missions {
         if (bringBack) {
             instance.state = Instance.State.COMPLETE;
             if (instance.spec.shared()) {
-                instance.returns.add(new ArrayList<>(instance.joined));
+                returns(instance, List.copyOf(instance.joined));
             } else {
                 instance.back.addAll(startingTokens(instance));
-            }
-            if (instance.visit.map(Visit::complete).orElse(true)) {
                 completed(instance);
             }
         }

@@ -19,14 +19,12 @@ final class Pending {
     /** Of an answer: whom it names and who was there when it arrived. */
     final List<Token> stood = new ArrayList<>();
 
-    /** The completed visit whose return value it tells; empty for all other occurrences. */
-    Optional<Visit> returnOf = Optional.empty();
+    /** The return whose value it tells: kept in order, never replaced; empty for all other occurrences. */
+    Optional<Returned> told = Optional.empty();
     /** Whether it tells of an aborted child. */
     boolean ofAborted;
     /** The visit whose child was aborted: it is told as an answer to that visit, though to no activation of it. */
     Optional<Visit> childOf = Optional.empty();
-    /** Whether it tells a return value: kept in order, never replaced. */
-    boolean tellsReturn;
 
     Pending(Transition transition, InputEventSpec event, Occurrence occurrence) {
         this.transition = transition;

@@ -15,6 +15,7 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Transition;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Token;
@@ -193,7 +194,7 @@ final class Places {
      * Takes copies out of their places. Visits end with their last token; what a running sub-mission was given is withdrawn
      * from it.
      */
-    void remove(Mission m, List<Copy> copies, boolean alsoFromShared) {
+    void remove(Mission m, List<Copy> copies) {
         Set<Visit> visits = new LinkedHashSet<>();
         for (Copy copy : copies) {
             m.tokensIn(copy.visit.place).remove(copy);
@@ -208,12 +209,12 @@ final class Places {
             }
         }
         for (Copy copy : copies) {
-            withdraw(m, copy, alsoFromShared);
+            withdraw(m, copy);
         }
     }
 
     /** "An interrupt that takes one boat withdraws it from the running instance and its descendants". */
-    private void withdraw(Mission m, Copy copy, boolean alsoFromShared) {
+    private void withdraw(Mission m, Copy copy) {
         if (copy.token instanceof Token.Generic) {
             return;
         }
@@ -222,11 +223,60 @@ final class Places {
                     .filter(i -> i.state == Instance.State.RUNNING)
                     .forEach(i -> removeEverywhere(i.child, copy.token));
         }
-        if (alsoFromShared && !m.stands(copy.token, copy.visit.place)) {
-            m.statics.stream()
-                    .filter(i -> i.place.equals(copy.visit.place) && i.state == Instance.State.RUNNING)
-                    .forEach(i -> removeEverywhere(i.child, copy.token));
+    }
+
+    /**
+     * Copies left otherwise than with a return that brought them back: "of a boat that is pulled from the place, its unused
+     * return is void"; who is still in a shared instance is withdrawn from it.
+     */
+    void pulled(Mission m, List<Copy> copies, List<Returned> used) {
+        Map<Instance, List<Token>> broughtBack = new LinkedHashMap<>();
+        used.forEach(
+                r -> broughtBack.computeIfAbsent(r.by, key -> new ArrayList<>()).addAll(r.tokens));
+        for (Copy copy : copies) {
+            for (Instance shared : m.statics) {
+                boolean concerned = shared.place.equals(copy.visit.place)
+                        && !broughtBack.getOrDefault(shared, new ArrayList<>()).remove(copy.token);
+                if (concerned && !voidReturnOf(shared, copy.token)) {
+                    shared.joined.remove(copy.token);
+                }
+                if (concerned && !(copy.token instanceof Token.Generic) && !m.stands(copy.token, copy.visit.place)) {
+                    forget(shared, copy.token);
+                    if (shared.state == Instance.State.RUNNING) {
+                        removeEverywhere(shared.child, copy.token);
+                    }
+                }
+            }
         }
+    }
+
+    /** No copy of a boat or task is there any longer: nothing of it waits to be used. */
+    void forget(Instance shared, Token token) {
+        boolean struck = true;
+        while (struck) {
+            struck = voidReturnOf(shared, token);
+        }
+        shared.joined.removeIf(token::equals);
+    }
+
+    private boolean voidReturnOf(Instance shared, Token token) {
+        Optional<Returned> oldest =
+                shared.returns.stream().filter(r -> r.tokens.contains(token)).findFirst();
+        oldest.ifPresent(r -> {
+            r.tokens.remove(token);
+            world.note(NoteKind.DISCARDED, shared.parent.id, "void return");
+            if (r.tokens.isEmpty()) {
+                useUp(r);
+            }
+        });
+        return oldest.isPresent();
+    }
+
+    /** A return can be used no more, neither what it brought back nor its value. */
+    void useUp(Returned returned) {
+        returned.usedUp = true;
+        returned.by.returns.remove(returned);
+        returned.by.parent.pending.removeIf(p -> p.told.equals(Optional.of(returned)));
     }
 
     void removeEverywhere(Mission m, Token token) {
@@ -237,7 +287,8 @@ final class Places {
             m.tokensIn(place).stream().filter(c -> c.token.equals(token)).forEach(copies::add);
         }
         copies.stream().map(c -> new Withdrawn(m, c.visit.place)).distinct().forEach(withdrawn::add);
-        remove(m, copies, true);
+        remove(m, copies);
+        pulled(m, copies, List.of());
         attention.strike(m, copies, List.of());
     }
 

@@ -429,7 +429,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
             for (Visit visit : m.visits) {
                 visit.instances.forEach(i -> i.back.removeIf(boat::equals));
             }
-            m.statics.forEach(i -> i.returns.forEach(r -> r.removeIf(boat::equals)));
+            m.statics.forEach(i -> places.forget(i, boat));
         }
         for (Mission m : concerned) {
             left.get(m).forEach(place -> places.lookAfterLeaving(m, place));

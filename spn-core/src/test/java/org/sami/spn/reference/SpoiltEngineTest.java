@@ -20,7 +20,7 @@ class SpoiltEngineTest {
                 arguments(
                         "the loser of a conflict fires too",
                         "Firing.java",
-                        "rules.enabling.isEnabled(t, Relevant.NOBODY, Pool.Reach.FREE) && mayFire(t)",
+                        "rules.enabling.isEnabled(t, Relevant.NOBODY, Scope.FREE) && mayFire(t)",
                         "mayFire(t)"),
                 arguments(
                         "less than inhibits the wrong way",
