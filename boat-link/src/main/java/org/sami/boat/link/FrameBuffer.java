@@ -1,22 +1,21 @@
 package org.sami.boat.link;
 
 import java.io.ByteArrayOutputStream;
+import java.nio.ByteBuffer;
 
-/** Collects a frame behind a header whose length is known only at the end. */
+/** Collects a frame behind a header whose length and check value are known only at the end. */
 final class FrameBuffer extends ByteArrayOutputStream {
 
     FrameBuffer() {
         super(256);
-        count = LinkCodec.LENGTH_BYTES;
-        write(LinkCodec.VERSION);
+        count = LinkCodec.HEADER_BYTES;
     }
 
     byte[] toFrame() {
-        int length = count - LinkCodec.LENGTH_BYTES;
-        buf[0] = (byte) (length >>> 24);
-        buf[1] = (byte) (length >>> 16);
-        buf[2] = (byte) (length >>> 8);
-        buf[3] = (byte) length;
-        return toByteArray();
+        byte[] frame = toByteArray();
+        ByteBuffer header = ByteBuffer.wrap(frame);
+        header.putInt(frame.length - LinkCodec.LENGTH_BYTES).put((byte) LinkCodec.VERSION);
+        header.putInt(FrameCheck.of(frame));
+        return frame;
     }
 }

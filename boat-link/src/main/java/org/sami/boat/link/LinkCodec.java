@@ -12,7 +12,9 @@ import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.ObjectReader;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
@@ -31,8 +33,11 @@ import org.sami.boat.link.LinkException.Fault;
  * <p>Safe for use by several threads.
  */
 public final class LinkCodec {
-    /** The version byte of the frames that this codec writes, and the only one that it reads. */
-    public static final int VERSION = 1;
+    /**
+     * The version byte of the frames that this codec writes, and the only one that it reads. Version 1, of 2026, had no check
+     * value and no terms.
+     */
+    public static final int VERSION = 2;
 
     /** The length field in front of a frame. */
     public static final int LENGTH_BYTES = 4;
@@ -40,7 +45,12 @@ public final class LinkCodec {
     /** The largest frame that is taken unless another bound is given, in bytes without the length field. */
     public static final int DEFAULT_MAX_BYTES = 4 << 20;
 
-    private static final int HEADER_BYTES = LENGTH_BYTES + 1;
+    /** Where the check value of a frame begins. */
+    static final int CHECK_AT = LENGTH_BYTES + 1;
+
+    /** What stands before the body: length, version and check value. */
+    public static final int HEADER_BYTES = CHECK_AT + 4;
+
     private static final JsonFactory FACTORY = JsonFactory.builder()
             .streamReadConstraints(StreamReadConstraints.builder()
                     .maxNestingDepth(8)
@@ -80,26 +90,68 @@ public final class LinkCodec {
     }
 
     /**
-     * Writes a message as a whole frame, with its length.
+     * Writes a message of no term as a whole frame, with its length and check value.
      *
      * @throws IllegalArgumentException if the frame would be larger than this codec takes
      */
     public byte[] encode(long sequence, LinkMessage message) {
+        return encode(new Frame(sequence, "", message));
+    }
+
+    /**
+     * Writes a frame, with its length and check value.
+     *
+     * @throws IllegalArgumentException if the frame would be larger than this codec takes
+     */
+    public byte[] encode(Frame frame) {
+        LinkMessage message = frame.message();
         FrameBuffer buffer = new FrameBuffer();
-        try (JsonGenerator out = FACTORY.createGenerator(buffer)) {
-            out.writeStartObject();
-            out.writeStringField("type", message.type());
-            out.writeNumberField("seq", Checks.atLeastZero("seq", sequence));
-            message.write(out);
-            out.writeEndObject();
-        } catch (IOException e) {
-            throw new UncheckedIOException("writing to memory failed", e);
-        }
+        write(frame, buffer);
         if (buffer.size() - LENGTH_BYTES > maxBytes) {
             throw new IllegalArgumentException(
                     "a " + message.type() + " of " + buffer.size() + " bytes; the link takes " + maxBytes);
         }
         return buffer.toFrame();
+    }
+
+    /** Writes a message as the body of a frame, for logs. */
+    public static byte[] body(LinkMessage message) {
+        ByteArrayOutputStream buffer = new ByteArrayOutputStream();
+        write(new Frame(0, "", message), buffer);
+        return buffer.toByteArray();
+    }
+
+    private static void write(Frame frame, OutputStream to) {
+        try (JsonGenerator out = FACTORY.createGenerator(to)) {
+            out.writeStartObject();
+            out.writeStringField("type", frame.message().type());
+            out.writeNumberField("seq", frame.sequence());
+            if (!frame.term().isEmpty()) {
+                out.writeStringField("term", frame.term());
+            }
+            frame.message().write(out);
+            out.writeEndObject();
+        } catch (IOException e) {
+            throw new UncheckedIOException("writing to memory failed", e);
+        }
+    }
+
+    /**
+     * Reads the body of a frame, as {@link #body} gives it, from a log.
+     *
+     * @throws LinkException if it is not exactly one well-formed message
+     */
+    public static LinkMessage readBody(byte[] body) throws LinkException {
+        checkEncoding(body, 0);
+        return message(parse(body, 0)).message();
+    }
+
+    /**
+     * The version that a peer speaks, by a whole frame of it; whether the rest can be read is another question. The length is the
+     * same in all versions.
+     */
+    public static int versionOf(byte[] frame) {
+        return frame.length > LENGTH_BYTES ? frame[LENGTH_BYTES] & 0xff : VERSION;
     }
 
     /**
@@ -108,15 +160,24 @@ public final class LinkCodec {
      * @throws LinkException if the frame is not exactly one well-formed message
      */
     public Frame decode(byte[] frame) throws LinkException {
-        if (frame.length < HEADER_BYTES) {
+        if (frame.length <= LENGTH_BYTES) {
             throw new LinkException(Fault.TRUNCATED, "", frame.length + " bytes are no frame");
         }
         checkLength(ByteBuffer.wrap(frame).getInt(), frame.length - LENGTH_BYTES);
-        if (frame[LENGTH_BYTES] != VERSION) {
-            throw new LinkException(Fault.VERSION, "", "version " + frame[LENGTH_BYTES] + " is not read here");
+        if (versionOf(frame) != VERSION) {
+            throw new LinkException(
+                    Fault.VERSION,
+                    "",
+                    "this is link version " + versionOf(frame) + "; version " + VERSION + " is read here");
         }
-        checkEncoding(frame);
-        return message(parse(frame));
+        if (frame.length < HEADER_BYTES) {
+            throw new LinkException(Fault.TRUNCATED, "", frame.length + " bytes are no frame");
+        }
+        if (ByteBuffer.wrap(frame).getInt(CHECK_AT) != FrameCheck.of(frame)) {
+            throw new LinkException(Fault.CHECK, "", "damaged on its way: the check value does not fit");
+        }
+        checkEncoding(frame, HEADER_BYTES);
+        return message(parse(frame, HEADER_BYTES));
     }
 
     private void checkLength(int declared, int there) throws LinkException {
@@ -134,9 +195,9 @@ public final class LinkCodec {
     }
 
     /** Strict UTF-8 without NUL, so that the parser never takes the body for another encoding. */
-    private static void checkEncoding(byte[] frame) throws LinkException {
+    private static void checkEncoding(byte[] frame, int from) throws LinkException {
         boolean ascii = true;
-        for (int i = HEADER_BYTES; i < frame.length; i++) {
+        for (int i = from; i < frame.length; i++) {
             if (frame[i] == 0) {
                 throw new LinkException(Fault.ENCODING, "", "NUL at byte " + i);
             }
@@ -150,15 +211,15 @@ public final class LinkCodec {
                     .newDecoder()
                     .onMalformedInput(CodingErrorAction.REPORT)
                     .onUnmappableCharacter(CodingErrorAction.REPORT)
-                    .decode(ByteBuffer.wrap(frame, HEADER_BYTES, frame.length - HEADER_BYTES));
+                    .decode(ByteBuffer.wrap(frame, from, frame.length - from));
         } catch (CharacterCodingException e) {
             throw new LinkException(Fault.ENCODING, "", "not UTF-8");
         }
     }
 
-    private static JsonNode parse(byte[] frame) throws LinkException {
+    private static JsonNode parse(byte[] frame, int from) throws LinkException {
         JsonNode body;
-        try (JsonParser parser = FACTORY.createParser(frame, HEADER_BYTES, frame.length - HEADER_BYTES)) {
+        try (JsonParser parser = FACTORY.createParser(frame, from, frame.length - from)) {
             body = TREES.readTree(parser);
             if (parser.nextToken() != null) {
                 throw new LinkException(Fault.SYNTAX, "", "something follows the object");
@@ -178,7 +239,7 @@ public final class LinkCodec {
         Fields fields = new Fields(body);
         try {
             LinkMessage message = MessageReaders.read(fields.text("type"), fields);
-            return new Frame(fields.integer("seq"), message);
+            return new Frame(fields.integer("seq"), fields.textOrEmpty("term"), message);
         } catch (BadValueException e) {
             throw Fields.fault(e).ofCommand(commandIdOf(body));
         } catch (LinkException e) {

@@ -15,6 +15,8 @@ public final class LinkException extends Exception {
         LENGTH,
         /** The version byte is not one that the receiver reads. */
         VERSION,
+        /** The check value does not fit: the frame was damaged on its way. */
+        CHECK,
         /** The body is not strict UTF-8. */
         ENCODING,
         /** The body is not one JSON object, or nests too deeply. */

@@ -11,18 +11,26 @@ public final class Welcome extends LinkMessage {
     private final String boatId;
     private final String bootId;
     private final Role role;
+    private final String term;
     private final String auth;
 
-    /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
+    /** A welcome that names no term: of an observer. */
     public Welcome(String boatId, String bootId, Role role, String auth) {
+        this(boatId, bootId, role, "", auth);
+    }
+
+    /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
+    public Welcome(String boatId, String bootId, Role role, String term, String auth) {
         this.boatId = Checks.id("boat", boatId);
         this.bootId = Checks.id("boot", bootId);
         this.role = Objects.requireNonNull(role, "role");
+        this.term = Checks.text("newTerm", term);
         this.auth = Checks.text("auth", auth);
     }
 
     static Welcome read(Fields in) throws LinkException {
-        return new Welcome(in.text("boat"), in.text("boot"), in.word("role", Role.class), in.text("auth"));
+        return new Welcome(
+                in.text("boat"), in.text("boot"), in.word("role", Role.class), in.text("newTerm"), in.text("auth"));
     }
 
     /** The boat. */
@@ -40,6 +48,11 @@ public final class Welcome extends LinkMessage {
         return role;
     }
 
+    /** What a commander names in all that it sends from now on, so that older motion is known as such; empty for observers. */
+    public String term() {
+        return term;
+    }
+
     /** Reserved for authentication; empty today. */
     public String auth() {
         return auth;
@@ -55,6 +68,7 @@ public final class Welcome extends LinkMessage {
         out.writeStringField("boat", boatId);
         out.writeStringField("boot", bootId);
         out.writeStringField("role", role.name());
+        out.writeStringField("newTerm", term);
         out.writeStringField("auth", auth);
     }
 }

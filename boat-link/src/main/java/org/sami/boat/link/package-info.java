@@ -1,8 +1,8 @@
 /**
  * The boat link: the messages between base and boat and their codec on byte arrays and streams.
  *
- * <p>A frame is a length (four bytes, big endian, of what follows), a version byte and a body: one JSON object in UTF-8
- * with {@code type}, {@code seq} and the members of that type. {@link org.sami.boat.link.LinkCodec} writes and reads
+ * <p>A frame is a length (four bytes, big endian, of what follows), a version byte, a check value (four bytes) and a body: one JSON
+ * object in UTF-8 with {@code type}, {@code seq}, {@code term} and the members of that type. {@link org.sami.boat.link.LinkCodec} writes and reads
  * frames, {@link org.sami.boat.link.FrameReader} cuts them out of a stream, and a
  * {@link org.sami.boat.link.FrameSink} is all that is known of the transport. A reader ignores members that it does not
  * know, so that a newer peer can add some.

@@ -35,8 +35,9 @@ class LinkPageTest {
         LinkCodec codec = new LinkCodec();
         Frame frame = codec.decode(MalformedFrameTest.frame(example));
 
-        byte[] written = codec.encode(frame.sequence(), frame.message());
-        String body = new String(written, 5, written.length - 5, StandardCharsets.UTF_8);
+        byte[] written = codec.encode(frame);
+        int header = LinkCodec.HEADER_BYTES;
+        String body = new String(written, header, written.length - header, StandardCharsets.UTF_8);
         assertThat(body.replaceAll("\\.0(?=[,}\\]])", "")).isEqualTo(example);
     }
 

@@ -23,11 +23,14 @@ class MalformedFrameTest {
     }
 
     static byte[] frame(byte[] body) {
-        return ByteBuffer.allocate(body.length + 5)
-                .putInt(body.length + 1)
+        byte[] frame = ByteBuffer.allocate(LinkCodec.HEADER_BYTES + body.length)
+                .putInt(body.length + 5)
                 .put((byte) LinkCodec.VERSION)
+                .putInt(0)
                 .put(body)
                 .array();
+        ByteBuffer.wrap(frame).putInt(LinkCodec.CHECK_AT, FrameCheck.of(frame));
+        return frame;
     }
 
     @ParameterizedTest
@@ -122,9 +125,12 @@ class MalformedFrameTest {
     @Test
     void refusesOtherVersions() {
         byte[] bytes = codec.encode(0, new Ack("c"));
-        bytes[4] = 2;
+        for (int version : new int[] {0, 1, 3, 255}) {
+            bytes[4] = (byte) version;
 
-        assertFault(Fault.VERSION, bytes);
+            assertFault(Fault.VERSION, bytes);
+            assertThat(LinkCodec.versionOf(bytes)).isEqualTo(version);
+        }
     }
 
     @ParameterizedTest
@@ -179,16 +185,16 @@ class MalformedFrameTest {
     }
 
     @Test
-    void neitherCrashesNorInventsAnythingUnderBitFlipsAndNoise() {
+    void bentBodiesUnderARightCheckValueNeitherCrashNorPassUnchecked() {
         SplittableRandom random = new SplittableRandom(11);
         List<LinkMessage> messages = RoundTripTest.messages().toList();
         int refused = 0;
         for (int i = 0; i < 20_000; i++) {
-            byte[] bytes = codec.encode(i, messages.get(i % messages.size()));
+            byte[] body = LinkCodec.body(messages.get(i % messages.size()));
             for (int flips = random.nextInt(1, 4); flips > 0; flips--) {
-                bytes[random.nextInt(bytes.length)] ^= (byte) (1 << random.nextInt(8));
+                body[random.nextInt(body.length)] ^= (byte) (1 << random.nextInt(8));
             }
-            refused += isRefused(bytes) ? 1 : 0;
+            refused += isRefused(frame(body)) ? 1 : 0;
         }
         byte[] noise = new byte[2 << 20];
         for (int i = 0; i < noise.length; i++) {

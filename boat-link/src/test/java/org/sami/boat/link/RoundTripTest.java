@@ -94,8 +94,10 @@ class RoundTripTest {
     void writesAFrameThatAPersonCanRead() {
         byte[] bytes = codec.encode(5, new StartWaypoints("m1-a2-boat1", "L1", 3));
 
-        String body = new String(bytes, 5, bytes.length - 5, StandardCharsets.UTF_8);
-        assertThat(bytes).startsWith(0, 0, 0, bytes.length - 4, 1);
+        int header = LinkCodec.HEADER_BYTES;
+        String body = new String(bytes, header, bytes.length - header, StandardCharsets.UTF_8);
+        assertThat(header).isEqualTo(9);
+        assertThat(bytes).startsWith(0, 0, 0, bytes.length - 4, 2);
         assertThat(body)
                 .isEqualTo("{\"type\":\"start\",\"seq\":5,\"command\":\"m1-a2-boat1\",\"list\":\"L1\",\"index\":3}");
     }

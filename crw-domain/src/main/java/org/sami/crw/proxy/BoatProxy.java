@@ -67,6 +67,7 @@ public final class BoatProxy {
     private boolean disconnected;
     private boolean fleetStopped;
     private String refusal = "";
+    private Optional<String> otherBoat = Optional.empty();
     private Optional<String> heldListId = Optional.empty();
 
     /** A proxy that says hello at its first tick. */
@@ -240,14 +241,21 @@ public final class BoatProxy {
         return disconnected;
     }
 
-    /** Takes one whole frame from the boat. */
-    public void receive(byte[] bytes, long atMs) {
+    /** Takes one whole frame from the boat. Returns whether it could be read. */
+    public boolean receive(byte[] bytes, long atMs) {
         nowMs = Math.max(nowMs, atMs);
         if (disconnected) {
-            return;
+            return false;
         }
-        link.receive(bytes, nowMs).ifPresent(this::take);
+        Optional<Frame> frame = link.receive(bytes, nowMs);
+        frame.ifPresent(this::take);
         settle();
+        return frame.isPresent();
+    }
+
+    /** The boat that answers over this link now, if it is another one. */
+    public Optional<String> otherBoat() {
+        return otherBoat;
     }
 
     /** Lets time pass: heartbeats, lost links, requests that are sent again. To be called ten times a second. */
@@ -276,6 +284,7 @@ public final class BoatProxy {
     /** The transport has opened: says hello at once. */
     public void opened(long atMs) {
         nowMs = Math.max(nowMs, atMs);
+        otherBoat = Optional.empty();
         if (!disconnected) {
             link.hello(nowMs);
         }
@@ -498,6 +507,7 @@ public final class BoatProxy {
         } else if (message instanceof CommandAsked asked) {
             announcements.add(l -> l.onCommandAsked(boatId, asked.clientId()));
         } else if (message instanceof Goodbye goodbye) {
+            otherBoat = Optional.of(goodbye.boatId()).filter(id -> !id.equals(boatId));
             refuse(goodbye.reason());
         } // heartbeats have done their work by arriving; what only bases say is no concern of a base
     }
@@ -511,9 +521,11 @@ public final class BoatProxy {
 
     private void welcomed(Welcome welcome) {
         if (!welcome.boatId().equals(boatId)) {
+            otherBoat = Optional.of(welcome.boatId());
             refuse("this boat is " + welcome.boatId());
             return;
         }
+        otherBoat = Optional.empty();
         boolean restarted = !link.bootId().isEmpty() && !link.bootId().equals(welcome.bootId());
         boolean news = link.state() != LinkState.LINKED;
         link.welcomed(welcome);
@@ -532,6 +544,7 @@ public final class BoatProxy {
     private void restarted() {
         driver.abandon("the boat's server has started anew");
         unconfirmedRestart = true;
+        heldListId = Optional.empty(); // what the earlier start held says nothing of this one
         announce(BoatListener::onRestarted);
     }
 

@@ -24,6 +24,7 @@ final class ProxyLink {
     private Role role = Role.OBSERVER;
     private Role wanted = Role.COMMANDER;
     private String bootId = "";
+    private String term = "";
     private long sequence;
     private long nextHelloMs = Long.MIN_VALUE;
     private long lastSentMs;
@@ -59,7 +60,7 @@ final class ProxyLink {
 
     void send(LinkMessage message, long nowMs) {
         lastSentMs = nowMs;
-        toBoat.send(CODEC.encode(sequence++, message));
+        toBoat.send(CODEC.encode(new Frame(sequence++, term, message)));
     }
 
     /** Reads a frame; what cannot be read is counted and does not keep the link alive. */
@@ -98,6 +99,7 @@ final class ProxyLink {
         state = LinkState.LINKED;
         role = welcome.role();
         bootId = welcome.bootId();
+        term = welcome.term();
     }
 
     /** The link has closed under us. Returns whether that is news. */

@@ -42,8 +42,14 @@ import org.sami.boat.link.Welcome;
  * takes nothing but a hello and what only stops it. Regaining the link starts nothing: the boat goes on with that until it
  * gets a command. The command changes hands only by a message that says so
  * ({@link CommandTransfer}), or when a client asks for it in its hello and nobody has it.
+ *
+ * <p>What is older than a stop moves nothing. On one link the sequence of the frames says what is older. Over all links the term
+ * does: each time a client is appointed its welcome names another one, never used before, and what does not name it was sent before
+ * the client knew.
  */
 public final class BoatServer {
+    private static final String OTHER_TERM = "it does not name the term of the last welcome: say hello again";
+
     private final ServerConfig config;
     private final Vehicle vehicle;
     private final ServerLog log;
@@ -55,6 +61,7 @@ public final class BoatServer {
     private final List<ServerSession> sessions = new ArrayList<>();
     private Optional<ServerSession> commander = Optional.empty();
     private boolean commanderLost;
+    private long terms;
     private BatteryLevel reportedLevel;
 
     /** A server that keeps no log. */
@@ -123,6 +130,10 @@ public final class BoatServer {
         return commander.isPresent() && !commanderLost;
     }
 
+    String boatId() {
+        return config.boatId();
+    }
+
     LinkCodec codec() {
         return codec;
     }
@@ -140,18 +151,18 @@ public final class BoatServer {
         if (message instanceof Hello) {
             greet(session, (Hello) message, nowMs);
         } else if (isCommander(session) && commanderLost && !isStopping(message)) {
-            refuseLate(session, message, nowMs);
+            refuseLate(session, message, "the link was lost: say hello again", nowMs);
         } else if (message instanceof CommandMessage) {
-            command(session, (CommandMessage) message, frame.sequence(), nowMs);
+            command(session, (CommandMessage) message, frame, nowMs);
         } else if (message instanceof Teleoperate) {
-            teleoperate(session, (Teleoperate) message, frame.sequence(), nowMs);
+            teleoperate(session, (Teleoperate) message, frame, nowMs);
         } // heartbeats have done their work by arriving; what only boats say is no concern of a boat
     }
 
     /** What comes after a lost link may have been under way all the time: only a new hello shows that the client is there. */
-    private void refuseLate(ServerSession session, LinkMessage message, long nowMs) {
+    private static void refuseLate(ServerSession session, LinkMessage message, String why, long nowMs) {
         String id = message instanceof CommandMessage ? ((CommandMessage) message).commandId() : "";
-        session.send(new Nack(id, NackReason.NOT_GREETED, "the link was lost: say hello again"), nowMs);
+        session.send(new Nack(id, NackReason.NOT_GREETED, why), nowMs);
     }
 
     void closed(ServerSession session, long nowMs) {
@@ -183,29 +194,31 @@ public final class BoatServer {
                 loseCommander();
                 commander = Optional.empty();
             }
-            introduce(session, Role.OBSERVER, nowMs);
+            introduce(session, Role.OBSERVER, "", nowMs);
         }
     }
 
     /** From now on this client commands; who did so before observes and is told. The boat goes on with what it does. */
     private void appoint(ServerSession next, long nowMs) {
         Optional<ServerSession> former = commander.filter(session -> session != next);
+        boolean goesOn = isCommander(next) && !commanderLost;
+        String term = goesOn ? next.term() : config.bootId() + "." + ++terms;
         commander = Optional.of(next);
         commanderLost = false;
-        former.ifPresent(session -> introduce(session, Role.OBSERVER, nowMs));
-        introduce(next, Role.COMMANDER, nowMs);
+        former.ifPresent(session -> introduce(session, Role.OBSERVER, "", nowMs));
+        introduce(next, Role.COMMANDER, term, nowMs);
     }
 
     /** Tells a client what it is and what the boat holds. */
-    private void introduce(ServerSession session, Role role, long nowMs) {
-        session.setRole(role);
-        session.send(new Welcome(config.boatId(), config.bootId(), role, ""), nowMs);
+    private void introduce(ServerSession session, Role role, String term, long nowMs) {
+        session.setRole(role, term);
+        session.send(new Welcome(config.boatId(), config.bootId(), role, term, ""), nowMs);
         session.send(battery(), nowMs);
         session.send(executor.settings(), nowMs);
         session.send(pilot.track().progress(), nowMs);
     }
 
-    private void command(ServerSession session, CommandMessage command, long sequence, long nowMs) {
+    private void command(ServerSession session, CommandMessage command, Frame frame, long nowMs) {
         Optional<LinkMessage> known = ledger.answerTo(command.commandId());
         if (session.role().isPresent() && CommandTransfer.isOne(command)) {
             LinkMessage answer = known.orElseGet(() -> transfer(session, command, nowMs));
@@ -218,10 +231,12 @@ public final class BoatServer {
             session.send(new HeldWaypoints(command.commandId(), track.listId(), track.waypoints()), nowMs);
         } else if (known.isPresent()) {
             session.send(known.get(), nowMs);
-        } else if (session.isOvertaken(sequence) && !isStopping(command)) {
+        } else if (session.isOfAnotherTerm(frame) && !isStopping(command)) {
+            refuseLate(session, command, OTHER_TERM, nowMs);
+        } else if (session.isOvertaken(frame) && !isStopping(command)) {
             session.send(CommandExecutor.nack(command, NackReason.STALE, "a later command came before"), nowMs);
         } else {
-            execute(session, command, sequence, nowMs);
+            execute(session, command, frame, nowMs);
         }
     }
 
@@ -241,20 +256,21 @@ public final class BoatServer {
         return commander.isPresent() && commander.get() == session;
     }
 
-    /** What only stops the boat is obeyed however late it comes. */
-    private static boolean isStopping(LinkMessage command) {
-        return command instanceof FleetStop || isStoppingOnly(command);
+    /** What only stops the boat is obeyed however late it comes; keeping station is more than a boat at rest does. */
+    private boolean isStopping(LinkMessage command) {
+        boolean rests = command instanceof HoldPosition && pilot.mode() == BoatMode.STOPPED;
+        return command instanceof FleetStop || (isStoppingOnly(command) && !rests);
     }
 
     private static boolean isStoppingOnly(LinkMessage command) {
         return command instanceof StopMotors || command instanceof HoldPosition;
     }
 
-    private void execute(ServerSession session, CommandMessage command, long sequence, long nowMs) {
+    private void execute(ServerSession session, CommandMessage command, Frame frame, long nowMs) {
         Progress before = pilot.track().progress();
         LinkMessage answer = executor.execute(command);
         ledger.record(command.commandId(), answer);
-        session.executed(sequence);
+        session.executed(frame);
         log.answered(nowMs, command, answer);
         session.send(answer, nowMs);
         if (CommandExecutor.isSetting(command)) {
@@ -265,10 +281,17 @@ public final class BoatServer {
         }
     }
 
-    private void teleoperate(ServerSession session, Teleoperate hand, long sequence, long nowMs) {
-        boolean newest = isCommander(session) && session.isNewestTeleoperation(sequence);
-        if (newest && pilot.mode() != BoatMode.FLEET_STOP) {
-            pilot.teleoperate(hand.thrust(), hand.rudder(), nowMs);
+    private void teleoperate(ServerSession session, Teleoperate hand, Frame frame, long nowMs) {
+        if (!isCommander(session)) {
+            return;
+        }
+        if (session.isOfAnotherTerm(frame)) {
+            refuseLate(session, hand, OTHER_TERM, nowMs);
+        } else if (!session.isOvertaken(frame)) {
+            session.executed(frame);
+            if (pilot.mode() != BoatMode.FLEET_STOP) {
+                pilot.teleoperate(hand.thrust(), hand.rudder(), nowMs);
+            }
         }
     }
 

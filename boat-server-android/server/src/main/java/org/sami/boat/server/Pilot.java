@@ -19,6 +19,7 @@ final class Pilot {
     private final Helm helm;
     private final LocalFrame home;
     private BoatMode mode = BoatMode.STOPPED;
+    private boolean moved; // since the server started
     private WaypointTrack track = WaypointTrack.NONE;
     private LocalFrame target;
     private boolean drivingBack;
@@ -67,6 +68,7 @@ final class Pilot {
     }
 
     void follow(int index) {
+        moved = true;
         track.startAt(index);
         if (track.isCompleted()) {
             hold();
@@ -98,6 +100,7 @@ final class Pilot {
     }
 
     private void hold(LocalFrame station) {
+        moved = true;
         panorama = Optional.empty();
         mode = BoatMode.HOLD;
         target = station;
@@ -116,15 +119,19 @@ final class Pilot {
     }
 
     void teleoperate(double newThrust, double newRudder, long nowMs) {
+        moved = true;
         mode = BoatMode.TELEOPERATION;
         thrust = newThrust;
         rudder = newRudder;
         handMs = nowMs;
     }
 
-    /** Does what is set for a lost link, whatever the boat was doing; a fleet stop alone stays. */
+    /**
+     * Does what is set for a lost link, whatever the boat was doing. A fleet stop stays; so does a boat that no command has moved since
+     * its server started, which may have been in mid-path: whoever answers for it has not said that it may move again.
+     */
     void linkLost(LostLinkAction action) {
-        if (mode == BoatMode.FLEET_STOP) {
+        if (mode == BoatMode.FLEET_STOP || !moved) {
             return;
         }
         if (action == LostLinkAction.DRIFT) {

@@ -1,10 +1,13 @@
 package org.sami.boat.server;
 
 import java.util.Optional;
+import org.sami.boat.link.EarlierVersion;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
+import org.sami.boat.link.Goodbye;
 import org.sami.boat.link.Heartbeat;
 import org.sami.boat.link.Hello;
+import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Nack;
@@ -28,9 +31,11 @@ public final class ServerSession {
     private long lastSentMs;
     private long telemetryPeriodMs;
     private long nextTelemetryMs;
-    private long lastTeleoperation = -1;
-    private long lastMotion = -1;
+    private String term = "";
+    private long newestExecuted = -1; // by its sequence; it outlives every hello
     private long refusedFrames;
+    private boolean wishesToCommand;
+    private Optional<String> dismissal = Optional.empty();
     private boolean open = true;
 
     ServerSession(BoatServer server, FrameSink toClient) {
@@ -40,7 +45,7 @@ public final class ServerSession {
 
     /** Takes one whole frame from the client. What cannot be read is counted and, where it names a command, refused. */
     public void receive(byte[] frame, long nowMs) {
-        if (!open) {
+        if (!open || dismissal.isPresent()) {
             return;
         }
         try {
@@ -49,8 +54,36 @@ public final class ServerSession {
             lastReceivedMs = nowMs;
         } catch (LinkException e) {
             refusedFrames++;
+            if (e.fault() == LinkException.Fault.VERSION && !role.isPresent()) {
+                refuseVersion(LinkCodec.versionOf(frame), nowMs);
+                return;
+            }
             send(new Nack(e.commandId(), NackReason.MALFORMED, shortened(e.getMessage())), nowMs);
         }
+    }
+
+    /** Said in the client's own frames, which it can read, and in those of this version, of which it can tell the version. */
+    private void refuseVersion(int version, long nowMs) {
+        String both = "link version " + version + ", this boat version " + LinkCodec.VERSION;
+        String reason = "the base speaks " + both + ": bring both to the same version";
+        toClient.send(EarlierVersion.goodbye(version, server.boatId(), reason));
+        dismiss(reason, "it speaks " + both, nowMs);
+    }
+
+    /** The boat wants no more of this client: tells it so, and the host why it is to be dropped once that has left. */
+    private void dismiss(String reason, String why, long nowMs) {
+        send(new Goodbye(server.boatId(), reason), nowMs);
+        dismissal = Optional.of(why);
+    }
+
+    /** Tells the client that it is turned away, for a reason in words; its host then drops it. */
+    public void turnAway(String reason, long nowMs) {
+        dismiss(reason, reason, nowMs);
+    }
+
+    /** Why the client is to be dropped, once what it was sent has left; empty if it is not. */
+    public Optional<String> dismissal() {
+        return dismissal;
     }
 
     /** The link has closed. If this was the commander's, the boat does at once what is set for a lost link. */
@@ -76,8 +109,24 @@ public final class ServerSession {
         return clientId;
     }
 
-    void setRole(Role granted) {
+    /** Whether the client has asked to command in its newest hello, whatever it was granted. */
+    public boolean wishesToCommand() {
+        return wishesToCommand;
+    }
+
+    /** For how long nothing that could be read has come from the client, in ms; for one that never spoke, since the clock began. */
+    public long silentForMs(long nowMs) {
+        return nowMs - lastReceivedMs;
+    }
+
+    void setRole(Role granted, String newTerm) {
         role = Optional.of(granted);
+        term = newTerm;
+    }
+
+    /** What a client that commands has to name, so that it is known to have read its welcome; empty for all others. */
+    String term() {
+        return term;
     }
 
     void greeted(Hello hello, double defaultHz) {
@@ -85,29 +134,26 @@ public final class ServerSession {
         double hz = hello.telemetryHz() > 0 ? hello.telemetryHz() : defaultHz;
         telemetryPeriodMs = Math.max(1, Math.round(1000 / hz));
         nextTelemetryMs = Long.MIN_VALUE; // with the next tick
-        lastTeleoperation = -1;
-        lastMotion = -1;
+        wishesToCommand = hello.role() == Role.COMMANDER;
     }
 
     /** Whether nothing has come for so long that the client counts as lost. */
     boolean isSilent(long nowMs, long afterMs) {
-        return nowMs - lastReceivedMs > afterMs;
+        return silentForMs(nowMs) > afterMs;
     }
 
-    /** Whether a setting by hand is newer than all before it. */
-    boolean isNewestTeleoperation(long frameSequence) {
-        boolean newest = frameSequence > lastTeleoperation;
-        lastTeleoperation = Math.max(lastTeleoperation, frameSequence);
-        return newest;
+    /** Whether something was sent before another command or setting by hand of this client that has already been executed. */
+    boolean isOvertaken(Frame frame) {
+        return frame.sequence() <= newestExecuted;
     }
 
-    /** Whether a command was sent before another one that has already been executed. */
-    boolean isOvertaken(long frameSequence) {
-        return frameSequence < lastMotion;
+    /** Whether something was sent before the client had read the welcome by which it commands now. */
+    boolean isOfAnotherTerm(Frame frame) {
+        return !frame.term().equals(term);
     }
 
-    void executed(long frameSequence) {
-        lastMotion = Math.max(lastMotion, frameSequence);
+    void executed(Frame frame) {
+        newestExecuted = Math.max(newestExecuted, frame.sequence());
     }
 
     void send(LinkMessage message, long nowMs) {

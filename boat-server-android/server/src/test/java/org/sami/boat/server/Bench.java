@@ -4,18 +4,23 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.Frame;
 import org.sami.boat.link.Heartbeat;
 import org.sami.boat.link.Hello;
 import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Role;
+import org.sami.boat.link.Welcome;
 
 /** A boat server on a test bench: a vehicle moved by hand, clients that write down what they get. */
 final class Bench {
     final Dummy vehicle = new Dummy();
     final List<String> log = new ArrayList<>();
     final BoatServer server;
+    private final List<CommandMessage> commands = new ArrayList<>(); // with its answer, what the boat's log holds
+    private final List<LinkMessage> answers = new ArrayList<>();
+    private final int starts;
     long nowMs = 10_000;
 
     Bench(Sensor... sensors) {
@@ -23,11 +28,32 @@ final class Bench {
     }
 
     Bench(UnaryOperator<ServerConfig.Builder> config, Sensor... sensors) {
+        this(7, config, sensors);
+    }
+
+    private Bench(int starts, UnaryOperator<ServerConfig.Builder> config, Sensor... sensors) {
+        this.starts = starts;
         vehicle.sensors = List.of(sensors);
         server = new BoatServer(
-                config.apply(ServerConfig.of("boat1", "boot7")).build(),
-                vehicle,
-                (ms, command, answer) -> log.add(command.commandId() + " " + answer.type()));
+                config.apply(ServerConfig.of("boat1", "boot" + starts)).build(), vehicle, this::answered);
+    }
+
+    private void answered(long ms, CommandMessage command, LinkMessage answer) {
+        log.add(command.commandId() + " " + answer.type());
+        commands.add(command);
+        answers.add(answer);
+    }
+
+    /** Another start of the same boat's server, which takes back its log. */
+    Bench startedAnew() {
+        Bench next = new Bench(starts + 1, UnaryOperator.identity());
+        for (int i = 0; i < commands.size(); i++) {
+            next.server.restore(commands.get(i), answers.get(i));
+            next.commands.add(commands.get(i));
+            next.answers.add(answers.get(i));
+        }
+        next.nowMs = nowMs;
+        return next;
     }
 
     Client commander() {
@@ -57,6 +83,7 @@ final class Bench {
         final ServerSession session;
         private final LinkCodec codec = new LinkCodec();
         private long sequence;
+        private String term = "";
 
         Client() {
             session = server.connect(bytes -> got.add(decoded(bytes)));
@@ -68,8 +95,18 @@ final class Bench {
         }
 
         List<LinkMessage> say(long asSequence, LinkMessage message) {
+            return hear(frame(asSequence, message));
+        }
+
+        /** A frame as this client sends it now, which may come later. */
+        byte[] frame(long asSequence, LinkMessage message) {
+            return codec.encode(new Frame(asSequence, term, message));
+        }
+
+        /** A frame of this client comes to the boat; gives back what the client got at once. */
+        List<LinkMessage> hear(byte[] frame) {
             int before = got.size();
-            session.receive(codec.encode(asSequence, message), nowMs);
+            session.receive(frame, nowMs);
             return got.subList(before, got.size());
         }
 
@@ -84,7 +121,11 @@ final class Bench {
 
         private LinkMessage decoded(byte[] bytes) {
             try {
-                return codec.decode(bytes).message();
+                LinkMessage message = codec.decode(bytes).message();
+                if (message instanceof Welcome welcome) {
+                    term = welcome.term();
+                }
+                return message;
             } catch (LinkException e) {
                 throw new AssertionError(e);
             }

@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -117,7 +115,7 @@ class BoatServerTest {
                 NackReason.TOO_LONG);
         String bad =
                 "{\"type\":\"upload\",\"seq\":9,\"command\":\"c4\",\"list\":\"l3\",\"waypoints\":[[1,1,1],[99,1,1]]}";
-        client.session.receive(framed(bad), small.nowMs);
+        client.session.receive(Framed.of(bad), small.nowMs);
 
         Nack nack = client.all(Nack.class).get(1);
         assertThat(nack.commandId()).isEqualTo("c4");
@@ -343,7 +341,7 @@ class BoatServerTest {
     void noiseDoesNotKeepTheLinkAlive() {
         Client client = driving();
         for (int i = 0; i < 36; i++) {
-            client.session.receive(framed("noise"), bench.nowMs);
+            client.session.receive(Framed.of("noise"), bench.nowMs);
             bench.run(0.1);
         }
 
@@ -470,14 +468,5 @@ class BoatServerTest {
         assertThat(answer)
                 .isInstanceOfSatisfying(
                         Nack.class, nack -> assertThat(nack.reason()).isEqualTo(reason));
-    }
-
-    private static byte[] framed(String body) {
-        byte[] bytes = body.getBytes(StandardCharsets.UTF_8);
-        return ByteBuffer.allocate(bytes.length + 5)
-                .putInt(bytes.length + 1)
-                .put((byte) 1)
-                .put(bytes)
-                .array();
     }
 }

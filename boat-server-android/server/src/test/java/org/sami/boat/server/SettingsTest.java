@@ -3,15 +3,12 @@ package org.sami.boat.server;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
-import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
@@ -81,7 +78,7 @@ class SettingsTest {
             "{\"type\":\"lost-link\",\"seq\":5,\"command\":\"x\",\"action\":\"EXPLODE\"}",
         };
         for (String body : bodies) {
-            client.session.receive(framed(body), bench.nowMs);
+            client.session.receive(Framed.of(body), bench.nowMs);
 
             Nack nack = client.all(Nack.class).get(client.all(Nack.class).size() - 1);
             assertThat(nack.commandId()).isEqualTo("x");
@@ -117,14 +114,5 @@ class SettingsTest {
             bench.run(0.1, client);
             assertThat(bench.vehicle.thrust()).as("times %s", row[0]).isCloseTo(row[1], within(1e-6));
         }
-    }
-
-    private static byte[] framed(String body) {
-        byte[] bytes = body.getBytes(StandardCharsets.UTF_8);
-        return ByteBuffer.allocate(5 + bytes.length)
-                .putInt(1 + bytes.length)
-                .put((byte) LinkCodec.VERSION)
-                .put(bytes)
-                .array();
     }
 }

@@ -3,6 +3,7 @@ package org.sami.crw.proxy.tcp;
 import java.net.InetSocketAddress;
 import java.util.Optional;
 import org.sami.boat.link.FrameSink;
+import org.sami.boat.link.Goodbye;
 import org.sami.boat.link.Hello;
 import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkException;
@@ -28,6 +29,12 @@ final class BoatLink implements FrameSink {
 
         /** A boat has said who it is: whether this link is to carry it. Asked again as long as the answer is to wait. */
         Claim claimed(BoatLink link, Found found);
+
+        /** Where a boat was that this link carries, another one answers: the link is to carry nobody. */
+        void leftBy(BoatLink link, String boatId);
+
+        /** What answers speaks another version of the link. */
+        void speaksVersion(BoatLink link, int version);
     }
 
     /**
@@ -55,7 +62,9 @@ final class BoatLink implements FrameSink {
     private Optional<BoatConnection> connection = Optional.empty();
     private Optional<Found> found = Optional.empty();
     private boolean open;
+    private boolean understood; // something that came over the connection
     private boolean refused;
+    private String refusal = "";
     private long lastHeardMs;
     private long nextTryMs = Long.MIN_VALUE;
     private long connections;
@@ -135,6 +144,7 @@ final class BoatLink implements FrameSink {
             return;
         }
         open = true;
+        understood = false;
         connections++;
         lastHeardMs = nowMs;
         lastEvent = "connected";
@@ -149,33 +159,62 @@ final class BoatLink implements FrameSink {
         if (!isPresent(from)) {
             return; // late, out of a connection that was given up
         }
-        lastHeardMs = nowMs;
-        if (proxy.isPresent()) {
-            backoff.reset();
-            proxy.get().receive(frame, nowMs);
-        } else if (!refused && found.isEmpty()) {
-            identify(frame, nowMs);
+        if (refused) {
+            return; // it is being closed
         }
+        int version = LinkCodec.versionOf(frame);
+        if (!understood && version != LinkCodec.VERSION) {
+            base.speaksVersion(this, version);
+            refuse("it speaks link version " + version + ", this base version " + LinkCodec.VERSION);
+        } else if (proxy.isPresent()) {
+            carried(proxy.get(), frame, nowMs);
+        } else if (found.isEmpty()) {
+            identify(frame, nowMs);
+        } else {
+            lastHeardMs = nowMs;
+        }
+    }
+
+    /** What cannot be read does not keep the link alive. */
+    private void carried(BoatProxy carried, byte[] frame, long nowMs) {
+        if (carried.receive(frame, nowMs)) {
+            understood = true;
+            lastHeardMs = nowMs;
+            backoff.reset();
+        }
+        carried.otherBoat().ifPresent(other -> base.leftBy(this, carried.boatId()));
     }
 
     private void identify(byte[] frame, long nowMs) {
         try {
             LinkMessage message = CODEC.decode(frame).message();
-            if (!(message instanceof Welcome welcome)) {
-                return;
+            understood = true;
+            lastHeardMs = nowMs;
+            if (message instanceof Goodbye goodbye) {
+                refuse("the boat turns this base away: " + goodbye.reason());
+            } else if (message instanceof Welcome welcome) {
+                found = Optional.of(new Found(welcome, nowMs));
+                claim(found.get());
             }
-            found = Optional.of(new Found(welcome, nowMs));
-            claim(found.get());
         } catch (LinkException e) {
-            connection.orElseThrow().close("what answers there is no boat: " + e.getMessage());
+            boolean damaged = e.fault() == LinkException.Fault.CHECK;
+            connection
+                    .orElseThrow()
+                    .close(damaged ? "the answer came damaged" : "what answers there is no boat: " + e.getMessage());
         }
+    }
+
+    /** Closes the connection and is in no hurry to try again. */
+    private void refuse(String why) {
+        refused = true;
+        refusal = why;
+        found = Optional.empty();
+        connection.orElseThrow().close(why);
     }
 
     private void claim(Found claimed) {
         if (base.claimed(this, claimed) == Claim.REFUSED) {
-            refused = true;
-            found = Optional.empty();
-            connection.orElseThrow().close("refused: " + claimed.welcome().boatId() + " is reached by another link");
+            refuse("refused: " + claimed.welcome().boatId() + " is reached by another link");
         }
     }
 
@@ -187,8 +226,8 @@ final class BoatLink implements FrameSink {
         found = Optional.empty();
         open = false;
         nextTryMs = nowMs + (refused ? backoff.longest() : backoff.next());
+        lastEvent = refused ? refusal : why; // the boat may have hung up before
         refused = false;
-        lastEvent = why;
         proxy.ifPresent(known -> known.closed(nowMs));
     }
 

@@ -5,7 +5,7 @@ import java.net.InetSocketAddress;
 /**
  * Something about a link that an operator must know and act on.
  *
- * @param boatId the boat that is concerned
+ * @param boatId the boat that is concerned; empty if it is not known
  * @param address where it answers
  * @param text the same in words
  */
@@ -16,6 +16,10 @@ public record LinkAlarm(Kind kind, String boatId, InetSocketAddress address, Str
         /** Two boats have one id; the one at the address is refused. */
         TWO_BOATS_WITH_ONE_ID,
         /** One boat is reached under two addresses; the second link is refused. */
-        ONE_BOAT_AT_TWO_ADDRESSES
+        ONE_BOAT_AT_TWO_ADDRESSES,
+        /** Another boat answers where one was known; it is a boat of its own from now on. */
+        ANOTHER_BOAT,
+        /** What answers speaks another version of the link; it gets no command. */
+        OTHER_VERSION
     }
 }

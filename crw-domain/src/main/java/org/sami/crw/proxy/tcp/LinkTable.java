@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.sami.boat.link.FrameSink;
+import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.Welcome;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
@@ -32,6 +33,8 @@ final class LinkTable {
     private final List<Leaving> leaving = new ArrayList<>();
     private final ProxyRegistry proxies = new ProxyRegistry();
     private final Map<String, BoatLink> carriers = new LinkedHashMap<>();
+    private final Map<BoatLink, String> left =
+            new HashMap<>(); // by the boat that was there, until it is known who answers
     private final Map<String, BoatProxy> removed = new HashMap<>(); // each remembers which ids it has used
     private final Set<LinkAlarm> alarmed = new LinkedHashSet<>();
     private long made;
@@ -119,6 +122,7 @@ final class LinkTable {
 
     private void drop(BoatLink link) {
         links.remove(link);
+        left.remove(link);
         link.release("the address is given up", nowMs);
     }
 
@@ -172,8 +176,30 @@ final class LinkTable {
             return BoatLink.Claim.CARRIES;
         }
 
+        @Override
+        public void leftBy(BoatLink link, String boatId) {
+            carriers.remove(boatId, link);
+            left.put(link, boatId);
+            link.release("another boat answers where " + boatId + " was", nowMs);
+        }
+
+        @Override
+        public void speaksVersion(BoatLink link, int version) {
+            String boatId = link.report().boatId().orElse("");
+            String text = "what answers at " + words(link) + " speaks link version " + version + ", this base version "
+                    + LinkCodec.VERSION + "; it gets no command until both are of the same version";
+            tell(new LinkAlarm(LinkAlarm.Kind.OTHER_VERSION, boatId, link.address(), text));
+        }
+
         private void adopt(BoatLink link, String boatId) {
             letGo(one -> one.proxy.boatId().equals(boatId));
+            alarmed.removeIf(alarm -> alarm.kind() == LinkAlarm.Kind.OTHER_VERSION
+                    && alarm.address().equals(link.address()));
+            String before = Optional.ofNullable(left.remove(link)).orElse(boatId);
+            if (!before.equals(boatId)) {
+                String text = boatId + " answers at " + words(link) + ", where " + before + " was";
+                tell(new LinkAlarm(LinkAlarm.Kind.ANOTHER_BOAT, boatId, link.address(), text));
+            }
             BoatProxy proxy = proxies.find(boatId).orElseGet(() -> make(boatId));
             carriers.put(boatId, link);
             link.carry(proxy, nowMs);
@@ -200,6 +226,7 @@ final class LinkTable {
                 from.release("the boat is reached elsewhere", nowMs);
             }
             carriers.put(boatId, to);
+            left.remove(to);
             forgetAlarms(boatId);
             listener.onMoved(boatId, from.address(), to.address());
             to.carry(proxies.find(boatId).orElseThrow(), nowMs);
@@ -218,6 +245,10 @@ final class LinkTable {
                             welcome.boatId(),
                             link.address(),
                             "two boats are named " + welcome.boatId() + ", at " + both + "; the second is refused");
+            tell(alarm);
+        }
+
+        private void tell(LinkAlarm alarm) {
             if (alarmed.add(alarm)) {
                 listener.onAlarm(alarm);
             }

@@ -148,6 +148,7 @@ final class BoatCommand implements Callable<Integer> {
             }
             out.flush();
             warnOfDamage(boat.unreadLogLines());
+            warnOfStrangers(address);
             if (whileInput) {
                 awaitEndOfInput();
             } else {
@@ -184,6 +185,14 @@ final class BoatCommand implements Callable<Integer> {
             new Console()
                     .say("its log has " + lines + (lines == 1 ? " damaged line" : " damaged lines")
                             + ": what stood there is forgotten, a fleet stop perhaps too");
+        }
+    }
+
+    private void warnOfStrangers(InetSocketAddress address) {
+        if (!address.getAddress().isLoopbackAddress()) {
+            new Console()
+                    .say("anybody who reaches " + address.getAddress().getHostAddress() + ":" + address.getPort()
+                            + " can command it, as nothing asks who that is; without --bind only this machine can");
         }
     }
 

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -11,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.server.log.LogLines;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.tcp.LinkAlarm;
 import org.sami.crw.proxy.tcp.LinkReport;
@@ -107,6 +110,40 @@ class MovedBoatTest {
                 .singleElement()
                 .extracting(LinkAlarm::kind)
                 .isEqualTo(LinkAlarm.Kind.TWO_BOATS_WITH_ONE_ID);
+    }
+
+    @Test
+    void secondBoatOfANameThatAppearsWhereAnotherBoatWasIsAlarmedOnceAndGetsNoCommand() throws Exception {
+        BoatOnTcp anna = harbour.boat("anna");
+        BoatOnTcp berta = harbour.boat("berta");
+        int port = berta.address().getPort();
+        Base base = harbour.base("base");
+        base.connect(anna.address(), "anna");
+        base.connect(berta.address(), "berta");
+        base.submit("anna", Harbour.path("m1", 1));
+        base.submit("berta", Harbour.path("m2", 2));
+        base.awaitMode("anna", BoatMode.PATH);
+        base.awaitMode("berta", BoatMode.PATH);
+        berta.close();
+        BoatOnTcp namesake = harbour.boat("anna", port, logs.resolve("other"));
+
+        Await.until("an alarm", 20, () -> !base.alarms.isEmpty());
+        long connections = base.links().get(1).connections();
+        Await.until("it is tried again", 20, () -> base.links().get(1).connections() > connections + 1);
+        assertThat(base.alarms).singleElement().satisfies(alarm -> {
+            assertThat(alarm.kind()).isEqualTo(LinkAlarm.Kind.TWO_BOATS_WITH_ONE_ID);
+            assertThat(alarm.text()).contains("two boats are named anna").contains(":" + port + ";");
+        });
+        assertThat(base.mode("anna")).contains(BoatMode.PATH);
+        List<Object> entries = new ArrayList<>();
+        LogLines.read(logs.resolve("other").resolve("anna.log"), entries::add);
+        assertThat(entries).as("what the second was told").isEmpty();
+
+        namesake.close();
+        harbour.boat("berta", port, logs);
+        Await.until("berta is there again", 20, () -> base.count("berta restarted") == 1);
+        assertThat(base.alarms).hasSize(1);
+        assertThat(base.failures).isEmpty();
     }
 
     @Test

@@ -39,6 +39,7 @@ import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.link.Welcome;
+import org.sami.crw.proxy.tcp.LinkAlarm;
 import org.sami.crw.sim.boat.Harbour.Base;
 
 /** A base one of whose addresses talks rubbish: it survives, says what it hears, and its other boat drives on. */
@@ -116,8 +117,8 @@ class RavingBoatTest {
                 noise[i] = (byte) random.nextInt();
             }
             if (connection % 2 == 1) { // as one well-framed message
-                to.write(ByteBuffer.allocate(5)
-                        .putInt(noise.length + 1)
+                to.write(ByteBuffer.allocate(LinkCodec.HEADER_BYTES)
+                        .putInt(noise.length + 5)
                         .put((byte) LinkCodec.VERSION)
                         .array());
             }
@@ -155,6 +156,34 @@ class RavingBoatTest {
                 to.write(frame);
             }
         });
+    }
+
+    @Test
+    void boatOfAnEarlierVersionIsAlarmedOnceAndNamedAsSuch() throws Exception {
+        try (RavingBoat yesterday = new RavingBoat((connection, to) -> {
+            byte[] refusal = LinkCodec.body(
+                    new Nack("", NackReason.MALFORMED, "VERSION at the frame: version 2 is not read here"));
+            to.write(ByteBuffer.allocate(5 + refusal.length)
+                    .putInt(1 + refusal.length)
+                    .put((byte) 1)
+                    .put(refusal)
+                    .array());
+        })) {
+            base.tcp.connect(yesterday.address());
+            Await.until("it is tried again", 60, () -> yesterday.spoken() >= 3);
+
+            assertThat(base.alarms).singleElement().satisfies(alarm -> {
+                assertThat(alarm.kind()).isEqualTo(LinkAlarm.Kind.OTHER_VERSION);
+                assertThat(alarm.text())
+                        .contains(":" + yesterday.address().getPort())
+                        .contains("speaks link version 1, this base version 2");
+            });
+            Await.until(
+                    "the link says so",
+                    20,
+                    () -> base.links().get(1).lastEvent().contains("speaks link version 1"));
+            assertThat(base.mode("anna")).contains(BoatMode.PATH);
+        }
     }
 
     private void welcome(OutputStream to, int connection) throws IOException {

@@ -8,11 +8,16 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
+import java.util.Queue;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
+import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.FrameReader;
 import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkException;
@@ -37,7 +42,10 @@ public final class TestRelay implements Closeable {
     private final Set<Socket> open = ConcurrentHashMap.newKeySet();
     private final AtomicReference<Optional<Cut>> armed = new AtomicReference<>(Optional.empty());
     private final SplittableRandom random = new SplittableRandom(64);
+    private final Queue<CommandMessage> carried = new ConcurrentLinkedQueue<>();
+    private final AtomicLong bent = new AtomicLong();
     private volatile double lossProbability;
+    private volatile double bentProbability;
     private volatile boolean swallows;
 
     public TestRelay(InetSocketAddress boat) throws IOException {
@@ -62,6 +70,40 @@ public final class TestRelay implements Closeable {
 
     private synchronized boolean loses() {
         return random.nextDouble() < lossProbability;
+    }
+
+    /** From now on bits are flipped in a part of the frames, either way; not in their lengths, so that the link stands. */
+    void setBent(double probability) {
+        bentProbability = probability;
+    }
+
+    /** How many frames were bent. */
+    long bent() {
+        return bent.get();
+    }
+
+    /** Every command that came from bases. */
+    List<CommandMessage> carried() {
+        return List.copyOf(carried);
+    }
+
+    private void keep(byte[] frame) throws LinkException {
+        if (codec.decode(frame).message() instanceof CommandMessage command) {
+            carried.add(command);
+        }
+    }
+
+    private synchronized byte[] bend(byte[] frame) {
+        if (random.nextDouble() >= bentProbability) {
+            return frame;
+        }
+        bent.incrementAndGet();
+        byte[] bending = frame.clone();
+        for (int flips = random.nextInt(1, 5); flips > 0; flips--) {
+            bending[LinkCodec.LENGTH_BYTES + random.nextInt(frame.length - LinkCodec.LENGTH_BYTES)] ^=
+                    (byte) (1 << random.nextInt(8));
+        }
+        return bending;
     }
 
     public void arm(Cut cut) {
@@ -116,7 +158,8 @@ public final class TestRelay implements Closeable {
             FrameReader frames = new FrameReader(from.getInputStream(), codec);
             OutputStream out = to.getOutputStream();
             for (Optional<byte[]> next = frames.next(); next.isPresent(); next = frames.next()) {
-                if (!swallows && !loses() && !carry(next.get(), out)) {
+                keep(next.get());
+                if (!swallows && !loses() && !carry(bend(next.get()), out)) {
                     return;
                 }
             }

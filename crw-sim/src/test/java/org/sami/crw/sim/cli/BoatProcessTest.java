@@ -176,14 +176,17 @@ class BoatProcessTest {
             boat(boat.port, "--log", (withItsState ? folder : folder.resolve("new")).toString());
             until("the operator is asked", () -> restarts.get() == 1);
             until("it rests", () -> is(BoatMode.STOPPED));
-            Optional<String> held = base.query(
-                            proxies -> proxies.find("anna").orElseThrow().heldListId())
-                    .join();
-            assertThat(held).contains(before.isEmpty() || !withItsState ? "" : "m1-a1-anna#base.0.1");
+            until("it says what it holds", () -> held(base).isPresent());
+            assertThat(held(base)).contains(before.isEmpty() || !withItsState ? "" : "m1-a1-anna#base.0.1");
             tell(base, BoatProxy::confirmRestart);
             until("under way", () -> is(BoatMode.PATH));
             assertThat(executed()).doesNotHaveDuplicates();
         }
+    }
+
+    private static Optional<String> held(TcpBase base) {
+        return base.query(proxies -> proxies.find("anna").orElseThrow().heldListId())
+                .join();
     }
 
     @Test
@@ -280,6 +283,39 @@ class BoatProcessTest {
         assertThat(folder.resolve("anna.log")).hasContent("my diary");
         assertThat(noFolder.exitCode()).isEqualTo(4);
         assertThat(noFolder.err()).contains("anna.log is no folder");
+    }
+
+    @Test
+    void saysWhoCanCommandItWhenItIsReachedFromElsewhere() throws Exception {
+        Path said = folder.resolve("said");
+        Process process = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        "-XX:TieredStopAtLevel=1",
+                        Crw.class.getName(),
+                        "boat",
+                        "--port",
+                        "0",
+                        "--name",
+                        "anna",
+                        "--at",
+                        "45.4,10.9",
+                        "--bind",
+                        "0.0.0.0",
+                        "--while-input")
+                .redirectError(said.toFile())
+                .start();
+        started.add(process);
+        process.getOutputStream().close();
+        assertThat(process.waitFor(30, TimeUnit.SECONDS)).isTrue();
+
+        assertThat(Files.readAllLines(said))
+                .filteredOn(line -> line.contains("anybody who reaches 0.0.0.0:"))
+                .singleElement()
+                .asString()
+                .startsWith("anna: ")
+                .contains("can command it");
     }
 
     @Test

@@ -4,7 +4,6 @@ import java.io.BufferedInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -22,9 +21,7 @@ import org.sami.boat.link.LinkMessage;
  * the command and of its answer as they are on the link, between tabs. A line without bodies tells of a start.
  */
 public final class LogLines {
-    private static final LinkCodec CODEC = new LinkCodec();
     private static final Pattern BEGINNING = Pattern.compile("[0-9a-f]{8}\t|[0-9a-f]{0,8}$");
-    private static final int HEADER_BYTES = LinkCodec.LENGTH_BYTES + 1;
 
     private LogLines() {}
 
@@ -112,14 +109,10 @@ public final class LogLines {
 
     /** A message's JSON; it has no tab and no line end, as JSON escapes both. */
     private static String body(LinkMessage message) {
-        byte[] frame = CODEC.encode(0, message);
-        return new String(frame, HEADER_BYTES, frame.length - HEADER_BYTES, StandardCharsets.UTF_8);
+        return new String(LinkCodec.body(message), StandardCharsets.UTF_8);
     }
 
     private static LinkMessage message(String body) throws LinkException {
-        byte[] bytes = body.getBytes(StandardCharsets.UTF_8);
-        ByteBuffer frame = ByteBuffer.allocate(HEADER_BYTES + bytes.length);
-        frame.putInt(1 + bytes.length).put((byte) LinkCodec.VERSION).put(bytes);
-        return CODEC.decode(frame.array()).message();
+        return LinkCodec.readBody(body.getBytes(StandardCharsets.UTF_8));
     }
 }

@@ -32,7 +32,6 @@ final class ClientConnection implements FrameSink {
     private final AtomicBoolean closed = new AtomicBoolean();
     private final Thread reader;
     private final Thread writer;
-    private volatile boolean greeted;
 
     /** A client's socket; the numbers of connections grow. */
     ClientConnection(Socket socket, long number, TcpServerConfig config, String boatId, Owner owner)
@@ -69,15 +68,6 @@ final class ClientConnection implements FrameSink {
     /** Grows with each connection. */
     long number() {
         return number;
-    }
-
-    /** Whether the boat knows who it is. */
-    boolean isGreeted() {
-        return greeted;
-    }
-
-    void setGreeted(boolean value) {
-        greeted = value;
     }
 
     @Override

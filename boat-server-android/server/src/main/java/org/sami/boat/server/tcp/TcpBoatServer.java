@@ -6,15 +6,14 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
@@ -24,7 +23,6 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.LongConsumer;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.BoatServer;
-import org.sami.boat.server.ServerSession;
 
 /**
  * One boat on a TCP port: accepts clients, has their frames and the ticks run on one thread of its own, and drops whoever
@@ -48,6 +46,7 @@ public final class TcpBoatServer implements Closeable {
     private final Thread acceptor;
     private final Set<ClientConnection> connections = ConcurrentHashMap.newKeySet();
     private final Map<ClientConnection, Client> clients = new LinkedHashMap<>(); // for the boat's thread
+    private final Places places;
     private long accepts; // for the accepting thread
     private volatile boolean stopping;
     private volatile Future<?> ticks = CompletableFuture.completedFuture(null);
@@ -73,6 +72,7 @@ public final class TcpBoatServer implements Closeable {
         this.clock = Objects.requireNonNull(clock, "clock");
         this.beforeTick = Objects.requireNonNull(beforeTick, "beforeTick");
         this.listener = Objects.requireNonNull(listener, "listener");
+        places = new Places(config.maxClients());
         boatThread = Executors.newSingleThreadScheduledExecutor(work -> daemon(work, name + "-boat"));
         acceptor = daemon(this::accept, name + "-accepts");
     }
@@ -149,10 +149,8 @@ public final class TcpBoatServer implements Closeable {
     }
 
     private void admit(Socket accepted) throws IOException {
-        if (connections.size() >= config.maxClients() && !makeRoom()) {
-            listener.closed(String.valueOf(accepted.getRemoteSocketAddress()), "there are too many clients");
-            accepted.close();
-            return;
+        if (connections.size() >= places.withWaiting()) {
+            makeRoom();
         }
         ClientConnection connection;
         try {
@@ -163,7 +161,7 @@ public final class TcpBoatServer implements Closeable {
         }
         connections.add(connection);
         listener.connected(connection.name());
-        onBoat(() -> clients.put(connection, new Client(boat.connect(connection), now())));
+        onBoat(() -> clients.put(connection, new Client(connection, boat.connect(connection), now())));
         try {
             connection.start();
         } catch (RuntimeException | Error e) {
@@ -172,13 +170,17 @@ public final class TcpBoatServer implements Closeable {
         }
     }
 
-    /** Drops whoever has been silent about itself for longest, so that a scan of ports keeps no client out. */
-    private boolean makeRoom() {
-        Optional<ClientConnection> stranger = connections.stream()
-                .filter(connection -> !connection.isGreeted())
-                .min(Comparator.comparingLong(ClientConnection::number));
-        stranger.ifPresent(connection -> connection.close("it has not said who it is, and another one comes"));
-        return stranger.isPresent();
+    /** Waits for the boat's thread, so that not more come than it can look at. */
+    private void makeRoom() {
+        try {
+            boatThread.submit(() -> places.makeRoom(clients.values(), now())).get();
+        } catch (ExecutionException e) {
+            throw new IllegalStateException("no room could be made", e.getCause());
+        } catch (RejectedExecutionException e) {
+            // the server stops
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     private void tick() {
@@ -186,11 +188,16 @@ public final class TcpBoatServer implements Closeable {
             long nowMs = now();
             beforeTick.accept(nowMs);
             boat.tick(nowMs);
-            clients.forEach((connection, client) -> {
-                if (client.isOverdue(nowMs, config.helloWithinMs())) {
-                    connection.close("it does not say who it is");
+            for (Client client : new ArrayList<>(clients.values())) {
+                client.closeIfLeaving();
+                if (client.tick() * config.tickMs() > config.silentAfterMs()) {
+                    client.connection().close("it says nothing that can be read");
                 }
-            });
+                if (client.isOverdue(nowMs, config.helloWithinMs())) {
+                    client.connection().close("it does not say who it is");
+                }
+            }
+            places.clear(clients.values(), nowMs);
         } catch (RuntimeException | Error e) { // whatever escapes would end all ticks, with the motors as they are
             listener.failed("a tick of the boat failed", e);
         }
@@ -224,8 +231,8 @@ public final class TcpBoatServer implements Closeable {
                 done.run();
                 Client client = clients.get(from);
                 if (client != null) {
-                    client.session.receive(frame, now());
-                    from.setGreeted(client.session.role().isPresent());
+                    client.receive(frame, now());
+                    places.clear(clients.values(), now());
                 }
             });
         }
@@ -236,25 +243,10 @@ public final class TcpBoatServer implements Closeable {
             onBoat(() -> {
                 Client client = clients.remove(connection);
                 if (client != null) {
-                    client.session.closed(now());
+                    client.closed(now());
                 }
             });
             connections.remove(connection); // the boat gets to know of it before any newer client
-        }
-    }
-
-    /** What the boat's thread knows of a connection. */
-    private static final class Client {
-        private final ServerSession session;
-        private final long sinceMs;
-
-        Client(ServerSession session, long sinceMs) {
-            this.session = session;
-            this.sinceMs = sinceMs;
-        }
-
-        boolean isOverdue(long nowMs, long helloWithinMs) {
-            return !session.role().isPresent() && nowMs - sinceMs > helloWithinMs;
         }
     }
 }

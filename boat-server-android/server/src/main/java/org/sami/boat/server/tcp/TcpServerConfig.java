@@ -71,7 +71,7 @@ public final class TcpServerConfig {
         return tickMs;
     }
 
-    /** How many clients there may be at a time; one more takes the place of one that has not said who it is, or is closed at once. */
+    /** How many clients there may be at a time; {@link Places} says who goes where more come. */
     public int maxClients() {
         return maxClients;
     }
@@ -81,7 +81,7 @@ public final class TcpServerConfig {
         return helloWithinMs;
     }
 
-    /** A client from which no byte has come for this time in ms is dropped, long after its link has counted as lost. */
+    /** A client from which no byte, or no readable frame, has come for this time in ms is dropped, long after its link has counted as lost. */
     public int silentAfterMs() {
         return silentAfterMs;
     }

@@ -18,6 +18,7 @@ import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.SteadyClock;
+import org.sami.boat.link.Welcome;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.Vehicle;
@@ -77,7 +78,7 @@ final class TcpBench implements AutoCloseable {
     Client greet(String clientId, Role role, double telemetryHz) throws Exception {
         Client client = connect();
         client.say(new Hello("boat1", clientId, role, telemetryHz, ""));
-        client.await(org.sami.boat.link.Welcome.class);
+        client.await(Welcome.class);
         return client;
     }
 
@@ -109,6 +110,7 @@ final class TcpBench implements AutoCloseable {
         private final LinkCodec codec = new LinkCodec();
         private final FrameReader frames;
         private long sequence;
+        private String term = "";
 
         Client(InetSocketAddress address) throws IOException {
             socket.setReceiveBufferSize(16 << 10);
@@ -119,18 +121,30 @@ final class TcpBench implements AutoCloseable {
         }
 
         void say(LinkMessage message) throws IOException {
-            send(codec.encode(sequence++, message));
+            send(frame(sequence++, message));
+        }
+
+        /** A frame as this client would send it now. */
+        byte[] frame(long asSequence, LinkMessage message) {
+            return codec.encode(new Frame(asSequence, term, message));
         }
 
         void send(byte[] bytes) throws IOException {
             socket.getOutputStream().write(bytes);
         }
 
+        /** The next frame, whatever is in it. */
+        byte[] nextFrame() throws IOException, LinkException {
+            return frames.next().orElseThrow(() -> new IOException("the boat has closed the link"));
+        }
+
         /** The next message of a kind; others before it are read and forgotten. */
         <M extends LinkMessage> M await(Class<M> kind) throws IOException, LinkException {
             while (true) {
-                Frame frame =
-                        codec.decode(frames.next().orElseThrow(() -> new IOException("the boat has closed the link")));
+                Frame frame = codec.decode(nextFrame());
+                if (frame.message() instanceof Welcome welcome) {
+                    term = welcome.term();
+                }
                 if (kind.isInstance(frame.message())) {
                     return kind.cast(frame.message());
                 }

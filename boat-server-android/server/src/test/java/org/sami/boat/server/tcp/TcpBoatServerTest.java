@@ -20,6 +20,7 @@ import org.sami.boat.link.Ack;
 import org.sami.boat.link.AskForCommand;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandAsked;
+import org.sami.boat.link.Goodbye;
 import org.sami.boat.link.GrantCommand;
 import org.sami.boat.link.Heartbeat;
 import org.sami.boat.link.HeldWaypoints;
@@ -36,12 +37,15 @@ import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.link.Welcome;
+import org.sami.boat.server.Framed;
+import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.tcp.TcpBench.Client;
 
 @Timeout(60)
 class TcpBoatServerTest {
     private static final List<Waypoint> PATH = List.of(new Waypoint(45.1, 10, 1.5), new Waypoint(45.2, 10, 1.6));
     private static final UnaryOperator<TcpServerConfig> AS_IT_IS = UnaryOperator.identity();
+    private static final UnaryOperator<ServerConfig.Builder> AS_IS = UnaryOperator.identity();
 
     @Test
     void carriesCommandsAnswersAndTelemetry() throws Exception {
@@ -201,15 +205,10 @@ class TcpBoatServerTest {
 
             client.say(new Hello("boat1", "base", Role.COMMANDER, 1, "x".repeat(1000)));
             client.await(Welcome.class);
-            byte[] number =
-                    ("{\"type\":\"hello\",\"seq\":9,\"boat\":\"boat1\",\"client\":\"base\",\"role\":\"COMMANDER\","
-                                    + "\"telemetryHz\":1,\"auth\":7}")
-                            .getBytes(StandardCharsets.UTF_8);
-            client.send(ByteBuffer.allocate(5 + number.length)
-                    .putInt(1 + number.length)
-                    .put((byte) LinkCodec.VERSION)
-                    .put(number)
-                    .array());
+            String number =
+                    "{\"type\":\"hello\",\"seq\":9,\"boat\":\"boat1\",\"client\":\"base\",\"role\":\"COMMANDER\","
+                            + "\"telemetryHz\":1,\"auth\":7}";
+            client.send(Framed.of(number));
             assertThat(client.await(Nack.class).detail()).contains("/auth");
         }
     }
@@ -317,17 +316,145 @@ class TcpBoatServerTest {
     }
 
     @Test
-    void oneClientTooManyIsTurnedAway() throws Exception {
+    void clientWhoseFrameNeverEndsIsDropped() throws Exception {
+        try (TcpBench bench = new TcpBench(AS_IS, tcp -> tcp.withPatience(5000, 1000), TcpBench::machineMs)) {
+            Client mumbling = bench.greet("base", Role.COMMANDER, 10);
+            mumbling.send(
+                    ByteBuffer.allocate(4).putInt(LinkCodec.DEFAULT_MAX_BYTES).array()); // a flipped bit in a length
+            Await.until("it is dropped", 20, () -> {
+                try {
+                    mumbling.send(new byte[] {2});
+                } catch (IOException e) {
+                    return true;
+                }
+                return !bench.goodbyes.isEmpty();
+            });
+
+            assertThat(bench.goodbyes).containsExactly("it says nothing that can be read");
+        }
+    }
+
+    @Test
+    void oneObserverTooManyIsToldSoAndTurnedAway() throws Exception {
         try (TcpBench bench =
                 new TcpBench(UnaryOperator.identity(), tcp -> tcp.withMaxClients(2), TcpBench::machineMs)) {
             Client first = bench.greet("a", Role.COMMANDER, 10);
             bench.greet("b", Role.OBSERVER, 10);
 
-            assertThat(bench.connect().isClosedByTheBoat()).isTrue();
+            Client third = bench.greet("c", Role.OBSERVER, 10);
+            assertThat(third.await(Goodbye.class).reason()).contains("serves 2 clients");
+            assertThat(third.isClosedByTheBoat()).isTrue();
             first.await(Telemetry.class);
             first.close();
             Await.until("there is room", 5, () -> bench.server.clientCount() == 1);
-            bench.greet("c", Role.OBSERVER, 10);
+            bench.greet("d", Role.OBSERVER, 10);
+        }
+    }
+
+    @Test
+    void commanderFindsAPlaceBesideSixteenObserversThatAllSpeak() throws Exception {
+        try (TcpBench bench = new TcpBench()) {
+            List<Client> observers = new ArrayList<>();
+            for (int i = 0; i < 16; i++) {
+                observers.add(bench.greet("observer" + i, Role.OBSERVER, 1));
+            }
+            for (int i = 1; i <= 3; i++) {
+                Client base = bench.greet("base" + i, Role.OBSERVER, 0); // as a base finds out who answers
+                for (Client observer : observers.subList(0, 12)) {
+                    observer.say(new Heartbeat(1));
+                }
+                base.say(new Hello("boat1", "base" + i, Role.COMMANDER, 10, ""));
+                assertThat(base.await(Welcome.class).role()).isEqualTo(Role.COMMANDER);
+                base.say(new StopMotors("s" + i));
+                assertThat(base.await(Ack.class).commandId()).isEqualTo("s" + i);
+                base.close();
+                Await.until("nobody commands", 10, () -> bench.goodbyes.contains("it has closed the link"));
+                bench.goodbyes.clear();
+            }
+            Client base = bench.greet("base", Role.COMMANDER, 10);
+            assertThat(observers.get(15).isClosedByTheBoat())
+                    .as("who came last")
+                    .isTrue();
+            observers.get(0).await(Telemetry.class);
+            base.await(Telemetry.class);
+            assertThat(bench.failures).isEmpty();
+        }
+    }
+
+    @Test
+    void baseThatComesBackOverAndOverWithoutClosingItsSocketsIsAlwaysLetIn() throws Exception {
+        AtomicLong passedMs = new AtomicLong();
+        try (TcpBench bench = new TcpBench(AS_IS, AS_IT_IS, () -> TcpBench.machineMs() + passedMs.get())) {
+            Client observer = bench.greet("observer", Role.OBSERVER, 10);
+            Client last = observer;
+            for (int i = 0; i < 40; i++) {
+                passedMs.addAndGet(300);
+                observer.say(new Heartbeat(i));
+                last = bench.greet("base", Role.COMMANDER, 10);
+            }
+            last.await(Telemetry.class);
+            observer.await(Telemetry.class);
+            for (int i = 0; i < 40; i++) { // and faster than sockets can be known to be dead
+                last = bench.greet("base", Role.COMMANDER, 10);
+            }
+
+            last.await(Telemetry.class);
+            passedMs.addAndGet(4000); // the first of its sockets counts as lost
+            last.say(new Hello("boat1", "base", Role.COMMANDER, 10, ""));
+            assertThat(last.await(Welcome.class).role()).isEqualTo(Role.COMMANDER);
+            last.say(new StopMotors("s"));
+            assertThat(last.await(Ack.class).commandId()).isEqualTo("s");
+            assertThat(bench.server.clientCount()).isLessThanOrEqualTo(24);
+            assertThat(bench.failures).isEmpty();
+        }
+    }
+
+    @Test
+    void silentSocketMakesRoomBeforeAClientThatSpeaks() throws Exception {
+        AtomicLong passedMs = new AtomicLong();
+        try (TcpBench bench =
+                new TcpBench(AS_IS, tcp -> tcp.withMaxClients(3), () -> TcpBench.machineMs() + passedMs.get())) {
+            Client commander = bench.greet("base", Role.COMMANDER, 10);
+            Client silent = bench.greet("half-open", Role.OBSERVER, 1);
+            Client speaks = bench.greet("speaks", Role.OBSERVER, 10);
+            passedMs.set(3000);
+            commander.say(new Heartbeat(1));
+            speaks.say(new Heartbeat(1));
+            speaks.say(new Hello("boat1", "speaks", Role.OBSERVER, 10, ""));
+            speaks.await(Welcome.class); // the boat has heard it
+            passedMs.set(4000);
+            Client next = bench.greet("next", Role.COMMANDER, 10);
+
+            assertThat(silent.isClosedByTheBoat()).isTrue();
+            next.await(Telemetry.class);
+            speaks.await(Telemetry.class);
+            commander.await(Telemetry.class);
+        }
+    }
+
+    @Test
+    void baseOfAnEarlierVersionIsToldWhichVersionsMeet() throws Exception {
+        try (TcpBench bench = new TcpBench()) {
+            Client yesterday = bench.connect();
+            byte[] hello = LinkCodec.body(new Hello("boat1", "base", Role.COMMANDER, 1, ""));
+            yesterday.send(ByteBuffer.allocate(5 + hello.length)
+                    .putInt(1 + hello.length)
+                    .put((byte) 1)
+                    .put(hello)
+                    .array());
+
+            byte[] itsOwn = yesterday.nextFrame();
+            assertThat(itsOwn[4]).isEqualTo((byte) 1);
+            assertThat(new String(itsOwn, 5, itsOwn.length - 5, StandardCharsets.UTF_8))
+                    .contains("\"type\":\"goodbye\"")
+                    .contains("the base speaks link version 1, this boat version 2");
+            assertThat(yesterday.await(Goodbye.class).reason()).contains("bring both to the same version");
+            assertThat(yesterday.isClosedByTheBoat()).isTrue();
+            Await.until(
+                    "it is said why",
+                    5,
+                    () -> bench.goodbyes.contains("it speaks link version 1, this boat version 2"));
+            assertThat(bench.executed).isEmpty();
         }
     }
 

@@ -1,0 +1,90 @@
+package org.sami.boat.server.tcp;
+
+import org.sami.boat.link.Role;
+import org.sami.boat.server.ServerSession;
+
+/** What the boat's thread knows of a connection. */
+final class Client {
+    private final ClientConnection connection;
+    private final ServerSession session;
+    private final long sinceMs;
+    private long greetedMs = Long.MAX_VALUE;
+    private long ticksSinceFrame;
+
+    Client(ClientConnection connection, ServerSession session, long nowMs) {
+        this.connection = connection;
+        this.session = session;
+        sinceMs = nowMs;
+    }
+
+    ClientConnection connection() {
+        return connection;
+    }
+
+    /** Takes a frame from the client. */
+    void receive(byte[] frame, long nowMs) {
+        long refused = session.refusedFrames();
+        session.receive(frame, nowMs);
+        if (session.refusedFrames() == refused) {
+            ticksSinceFrame = 0;
+        }
+        if (session.role().isPresent()) {
+            greetedMs = Math.min(greetedMs, nowMs);
+        }
+    }
+
+    /** Lets a tick of the boat pass; returns how many have passed since something came that could be read. */
+    long tick() {
+        return ++ticksSinceFrame;
+    }
+
+    /** The link has closed. */
+    void closed(long nowMs) {
+        session.closed(nowMs);
+    }
+
+    /** Whether it is overdue to say who it is. */
+    boolean isOverdue(long nowMs, long helloWithinMs) {
+        return !isGreeted() && nowMs - sinceMs > helloWithinMs;
+    }
+
+    /** Whether the boat knows who it is. */
+    boolean isGreeted() {
+        return session.role().isPresent();
+    }
+
+    /** Whether it has been greeted for so long. */
+    boolean isGreetedFor(long nowMs, long millis) {
+        return isGreeted() && nowMs - greetedMs >= millis;
+    }
+
+    /** Whether it commands the boat, as far as the boat hears it. */
+    boolean commands() {
+        return session.role().filter(role -> role == Role.COMMANDER).isPresent();
+    }
+
+    /** Whether it has asked to command. */
+    boolean wishesToCommand() {
+        return session.wishesToCommand();
+    }
+
+    /** For how long nothing that can be read has come from it, in ms. */
+    long silentForMs(long nowMs) {
+        return session.silentForMs(nowMs);
+    }
+
+    /** Whether it has been told to go. */
+    boolean isLeaving() {
+        return session.dismissal().isPresent();
+    }
+
+    /** Tells it to go; what that says leaves before the connection is closed. */
+    void turnAway(String reason, long nowMs) {
+        session.turnAway(reason, nowMs);
+    }
+
+    /** Closes the connection of a client that was told to go. */
+    void closeIfLeaving() {
+        session.dismissal().ifPresent(connection::close);
+    }
+}

@@ -1,0 +1,64 @@
+package org.sami.crw.sim.boat;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.LinkCodec;
+import org.sami.boat.server.log.LoggedCommand;
+import org.sami.crw.sim.boat.Harbour.Base;
+
+/** A link that bends a fifth of its frames, either way: what the boat executes is what the base has sent. */
+@Timeout(120)
+class FlippedBitsTest {
+    @TempDir
+    private Path logs;
+
+    @Test
+    void noBentFrameMakesTheBoatDoAnythingElseThanItWasSent() throws Exception {
+        try (Harbour harbour = new Harbour(logs)) {
+            BoatOnTcp boat = harbour.boat("anna");
+            TestRelay relay = harbour.relay(boat);
+            Base base = harbour.impatientBase("base", 50);
+            relay.setBent(0.2);
+            base.tcp.connect(relay.address());
+            base.linked("anna");
+            for (int i = 1; i <= 12; i++) {
+                String id = "p" + i;
+                base.submit("anna", Harbour.path(id, 1, 1000 + i, 2000 + i, 3000 + i, 4000 + i));
+                Await.until(
+                        id + " is started", 60, () -> harbour.executedOf("anna", "start") > 0 && starts(harbour, id));
+            }
+
+            Set<String> sent =
+                    relay.carried().stream().map(FlippedBitsTest::body).collect(Collectors.toSet());
+            List<String> executed = new ArrayList<>();
+            for (LoggedCommand entry : harbour.log("anna")) {
+                executed.add(body(entry.command()));
+            }
+            assertThat(executed).hasSizeGreaterThanOrEqualTo(24).isSubsetOf(sent);
+            assertThat(relay.bent()).as("bent frames").isGreaterThan(20);
+            assertThat(base.failures).isEmpty();
+        }
+    }
+
+    private static boolean starts(Harbour harbour, String id) {
+        try {
+            return harbour.executedIds("anna").stream()
+                    .anyMatch(done -> done.startsWith(id + "#") && done.contains("/start"));
+        } catch (java.io.IOException e) {
+            throw new java.io.UncheckedIOException(e);
+        }
+    }
+
+    private static String body(CommandMessage command) {
+        return new String(LinkCodec.body(command), java.nio.charset.StandardCharsets.UTF_8);
+    }
+}
