@@ -76,9 +76,10 @@ public final class Crw implements Runnable {
     /** Runs the command and ends the process with its exit code. */
     public static void main(String[] args) {
         System.setProperty("java.awt.headless", "true");
+        StandardStreams.speakUtf8();
+        CommandLine line = commandLine();
         LogLines.install();
-        CommandLine command = commandLine();
-        int code = command.execute(args);
-        System.exit(Faults.checkOutput(command, System.out, code));
+        int code = line.execute(args);
+        System.exit(Faults.checkOutput(line, System.out, code));
     }
 }

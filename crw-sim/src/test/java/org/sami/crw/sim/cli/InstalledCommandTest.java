@@ -1,0 +1,166 @@
+package org.sami.crw.sim.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.sim.boat.Await;
+
+/** The command as it is installed, started by its script, in processes of its own. */
+class InstalledCommandTest {
+    private static final Path INSTALLED = Path.of(System.getProperty("crw.installed"));
+    private static final String JAVA = System.getProperty("java.home");
+    private static final long LIMIT_S = 60;
+
+    @TempDir
+    Path folder;
+
+    private Path cache;
+
+    @BeforeEach
+    void makeACache() {
+        cache = folder.resolve("cache");
+    }
+
+    @Test
+    void commandTakesItsClassesFromTheArchiveOfTheBuild() throws Exception {
+        assertThat(classesFromArchive(INSTALLED)).isGreaterThan(800);
+        assertThat(cache).doesNotExist();
+    }
+
+    @Test
+    void anotherJavaThanTheBuildsGetsAnArchiveOfItsOwn() throws Exception {
+        Path install = copyOfTheInstall();
+        Files.delete(install.resolve("lib/crw.jsa.release"));
+
+        Ran first = crw(install, Map.of(), "check", "clv");
+        Await.until("an archive", LIMIT_S, () -> archives() == 1);
+
+        assertThat(first.exitCode()).as(first.err()).isZero();
+        assertThat(first.err()).isEmpty();
+        assertThat(classesFromArchive(install)).isGreaterThan(800);
+    }
+
+    @Test
+    void commandWorksWhereNothingCanBeWritten() throws Exception {
+        Path install = copyOfTheInstall();
+        Files.delete(install.resolve("lib/crw.jsa"));
+        Files.delete(install.resolve("lib/crw.jsa.release"));
+        cache = Path.of("/dev/null/cache");
+
+        Ran ran = crw(install, Map.of(), "check", "clv");
+
+        assertThat(ran).isEqualTo(new Ran(0, "clv: 0 errors, 0 warnings\n", ""));
+    }
+
+    @Test
+    void damagedArchiveIsPassedOver() throws Exception {
+        Path install = copyOfTheInstall();
+        Files.delete(install.resolve("lib/crw.jsa"));
+        Files.writeString(install.resolve("lib/crw.jsa"), "no archive");
+
+        Ran ran = crw(install, Map.of(), "check", "clv");
+
+        assertThat(ran).isEqualTo(new Ran(0, "clv: 0 errors, 0 warnings\n", ""));
+    }
+
+    @Test
+    void namesOutsideAsciiAreReadAndPrintedWithoutALocale() throws Exception {
+        Path project = Files.createDirectories(folder.resolve("\u00dcbung")).resolve("pl\u00e4n.json");
+        Files.writeString(
+                project, "{\"formatVersion\": 1, \"id\": \"x\", \"name\": \"x\", \"domain\": \"W\u00e4sser\"}");
+
+        Ran ran = crw(INSTALLED, Map.of("LC_ALL", "C"), "check", project.toString());
+
+        assertThat(ran.exitCode()).isEqualTo(1);
+        assertThat(ran.out()).contains(project.toString()).contains("W\u00e4sser");
+    }
+
+    @Test
+    void processWithoutTheScriptPrintsUtf8WithoutALocale() throws Exception {
+        Path project = folder.resolve("plan.json");
+        Files.writeString(
+                project, "{\"formatVersion\": 1, \"id\": \"x\", \"name\": \"x\", \"domain\": \"W\u00e4sser\"}");
+        List<String> command = List.of(
+                Path.of(JAVA, "bin", "java").toString(),
+                "-cp",
+                System.getProperty("java.class.path"),
+                Crw.class.getName(),
+                "check",
+                project.toString());
+
+        assertThat(run(command, Map.of("LC_ALL", "C")).out()).contains("W\u00e4sser");
+    }
+
+    @Test
+    void optionsForJavaReachIt() throws Exception {
+        Ran ran = crw(INSTALLED, Map.of("JAVA_OPTS", "-Dcrw.trace=true -showversion"), "--version");
+
+        assertThat(ran.err()).contains(System.getProperty("java.version"));
+        assertThat(ran.out()).startsWith("crw ");
+    }
+
+    private long classesFromArchive(Path install) throws Exception {
+        Path log = folder.resolve("classes.log");
+        Ran ran = crw(install, Map.of("JAVA_OPTS", "-Xlog:class+load:file=" + log), "check", "clv");
+        assertThat(ran).isEqualTo(new Ran(0, "clv: 0 errors, 0 warnings\n", ""));
+        try (Stream<String> lines = Files.lines(log)) {
+            return lines.filter(line -> line.endsWith("shared objects file (top)"))
+                    .count();
+        }
+    }
+
+    private long archives() {
+        try (Stream<Path> files = Files.list(cache.resolve("sami"))) {
+            return files.filter(file -> file.toString().endsWith(".jsa")).count();
+        } catch (IOException e) {
+            return 0;
+        }
+    }
+
+    /** Time stamps stay, for an archive is good only for the files that it was made of. */
+    private Path copyOfTheInstall() throws Exception {
+        Path copy = folder.resolve("copy");
+        Ran ran = run(List.of("cp", "-pR", INSTALLED.toString(), copy.toString()), Map.of());
+        assertThat(ran.exitCode()).as(ran.err()).isZero();
+        return copy;
+    }
+
+    private Ran crw(Path install, Map<String, String> environment, String... arguments) throws Exception {
+        List<String> command =
+                new ArrayList<>(List.of(install.resolve("bin/crw").toString()));
+        command.addAll(List.of(arguments));
+        return run(command, environment);
+    }
+
+    private Ran run(List<String> command, Map<String, String> environment) throws Exception {
+        File out = folder.resolve("out").toFile();
+        File err = folder.resolve("err").toFile();
+        ProcessBuilder builder = new ProcessBuilder(command).redirectOutput(out).redirectError(err);
+        builder.environment().remove("JAVA_TOOL_OPTIONS");
+        builder.environment().put("JAVA_HOME", JAVA);
+        builder.environment().put("XDG_CACHE_HOME", cache.toString());
+        builder.environment().putAll(environment);
+        Process process = builder.start();
+        try {
+            assertThat(process.waitFor(LIMIT_S, TimeUnit.SECONDS)).as("it ends").isTrue();
+        } finally {
+            process.destroyForcibly();
+        }
+        return new Ran(
+                process.exitValue(),
+                Files.readString(out.toPath(), StandardCharsets.UTF_8),
+                Files.readString(err.toPath(), StandardCharsets.UTF_8));
+    }
+}
