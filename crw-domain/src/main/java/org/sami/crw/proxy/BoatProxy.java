@@ -411,6 +411,11 @@ public final class BoatProxy {
         fleetRequests.send(new FleetRelease(driver.wireId("fleet-release")), nowMs);
     }
 
+    /** Whether the boat has still to acknowledge a fleet stop or the release of one. */
+    public boolean isAwaitingFleetAnswer() {
+        return fleetRequests.areWaiting();
+    }
+
     /**
      * Only watches the boat from now on, until the base asks for the command, takes it or is granted it. A boat that it has
      * commanded, and nobody else wants, does what is set for a lost link.

@@ -15,8 +15,10 @@ import picocli.CommandLine.Spec;
         synopsisSubcommandLabel = "COMMAND",
         subcommands = {
             PlansCommand.class,
+            NewCommand.class,
             CheckCommand.class,
             SchemaCommand.class,
+            TestCommand.class,
             EventsCommand.class,
             MarkupsCommand.class,
             RunCommand.class,
@@ -24,6 +26,7 @@ import picocli.CommandLine.Spec;
             JournalCommand.class,
             DemoCommand.class,
             BoatCommand.class,
+            StopCommand.class,
             ImportLegacyCommand.class,
             LogCommand.class,
             ImportLocationsCommand.class,
@@ -56,8 +59,7 @@ public final class Crw implements Runnable {
     public void run() {
         throw new ParameterException(
                 spec.commandLine(),
-                "Which command? One of plans, check, schema, events, markups, run, resume, journal, demo, boat, log, import-legacy, "
-                        + "import-locations.");
+                "Which command? One of " + String.join(", ", spec.subcommands().keySet()) + ".");
     }
 
     /** The command line, ready to be executed in any process. */

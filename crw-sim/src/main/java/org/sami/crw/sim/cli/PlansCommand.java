@@ -11,6 +11,8 @@ import org.sami.crw.sim.run.PlanInterrupts;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
+import org.sami.spn.vocabulary.Vocabulary;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -20,10 +22,11 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "plans",
         mixinStandardHelpOptions = true,
-        description = "Lists the plans of the library, with what can be set when they start and which interrupts can "
-                + "be pressed.",
+        description =
+                "Lists the plans of the library or of a file, with what can be set when they start and which interrupts "
+                        + "can be pressed.",
         footerHeading = "%nExamples:%n",
-        footer = {"  crw plans", "  crw plans --json"})
+        footer = {"  crw plans", "  crw plans station-keep", "  crw plans my-project.json --json"})
 final class PlansCommand implements Callable<Integer> {
     private static final int WIDTH = 96;
     private static final String INDENT = "    ";
@@ -31,33 +34,77 @@ final class PlansCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
+    @CommandLine.Parameters(
+            paramLabel = "PLAN|FILE",
+            arity = "0..1",
+            description = "Only this plan of the library, or the plans of this project's file or folder.")
+    private String name;
+
     @Option(names = "--json", description = "Print one JSON object.")
     private boolean json;
+
+    /** A plan with the project that it belongs to. */
+    private record Shown(Vocabulary vocabulary, Project project, Plan plan) {
+        Parameters parameters() {
+            return new Parameters(vocabulary, project, plan);
+        }
+
+        PlanInterrupts interrupts() {
+            return new PlanInterrupts(vocabulary, project, plan);
+        }
+    }
 
     @Override
     public Integer call() {
         DomainLibrary library = PlanSource.library();
+        List<Shown> plans;
+        if (name == null) {
+            plans = library.plans().stream()
+                    .map(plan -> new Shown(
+                            library.vocabulary(), library.projectOf(plan.id()).orElseThrow(), plan))
+                    .toList();
+        } else {
+            PlanSource source = PlanSource.find(name, library);
+            if (source.project().isEmpty()) {
+                PrintWriter err = spec.commandLine().getErr();
+                FindingsText.print(err, name, source.findings());
+                err.flush();
+                return ExitCode.FINDINGS;
+            }
+            Project project = source.project().get();
+            plans = source.plan().map(List::of).orElse(project.plans()).stream()
+                    .map(plan -> new Shown(library.vocabulary(), project, plan))
+                    .toList();
+        }
         PrintWriter out = spec.commandLine().getOut();
         if (json) {
-            out.println(object(library).toPrettyString());
+            out.println(object(plans).toPrettyString());
         } else {
-            library.plans()
-                    .forEach(plan -> print(out, plan, parameters(library, plan).fields(), interrupts(library, plan)));
+            plans.forEach(plan -> print(out, plan));
         }
         out.flush();
         return ExitCode.OK;
     }
 
-    private static void print(PrintWriter out, Plan plan, List<String> parameters, PlanInterrupts interrupts) {
-        out.printf("%s  (%s)%n", plan.id(), plan.name());
-        out.print(wrapped(plan.description()));
-        if (!parameters.isEmpty()) {
-            out.print(wrapped("--set " + String.join(", ", parameters)));
+    private static void print(PrintWriter out, Shown shown) {
+        Plan plan = shown.plan();
+        out.printf("%s  (%s)%n", plan.id(), plan.title());
+        if (!plan.description().isEmpty()) {
+            out.print(wrapped(plan.description()));
         }
-        if (!interrupts.names().isEmpty()) {
-            out.print(wrapped("--interrupt " + interrupts.inWords()));
+        shown.parameters().describe().forEach(parameter -> out.println(INDENT + "--set " + line(parameter)));
+        if (!shown.interrupts().names().isEmpty()) {
+            out.print(wrapped("--interrupt " + shown.interrupts().inWords()));
         }
         out.println();
+    }
+
+    private static String line(Parameters.Description parameter) {
+        String line = parameter.name() + "=" + parameter.type();
+        if (!parameter.editable()) {
+            return line + "  (locked at " + parameter.preset().orElseThrow() + ")";
+        }
+        return line + parameter.preset().map(value -> "  (" + value + ")").orElse("");
     }
 
     /** Text in lines of a terminal's width, indented. */
@@ -78,35 +125,28 @@ final class PlansCommand implements Callable<Integer> {
         return lines.append('\n').toString();
     }
 
-    private static ObjectNode object(DomainLibrary library) {
+    private static ObjectNode object(List<Shown> plans) {
         ObjectNode json = JsonNodeFactory.instance.objectNode();
-        ArrayNode plans = json.putArray("plans");
-        for (Plan plan : library.plans()) {
-            ObjectNode node = plans.addObject();
-            node.put("id", plan.id());
-            node.put("name", plan.name());
-            node.put("description", plan.description());
-            Parameters parameters = parameters(library, plan);
-            ArrayNode fields = node.putArray("parameters");
-            parameters.fields().forEach(fields::add);
-            ArrayNode variables = node.putArray("variables");
-            parameters.variables().forEach(variables::add);
-            PlanInterrupts interrupts = interrupts(library, plan);
+        ArrayNode list = json.putArray("plans");
+        for (Shown shown : plans) {
+            ObjectNode node = list.addObject();
+            node.put("id", shown.plan().id());
+            node.put("name", shown.plan().name());
+            node.put("description", shown.plan().description());
+            ArrayNode parameters = node.putArray("parameters");
+            shown.parameters().describe().forEach(parameter -> {
+                ObjectNode one = parameters.addObject();
+                one.put("name", parameter.name());
+                one.put("type", parameter.type());
+                parameter.preset().ifPresent(value -> one.set("default", value));
+                one.put("editable", parameter.editable());
+            });
+            PlanInterrupts interrupts = shown.interrupts();
             ArrayNode buttons = node.putArray("interrupts");
             interrupts
                     .names()
                     .forEach(name -> buttons.addObject().put("name", name).put("boats", interrupts.takesBoats(name)));
         }
         return json;
-    }
-
-    private static PlanInterrupts interrupts(DomainLibrary library, Plan plan) {
-        Project project = library.projectOf(plan.id()).orElseThrow();
-        return new PlanInterrupts(library.vocabulary(), project, plan);
-    }
-
-    private static Parameters parameters(DomainLibrary library, Plan plan) {
-        Project project = library.projectOf(plan.id()).orElseThrow();
-        return new Parameters(library.vocabulary(), project, plan);
     }
 }

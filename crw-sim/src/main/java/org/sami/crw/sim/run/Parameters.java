@@ -1,17 +1,21 @@
 package org.sami.crw.sim.run;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.json.ValueJson;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.VariableSpec;
+import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.FieldType;
@@ -26,8 +30,19 @@ public final class Parameters {
     private final Map<String, Parameter> byName = new LinkedHashMap<>();
     private final List<String> fields = new ArrayList<>();
     private final List<String> variables = new ArrayList<>();
+    private final Map<String, Value> presets = new LinkedHashMap<>();
 
     private record Parameter(ValueType type, boolean editable) {}
+
+    /**
+     * What is known of a parameter before a run.
+     *
+     * @param name its full name
+     * @param type the name of its type
+     * @param preset its value where none is given, as a file has it; empty where the operator is asked, or a plan fills it
+     * @param editable false = the author has locked it
+     */
+    public record Description(String name, String type, Optional<JsonNode> preset, boolean editable) {}
 
     /** The parameters of one plan of a project. */
     public Parameters(Vocabulary vocabulary, Project project, Plan plan) {
@@ -54,6 +69,7 @@ public final class Parameters {
                 byName.put(output.id() + "." + field, parameter);
                 byName.put(field, parameter);
                 fields.add(output.id() + "." + field);
+                asked.defaultValue().ifPresent(value -> presets.put(output.id() + "." + field, value));
             }
         });
     }
@@ -62,6 +78,7 @@ public final class Parameters {
         String name = variable.name().startsWith("@") ? variable.name() : "@" + variable.name();
         byName.putIfAbsent(name, new Parameter(variable.type(), true));
         variables.add(name);
+        variable.initial().ifPresent(value -> presets.put(name, value));
     }
 
     /** The full names of the fields that are asked, in the plan's order. */
@@ -72,6 +89,20 @@ public final class Parameters {
     /** The names of variables, those of the plan and the project's. Most plans fill theirs themselves. */
     public List<String> variables() {
         return List.copyOf(variables);
+    }
+
+    /** The fields and the variables, in this order, each with its type. */
+    public List<Description> describe() {
+        return Stream.concat(fields.stream(), variables.stream())
+                .map(this::describe)
+                .toList();
+    }
+
+    private Description describe(String name) {
+        Parameter parameter = byName.get(name);
+        Optional<JsonNode> preset = Optional.ofNullable(presets.get(name))
+                .map(value -> ValueJson.write(value, parameter.type(), vocabulary.types()));
+        return new Description(name, TypeNames.of(parameter.type()), preset, parameter.editable());
     }
 
     /**

@@ -1,0 +1,93 @@
+package org.sami.crw.sim.boat;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.BoatMode;
+import org.sami.crw.sim.boat.Harbour.Base;
+import org.sami.crw.sim.cli.Ran;
+
+/** {@code crw stop} against real boats on loopback. */
+@Timeout(60)
+class StopCommandTest {
+    @TempDir
+    private Path logs;
+
+    @Test
+    void everyBoatIsStoppedAndSaysSo() throws Exception {
+        try (Harbour harbour = new Harbour(logs)) {
+            BoatOnTcp anna = harbour.boat("anna");
+            BoatOnTcp bert = harbour.boat("bert");
+
+            Ran ran = Ran.crw("stop", at(anna), at(bert));
+
+            assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
+            assertThat(ran.out().lines())
+                    .containsExactly(
+                            at(anna) + "  anna: stopped, and the stop is latched",
+                            at(bert) + "  bert: stopped, and the stop is latched");
+            assertThat(harbour.executed("anna", "fleet-stop")).isEqualTo(1);
+            assertThat(harbour.executed("bert", "fleet-stop")).isEqualTo(1);
+        }
+    }
+
+    @Test
+    void boatThatAnotherBaseDrivesIsStopped() throws Exception {
+        try (Harbour harbour = new Harbour(logs)) {
+            BoatOnTcp anna = harbour.boat("anna");
+            Base base = harbour.base("base");
+            base.connect(anna.address(), "anna");
+            base.submit("anna", Harbour.path("far", 1, 1000));
+            base.awaitMode("anna", BoatMode.PATH);
+
+            Ran ran = Ran.crw("stop", at(anna));
+
+            assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
+            assertThat(ran.out()).contains("anna: stopped", "taken over from another base");
+            base.awaitMode("anna", BoatMode.FLEET_STOP);
+        }
+    }
+
+    @Test
+    void addressWithoutABoatIsNamedAndTheOthersAreStopped() throws Exception {
+        try (Harbour harbour = new Harbour(logs)) {
+            BoatOnTcp anna = harbour.boat("anna");
+            BoatOnTcp gone = harbour.boat("gone");
+            String nowhere = at(gone);
+            gone.close();
+
+            Ran ran = Ran.crw("stop", nowhere + "," + at(anna), "--within", "1");
+
+            assertThat(ran.exitCode()).isEqualTo(4);
+            assertThat(ran.out()).contains(nowhere + "  no answer", "anna: stopped");
+        }
+    }
+
+    @Test
+    void releaseTakesTwoSteps() throws Exception {
+        try (Harbour harbour = new Harbour(logs)) {
+            BoatOnTcp anna = harbour.boat("anna");
+            Ran.crw("stop", at(anna));
+
+            Ran first = Ran.crw("stop", "--release", at(anna));
+
+            assertThat(first.exitCode()).isEqualTo(2);
+            assertThat(first.out()).contains("anna: stopped, and the stop is latched");
+            assertThat(first.err()).contains("nothing was released; 1 boat is stopped", "--confirm");
+            assertThat(harbour.executed("anna", "fleet-release")).isZero();
+
+            Ran second = Ran.crw("stop", "--release", "--confirm", at(anna));
+
+            assertThat(second.exitCode()).as(second.out() + second.err()).isZero();
+            assertThat(second.out()).contains("anna: released");
+            assertThat(harbour.executed("anna", "fleet-release")).isEqualTo(1);
+        }
+    }
+
+    private static String at(BoatOnTcp boat) {
+        return "127.0.0.1:" + boat.address().getPort();
+    }
+}
