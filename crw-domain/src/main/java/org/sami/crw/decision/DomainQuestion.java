@@ -3,22 +3,33 @@ package org.sami.crw.decision;
 import java.util.Arrays;
 import java.util.Optional;
 
-/** What the operator is asked outside of any plan: yes or no, about one boat. */
+/** What the operator is asked outside of any plan: yes or no, about one boat or what one activation asks of several. */
 public enum DomainQuestion {
     /** A boat's server has started anew: may the boat be moved again? */
-    BOAT_RESTARTED("BoatRestarted"),
+    BOAT_RESTARTED("BoatRestarted", true),
     /** Another base wishes to command a boat: is it to have it? */
-    COMMAND_ASKED("CommandAsked");
+    COMMAND_ASKED("CommandAsked", true),
+    /** Boats are sent far away or onto land: are they to go? */
+    DOUBTFUL_WAY("DoubtfulWay", false),
+    /** Boats are sent farther than their charge lasts: are they to go? */
+    LONG_WAY("LongWay", true);
 
     private final String kind;
+    private final boolean simulatedAnswer;
 
-    DomainQuestion(String kind) {
+    DomainQuestion(String kind, boolean simulatedAnswer) {
         this.kind = kind;
+        this.simulatedAnswer = simulatedAnswer;
     }
 
     /** How decisions, answers files and journals name it; the type of its decision. */
     public String kind() {
         return kind;
+    }
+
+    /** What the simulated operator says where no answers file says otherwise. */
+    public boolean simulatedAnswer() {
+        return simulatedAnswer;
     }
 
     /** The question of a kind. */

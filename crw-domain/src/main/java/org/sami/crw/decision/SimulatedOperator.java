@@ -21,7 +21,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * An operator that is simulated: it says what is answered; when, its host's clock decides. Rules of an answers file come first;
- * where none fits it chooses all boats (or as many as may be chosen), takes the first option, says yes, keeps defaults,
+ * where none fits it chooses all boats (or as many as may be chosen), takes the first option, says yes (but to a {@link DomainQuestion} that says otherwise), keeps defaults,
  * and makes up locations from its seed. The same decisions in the same order get the same answers. For one thread.
  */
 public final class SimulatedOperator {
@@ -58,9 +58,12 @@ public final class SimulatedOperator {
     private Optional<Answer> answer(Decision decision, String plan, Optional<AnswerRule> rule, List<Finding> findings) {
         Question question = decision.question();
         if (question instanceof Question.Approve) {
+            boolean unasked = DomainQuestion.of(decision.type())
+                    .map(DomainQuestion::simulatedAnswer)
+                    .orElse(true);
             return Optional.of(new Answer.YesNo(
                     rule.map(r -> r.answer().path(AnswerForm.YES).asBoolean(true))
-                            .orElse(true)));
+                            .orElse(unasked)));
         }
         if (question instanceof Question.ChooseProxies choice) {
             return Optional.of(new Answer.Proxies(boats(choice, rule, findings)));
@@ -80,9 +83,11 @@ public final class SimulatedOperator {
         if (given.isPresent() && given.get().isArray()) {
             given.get().forEach(boat -> addBoat(boat.asText(), choice, chosen, rule, findings));
         } else {
-            int count = given.filter(JsonNode::isInt)
-                    .map(n -> Math.min(n.intValue(), known))
-                    .orElse(most);
+            int count = given.filter(JsonNode::isInt).map(JsonNode::intValue).orElse(most);
+            if (count > known) {
+                findings.add(finding(rule, count + " boats are wanted, and there are " + known + " to choose from"));
+                return chosen;
+            }
             chosen.addAll(choice.proxies().subList(0, count));
         }
         if (chosen.size() < choice.min() || chosen.size() > choice.max()) {

@@ -120,7 +120,7 @@ final class BoatQuestions implements BoatListener, HostListener {
                 if (answered.yes()) {
                     boat.get().confirmRestart();
                 }
-            } else {
+            } else if (question == DomainQuestion.COMMAND_ASKED) {
                 Optional.ofNullable(askers.remove(answered.about()))
                         .filter(client -> answered.yes())
                         .ifPresent(boat.get()::grantCommand);

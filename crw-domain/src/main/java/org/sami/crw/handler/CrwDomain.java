@@ -40,7 +40,8 @@ public final class CrwDomain implements AutoCloseable {
             CrwServices services,
             BoatConnector connector) {
         NewBoats newBoats = new NewBoats();
-        MotionCommands motion = new MotionCommands(boats, messages);
+        WayQuestions ways = new WayQuestions(boats, fleet);
+        MotionCommands motion = new MotionCommands(boats, messages, ways);
         BoatSettings settings = new BoatSettings(boats, messages);
         AreaSubscriptions areas = new AreaSubscriptions(boats, fleet);
         MeasurementHandler measurements = new MeasurementHandler(messages, fleet);
@@ -95,6 +96,8 @@ public final class CrwDomain implements AutoCloseable {
         handlers.forEach((type, handler) -> registrations.add(host.register(type, handler, fleet)));
         registrations.add(host.addListener(withdrawals));
         registrations.add(host.addListener(questions));
+        registrations.add(host.addListener(ways));
+        registrations.add(host.addListener(new UnknownBoats(host, fleet)));
         registrations.add(host.addListener(tasks));
         registrations.add(host.addListener(batteries));
         registrations.add(host.addListener(areas));

@@ -27,7 +27,7 @@ import org.sami.spn.value.TextValue;
  * Take Measurement: answers with the next reading of the sensor on each boat that entered, while it stands in the place. Sensors read at
  * their own rates; a sensor is named by the channel ({@code temperature}), the instrument ({@code ctd}) or both ({@code
  * ctd/temperature}). Of readings of several values the first is told. When nothing has come for a while the operator is told which
- * sensors there are. For the fleet's thread; what it hears of the engine it brings there.
+ * sensors there are, and the journal that the request failed. For the fleet's thread; what it hears of the engine it brings there.
  */
 final class MeasurementHandler implements ActivationHandler, BoatListener, HostListener {
     static final String TYPE = "TakeMeasurement";
@@ -69,7 +69,9 @@ final class MeasurementHandler implements ActivationHandler, BoatListener, HostL
         for (Wish wish : open) {
             if (wish.isOf(status.boatId()) && wish.isOverdue()) {
                 wish.told = true;
-                messages.tell(wish.overdue(sensors.getOrDefault(status.boatId(), Set.of())));
+                OperatorMessage overdue = wish.overdue(sensors.getOrDefault(status.boatId(), Set.of()));
+                messages.tell(overdue);
+                wish.context.post(new Input.HandlerFailed(wish.activation.id(), overdue.text()));
             }
         }
     }

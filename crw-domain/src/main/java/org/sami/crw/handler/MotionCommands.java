@@ -35,24 +35,43 @@ final class MotionCommands implements BoatListener {
 
     private final ProxyRegistry boats;
     private final MessageSink messages;
+    private final WayQuestions questions;
     private final Map<String, SentCommand> sent = new LinkedHashMap<>();
     private final Map<String, List<SentCommand>> again = new LinkedHashMap<>(); // by command, who had it sent once more
     private final Map<Long, Set<String>> takenBack = new HashMap<>();
 
-    MotionCommands(ProxyRegistry boats, MessageSink messages) {
+    MotionCommands(ProxyRegistry boats, MessageSink messages, WayQuestions questions) {
         this.boats = boats;
+        this.questions = questions;
         this.messages = messages;
     }
 
-    /** Gives commands to boats; what is settled at once is answered in one batch. */
+    /** Gives commands to boats; those that are sent where something is wrong wait for the operator's answer. */
     void send(Activation activation, HandlerContext context, List<Move> moves) {
         Set<String> without = takenBack.getOrDefault(activation.id(), Set.of());
         takenBack.remove(activation.id());
+        List<Move> wanted = moves.stream()
+                .filter(move -> !without.contains(move.addressee().boat()))
+                .toList();
+        List<Move> clear = questions.hold(activation, context, wanted, new WayQuestions.Sender() {
+            @Override
+            public void send(Activation asked, HandlerContext answerTo, List<Move> allowed) {
+                sendNow(asked, answerTo, allowed);
+            }
+
+            @Override
+            public void refuse(Activation asked, HandlerContext answerTo, Move move, String reason) {
+                SentCommand one = new SentCommand(asked, answerTo, move);
+                one.post(failed(one, reason));
+            }
+        });
+        sendNow(activation, context, clear);
+    }
+
+    /** What is settled at once is answered in one batch. */
+    private void sendNow(Activation activation, HandlerContext context, List<Move> moves) {
         List<Input> settled = new ArrayList<>();
         for (Move move : moves) {
-            if (without.contains(move.addressee().boat())) {
-                continue;
-            }
             SentCommand one = new SentCommand(activation, context, move);
             Optional<BoatProxy> boat = boats.find(move.addressee().boat());
             if (move.command() instanceof FollowPath path && path.nothingIsLeft() && !path.block()) {
@@ -109,6 +128,7 @@ final class MotionCommands implements BoatListener {
 
     /** Takes back what a mission has for boats; no boats named = for all. */
     void withdraw(long mission, List<String> named) {
+        questions.withdraw(mission, named);
         again.values()
                 .forEach(all -> all.removeIf(
                         one -> one.mission() == mission && (named.isEmpty() || named.contains(one.boat()))));
@@ -136,6 +156,7 @@ final class MotionCommands implements BoatListener {
 
     /** Takes back what a mission has for a boat, because another wanted it so; whoever waits for it hears that it failed. */
     void abort(long mission, String boat, String reason) {
+        questions.withdraw(mission, List.of(boat));
         boats.find(boat)
                 .ifPresent(proxy -> proxy.withdraw(mission).forEach(command -> onFailed(boat, command, reason)));
     }

@@ -15,7 +15,7 @@ import org.sami.spn.value.Value;
  * area to stay in. Without them all water is free.
  */
 final class Restrictions {
-    private static final String AVOID = "avoid";
+    static final String AVOID = "avoid";
     private static final String WITHIN = "within";
 
     private Restrictions() {}

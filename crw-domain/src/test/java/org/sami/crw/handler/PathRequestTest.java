@@ -122,7 +122,9 @@ class PathRequestTest {
 
         world.happens(
                 engine,
-                asking().with("avoid", new ListValue(List.of(bow))).of("west").effect());
+                asking().with("avoid", new ListValue(List.of(bow)))
+                        .of("west", "ghost")
+                        .effect());
 
         assertThat(engine.inputs)
                 .filteredOn(Input.HandlerFailed.class::isInstance)

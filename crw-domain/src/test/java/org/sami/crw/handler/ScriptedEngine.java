@@ -15,6 +15,7 @@ import org.sami.spn.engine.Explanation;
 import org.sami.spn.engine.InterruptButton;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.host.EngineFunction;
+import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
@@ -90,6 +91,11 @@ final class ScriptedEngine implements EngineFunction, EngineView {
     @Override
     public Optional<MissionView> mission(long id) {
         return Optional.ofNullable(missions.get(id));
+    }
+
+    @Override
+    public Optional<Plan> plan(String id) {
+        return Optional.empty();
     }
 
     @Override

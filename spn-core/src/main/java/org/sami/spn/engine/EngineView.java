@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
+import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.value.TaskId;
@@ -19,6 +20,9 @@ public interface EngineView {
 
     /** One mission that has not ended. */
     Optional<MissionView> mission(long id);
+
+    /** A plan of the project that the engine runs, by its id. */
+    Optional<Plan> plan(String id);
 
     /** Open decisions, in order of creation. */
     List<Decision> decisions();

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
+import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Ids;
@@ -50,6 +51,11 @@ final class StateView implements EngineView {
                 m.name,
                 m.status,
                 marking);
+    }
+
+    @Override
+    public Optional<Plan> plan(String id) {
+        return state.project.project.plan(id);
     }
 
     @Override

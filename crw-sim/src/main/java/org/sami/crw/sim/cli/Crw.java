@@ -39,7 +39,8 @@ import picocli.CommandLine.Spec;
             "2:wrong usage, or a file that cannot be read",
             "3:the mission was aborted",
             "4:the mission or the program failed",
-            "5:the mission was still running when the run was stopped"
+            "5:the mission was still running when the run was stopped",
+            "6:the mission ended, with problems that are named"
         },
         footerHeading = "%nExamples:%n",
         footer = {

@@ -30,7 +30,13 @@ import picocli.CommandLine.Spec;
                         + "address, shows it, and writes a report with a picture; over within a minute or so. The boats end "
                         + "with it.",
         exitCodeListHeading = "%nExit codes:%n",
-        exitCodeList = {"0:the mission ended", "3:it was aborted", "4:it failed", "5:it was stopped before its end"},
+        exitCodeList = {
+            "0:the mission ended",
+            "3:it was aborted",
+            "4:it failed",
+            "5:it was stopped before its end",
+            "6:it ended, with problems"
+        },
         footerHeading = "%nExamples:%n",
         footer = {
             "  crw demo --report demo",

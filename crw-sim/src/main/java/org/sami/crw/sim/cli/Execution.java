@@ -293,7 +293,9 @@ final class Execution {
     }
 
     private void tellIfOver(int code, long added) {
-        boolean over = code == RunOutcome.ENDED.exitCode() || code == RunOutcome.ABORTED.exitCode();
+        boolean over = code == RunOutcome.ENDED.exitCode()
+                || code == RunOutcome.PROBLEMS
+                || code == RunOutcome.ABORTED.exitCode();
         if (over && added == 0) {
             tell("this run was over already; nothing was added to its journal");
         }
@@ -333,8 +335,9 @@ final class Execution {
         }
     }
 
-    /** Why it failed, beside the report, which may be for a program or be lost in a pipe. */
+    /** Why the exit code is what it is, beside the report, which may be for a program or be lost in a pipe. */
     private void tellFailure(RunReport report) {
+        report.problems().forEach(problem -> err.println("crw: problem: " + problem.message()));
         if (report.result().outcome() == RunOutcome.FAILED) {
             err.println("crw: failed: " + report.result().reason());
             report.waits().forEach(wait -> wait.lines().forEach(line -> err.println("  " + line)));
@@ -384,7 +387,7 @@ final class Execution {
                 err.flush();
             }
         }
-        int code = report.result().outcome().exitCode();
+        int code = report.exitCode();
         return told || code != ExitCode.OK ? code : ExitCode.FAILED;
     }
 }

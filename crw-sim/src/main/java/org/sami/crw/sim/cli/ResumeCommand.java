@@ -28,7 +28,8 @@ import picocli.CommandLine.Spec;
             "2:wrong usage, or a file that cannot be read",
             "3:the mission was aborted",
             "4:the mission or the program failed, or the run cannot be taken up again",
-            "5:the mission was still running when the run was stopped (--for, Ctrl-C)"
+            "5:the mission was still running when the run was stopped (--for, Ctrl-C)",
+            "6:the mission ended, with problems that are named"
         },
         footerHeading = "%nExamples:%n",
         footer = {"  crw resume visit.journal", "  crw resume visit.journal --speed max --json"})

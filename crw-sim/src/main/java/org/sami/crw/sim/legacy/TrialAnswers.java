@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Optional;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
+import org.sami.crw.decision.DomainQuestion;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Project;
@@ -43,6 +44,11 @@ final class TrialAnswers {
         project.plans()
                 .forEach(plan -> plan.places()
                         .forEach(place -> place.outputs().forEach(output -> answers.add(output, plan.id()))));
+        answers.rules // the plan is tried wherever its places are
+                .addObject()
+                .put("event", DomainQuestion.DOUBTFUL_WAY.kind())
+                .putObject("answer")
+                .put("yes", true);
         ObjectNode file = values.objectNode().put("format", "crw-answers").put("version", 1);
         file.set("rules", answers.rules);
         return AnswersFileReader.read(file.toString(), vocabulary).orThrow();

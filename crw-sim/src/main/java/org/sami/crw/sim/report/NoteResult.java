@@ -11,6 +11,20 @@ public record NoteResult(long atMillis, String kind, long mission, String messag
     /** News that nobody had asked for and no transition waited for: nothing is lost by it. */
     public static final String NEWS = "news";
 
+    /** What the simulated operator was asked and could not answer as it was told to. */
+    public static final String UNANSWERED = "unanswered";
+
+    /** What a plan asked and nobody could do. */
+    public static final String HANDLER_FAILED = "handler_failed";
+
+    /** What could not be written to the journal. */
+    public static final String JOURNAL = "journal";
+
+    /** Whether something went wrong that no plan hears of: a run in which that happened is not quite right, however it ends. */
+    public boolean isProblem() {
+        return kind.equals(HANDLER_FAILED) || kind.equals(UNANSWERED) || kind.equals(JOURNAL);
+    }
+
     public NoteResult {
         Objects.requireNonNull(kind, "kind");
         Objects.requireNonNull(message, "message");

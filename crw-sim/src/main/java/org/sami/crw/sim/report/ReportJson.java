@@ -52,6 +52,8 @@ public final class ReportJson {
         json.put("firings", result.firings());
         json.put("locationsVisited", report.locationsVisited());
         json.put("distanceM", decimal(report.distanceM(), 2));
+        ArrayNode problems = json.putArray("problems");
+        report.problems().forEach(problem -> problems.add(problem.message()));
         json.set("waitsFor", waits(report));
         json.set("boats", boats(report));
         json.set("locations", locations(report));

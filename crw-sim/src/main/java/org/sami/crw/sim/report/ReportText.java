@@ -37,6 +37,7 @@ public final class ReportText {
         RunResult result = report.result();
         line(text, "%s (plan %s), seed %d", header.planName(), header.plan(), header.seed());
         line(text, "  %-20s%s%s", "outcome", result.outcome().word(), reason(result));
+        report.problems().forEach(problem -> line(text, "  %-20s%s", "problem", problem.message()));
         report.origin().ifPresent(from -> line(text, "  %-20s%s", "started", moment(from)));
         line(
                 text,
@@ -213,10 +214,11 @@ public final class ReportText {
         }
     }
 
-    /** Answers that no transition wanted are counted, news that nobody asked for is left out, the rest is shown. */
+    /** Answers that no transition wanted are counted; news that nobody asked for is left out, problems were named. */
     private static void notes(StringBuilder text, RunReport report) {
         List<NoteResult> shown = report.notes().stream()
-                .filter(note -> !note.kind().equals(DISCARDED) && !note.kind().equals(NoteResult.NEWS))
+                .filter(note ->
+                        !note.kind().equals(DISCARDED) && !note.kind().equals(NoteResult.NEWS) && !note.isProblem())
                 .toList();
         long discarded = report.notes().stream()
                 .filter(note -> note.kind().equals(DISCARDED))

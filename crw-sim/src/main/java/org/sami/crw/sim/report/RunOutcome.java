@@ -12,6 +12,9 @@ public enum RunOutcome {
     /** Stopped before the mission was over: by {@code --for} or by the user. */
     RUNNING(5);
 
+    /** The exit code of a run that ended, with problems that no plan heard of. */
+    public static final int PROBLEMS = 6;
+
     private final int exitCode;
 
     RunOutcome(int exitCode) {

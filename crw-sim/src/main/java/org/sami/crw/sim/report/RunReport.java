@@ -109,6 +109,19 @@ public record RunReport(
                 Optional.of(from));
     }
 
+    /** What went wrong that no plan heard of, oldest first. */
+    public List<NoteResult> problems() {
+        return notes.stream().filter(NoteResult::isProblem).toList();
+    }
+
+    /** The exit code of a command that ran it: of its outcome, but {@link RunOutcome#PROBLEMS} where it ended with problems. */
+    public int exitCode() {
+        boolean green = result.outcome() == RunOutcome.ENDED;
+        return green && !problems().isEmpty()
+                ? RunOutcome.PROBLEMS
+                : result.outcome().exitCode();
+    }
+
     /** How many of the locations a boat has visited. */
     public int locationsVisited() {
         return (int) locations.stream().filter(LocationResult::visited).count();

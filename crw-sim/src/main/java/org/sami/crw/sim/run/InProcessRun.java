@@ -1,6 +1,7 @@
 package org.sami.crw.sim.run;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -13,6 +14,7 @@ import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.fleet.SimulatedBoat;
 import org.sami.crw.sim.report.LinkResult;
 import org.sami.crw.sim.report.LinkResult.Uploads;
+import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.spn.engine.EngineView;
@@ -115,9 +117,15 @@ public final class InProcessRun {
                         tracks.results(now(), boats, this::link),
                         visits.locations(),
                         interrupts.results(),
-                        base.messages())
+                        messages())
                 .withReadings(base.readings().readings())
                 .withWaits(outcome.isOver() ? List.of() : ask(view -> Waits.of(plan, view)));
+    }
+
+    private List<NoteResult> messages() {
+        List<NoteResult> all = new ArrayList<>(base.messages());
+        all.addAll(operator.notes());
+        return all;
     }
 
     private boolean isWanted(String boat) {

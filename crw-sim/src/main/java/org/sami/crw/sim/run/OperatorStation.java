@@ -10,6 +10,7 @@ import java.util.function.Consumer;
 import org.sami.crw.decision.BoatFilter;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.sim.clock.Scheduler;
+import org.sami.crw.sim.report.NoteResult;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.host.EngineHost;
@@ -35,7 +36,7 @@ public final class OperatorStation implements HostListener {
     private final Map<Long, Decision> open = new TreeMap<>();
     private final Map<Long, Long> work =
             new TreeMap<>(); // milliseconds that it takes beside answering, by open decision
-    private final List<String> troubles = new ArrayList<>();
+    private final List<NoteResult> troubles = new ArrayList<>();
     private final Set<Long> thinkingOf = new HashSet<>();
     private Consumer<Input> door = input -> {}; // while the past of a run is gone through, it has been answered already
 
@@ -100,10 +101,10 @@ public final class OperatorStation implements HostListener {
     private void answer(Decision decision) {
         Reading<Answer> answer = operator.answer(decision, planOfMission.getOrDefault(decision.mission(), ""));
         for (Finding finding : answer.findings()) {
-            troubles.add(
-                    finding.pointer().isEmpty()
-                            ? finding.message()
-                            : "answers file, " + finding.pointer() + ": " + finding.message());
+            String text = finding.pointer().isEmpty()
+                    ? finding.message()
+                    : "answers file, " + finding.pointer() + ": " + finding.message();
+            troubles.add(new NoteResult(clock.nowMs(), NoteResult.UNANSWERED, decision.mission(), text));
         }
         answer.result().ifPresent(a -> door.accept(new Input.AnswerDecision(decision.id(), a, Answerer.OPERATOR)));
     }
@@ -120,6 +121,11 @@ public final class OperatorStation implements HostListener {
 
     /** What the operator could not answer, in words, oldest first. */
     public List<String> troubles() {
+        return troubles.stream().map(NoteResult::message).toList();
+    }
+
+    /** The same with their times. */
+    public List<NoteResult> notes() {
         return troubles;
     }
 }

@@ -107,6 +107,11 @@ final class EarlierRun implements SessionNotes.Reader {
     }
 
     @Override
+    public void why(String boat, String text) {
+        desk.explained(boat, text, false);
+    }
+
+    @Override
     public void message(NoteResult note) {
         notices.restored(note);
     }

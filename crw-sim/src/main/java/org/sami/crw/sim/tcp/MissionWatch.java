@@ -256,9 +256,11 @@ final class MissionWatch {
         return recorder.endedAtMillis().orElseGet(this::now);
     }
 
-    /** Writes down where the boats have come to lie, so that the run can be reported again. */
+    /** Writes down where the boats have come to lie, and why they moved or did not, so that the run can be reported again. */
     void noteEnd(long atMillis) {
         for (BoatState boat : boats()) {
+            station.notes()
+                    .why(atMillis, boat.id(), station.desk().link(boat.id()).why());
             station.desk()
                     .last(boat.id())
                     .ifPresent(told -> station.notes().pose(atMillis, boat.id(), told, boat.distanceM()));
@@ -290,6 +292,8 @@ final class MissionWatch {
     private List<NoteResult> told(long atMillis) {
         List<NoteResult> told = new ArrayList<>(station.notices().all());
         told.addAll(station.missingReadings(atMillis));
+        told.addAll(operator.notes());
+        station.notes().problem().ifPresent(told::add);
         return told;
     }
 }

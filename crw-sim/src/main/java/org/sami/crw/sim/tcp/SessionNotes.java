@@ -6,12 +6,14 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.LongSupplier;
 import org.sami.crw.sim.report.LinkResult;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.ReadingResult;
 import org.sami.spn.journal.TelemetryRow;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -31,10 +33,11 @@ final class SessionNotes {
     private static final String BEGUN = "begun";
     private static final String AREA = "area";
     private static final String READING = "reading";
+    private static final String WHY = "why";
 
     private final SessionJournal journal;
     private final LongSupplier nowMillis;
-    private boolean broken;
+    private Optional<NoteResult> problem = Optional.empty();
 
     SessionNotes(SessionJournal journal, LongSupplier nowMillis) {
         this.journal = journal;
@@ -102,6 +105,11 @@ final class SessionNotes {
                         .put("failed", uploads.failed()));
     }
 
+    /** Why a boat moved or did not when the run stopped. */
+    void why(long atMillis, String boat, String text) {
+        add(atMillis, boat, WHY, JSON.createObjectNode().put("text", text));
+    }
+
     void message(NoteResult note) {
         add(
                 note.atMillis(),
@@ -120,13 +128,19 @@ final class SessionNotes {
     /** The report would lack it; the mission does not: a table that cannot be written stops nobody, and is told once. */
     private synchronized void add(long atMillis, String boat, String kind, ObjectNode json) {
         try {
-            if (!broken) {
+            if (problem.isEmpty()) {
                 journal.addTelemetry(new TelemetryRow(atMillis, boat, kind, json.toString()));
             }
         } catch (IOException e) {
-            broken = true;
-            LOG.log(System.Logger.Level.WARNING, "telemetry is no longer kept: " + e.getMessage());
+            String text = "telemetry is no longer kept in the journal: " + e.getMessage();
+            problem = Optional.of(new NoteResult(atMillis, NoteResult.JOURNAL, Ids.NONE, text));
+            LOG.log(System.Logger.Level.WARNING, text);
         }
+    }
+
+    /** What is missing in the journal and why; empty where nothing is. */
+    synchronized Optional<NoteResult> problem() {
+        return problem;
     }
 
     /** Who wants to know what earlier processes wrote. */
@@ -146,6 +160,8 @@ final class SessionNotes {
         void address(String boat, String address);
 
         void uploads(String boat, LinkResult.Uploads uploads);
+
+        void why(String boat, String text);
 
         void message(NoteResult note);
 
@@ -185,6 +201,7 @@ final class SessionNotes {
                                 json.path("acknowledged").asInt(),
                                 json.path("readBackEqual").asInt(),
                                 json.path("failed").asInt()));
+            case WHY -> reader.why(boat, json.path("text").asText());
             case MESSAGE ->
                 reader.message(new NoteResult(
                         row.atMillis(),

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
+import org.sami.crw.sim.report.DecisionResult;
 import org.sami.crw.sim.report.InterruptResult;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.ReportText;
@@ -80,7 +81,13 @@ class InterruptRunTest {
     @Test
     void runInWhichAllWentRightTellsOfNothingThatWasDiscarded() {
         for (String plan : List.of("clv", "station-keep", "measure", "explore-area")) {
-            assertThat(ReportText.text(run(plan))).as(plan).contains("ended").doesNotContain("discarded");
+            RunReport report = run(plan);
+            assertThat(ReportText.text(report)).as(plan).contains("ended").doesNotContain("discarded");
+            assertThat(report.exitCode()).as(plan).isZero();
+            assertThat(report.decisions())
+                    .as(plan)
+                    .extracting(DecisionResult::type)
+                    .doesNotContain("DoubtfulWay", "LongWay");
         }
     }
 

@@ -1,0 +1,31 @@
+package org.sami.crw.service.reach;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Where a boat is to go.
+ *
+ * @param from where the boat is, if that is known
+ * @param batteryPercent its charge in percent of full, if that is known
+ * @param points in driving order
+ * @param avoid areas that the plan keeps its boats out of, such as land
+ */
+public record Way(
+        String boat,
+        Optional<GeoPoint> from,
+        OptionalDouble batteryPercent,
+        List<GeoPoint> points,
+        List<GeoArea> avoid) {
+    public Way {
+        Objects.requireNonNull(boat, "boat");
+        Objects.requireNonNull(from, "from");
+        Objects.requireNonNull(batteryPercent, "batteryPercent");
+        points = List.copyOf(points);
+        avoid = List.copyOf(avoid);
+    }
+}

@@ -1,0 +1,99 @@
+package org.sami.crw.service.reach;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.water.Water;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+
+/** Finds what is wrong with a way before a boat is sent along it. The first that is wrong is said; a pure function. */
+public final class WayCheck {
+    /** A point farther from the boat than this, in metres, is nowhere that a boat of the fleet comes back from. */
+    public static final double FAR_M = 5_000;
+
+    /** How far one percent of charge takes a boat of the fleet, in metres: about 3.5 km on a full battery. */
+    public static final double METRES_PER_PERCENT = 35;
+
+    private WayCheck() {}
+
+    /** What is wrong; empty where nothing is, or where the boat's position is not known. */
+    public static Optional<Doubt> doubt(Way way) {
+        if (way.points().isEmpty() || way.from().isEmpty()) {
+            return Optional.empty();
+        }
+        GeoPoint from = way.from().get();
+        return far(way, from).or(() -> onLand(way)).or(() -> beyondCharge(way, from));
+    }
+
+    private static Optional<Doubt> far(Way way, GeoPoint from) {
+        GeoPoint farthest = way.points().stream()
+                .max(Comparator.comparingDouble(point -> Geodesy.distanceM(from, point)))
+                .orElseThrow();
+        double distanceM = Geodesy.distanceM(from, farthest);
+        if (distanceM <= FAR_M) {
+            return Optional.empty();
+        }
+        String words = way.boat() + " is to go " + kilometres(distanceM) + " from where it is, to " + text(farthest);
+        return Optional.of(new Doubt(Doubt.Kind.PLACE, words + exchanged(from, farthest)));
+    }
+
+    /** Who gives longitude before latitude means a place that is near. */
+    private static String exchanged(GeoPoint from, GeoPoint point) {
+        if (Math.abs(point.lonDeg()) > 90) {
+            return "";
+        }
+        GeoPoint other = GeoPoint.of(point.lonDeg(), point.latDeg());
+        return Geodesy.distanceM(from, other) <= FAR_M
+                ? "; are latitude and longitude exchanged? " + text(other) + " is near"
+                : "";
+    }
+
+    private static Optional<Doubt> onLand(Way way) {
+        for (GeoArea area : way.avoid()) {
+            for (int i = 0; i < way.points().size(); i++) {
+                GeoPoint point = way.points().get(i);
+                if (Water.of(point, List.of(area), Optional.empty()).clearanceM(point) == 0) {
+                    return Optional.of(new Doubt(
+                            Doubt.Kind.PLACE,
+                            way.boat() + " is to go to " + text(point) + ", point " + (i + 1)
+                                    + " of its way, which lies in an area that the plan avoids"));
+                }
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static Optional<Doubt> beyondCharge(Way way, GeoPoint from) {
+        if (way.batteryPercent().isEmpty()) {
+            return Optional.empty();
+        }
+        double lengthM = Geodesy.lengthM(from, way.points());
+        double percent = way.batteryPercent().getAsDouble();
+        double rangeM = percent * METRES_PER_PERCENT;
+        return lengthM <= rangeM
+                ? Optional.empty()
+                : Optional.of(new Doubt(
+                        Doubt.Kind.CHARGE,
+                        String.format(
+                                Locale.ROOT,
+                                "%s is to go %s, and its charge of %.0f %% lasts for about %s",
+                                way.boat(),
+                                kilometres(lengthM),
+                                percent,
+                                kilometres(rangeM))));
+    }
+
+    private static String kilometres(double metres) {
+        if (metres < 950) {
+            return String.format(Locale.ROOT, "%.0f m", metres);
+        }
+        return String.format(Locale.ROOT, metres < 9_950 ? "%.1f km" : "%.0f km", metres / 1000);
+    }
+
+    private static String text(GeoPoint point) {
+        return String.format(Locale.ROOT, "%.5f,%.5f", point.latDeg(), point.lonDeg());
+    }
+}

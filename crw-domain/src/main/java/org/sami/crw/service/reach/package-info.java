@@ -1,0 +1,8 @@
+/**
+ * Whether a boat should be sent where a plan sends it: how far that is, whether its charge lasts, whether land lies there
+ * (docs/decisions, 0127).
+ *
+ * <p>Here belongs what is said of a way; pure functions of positions and charges. Who is asked and what becomes of the boats
+ * belongs to {@code crw.handler}.
+ */
+package org.sami.crw.service.reach;

@@ -1,0 +1,42 @@
+package org.sami.crw.sim.run;
+
+import java.util.Map;
+import java.util.OptionalLong;
+import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.decision.AnswersFileReader;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.spn.json.ProjectReader;
+import org.sami.spn.model.Project;
+
+/** Runs of the plans of {@code problem-project.json}, on one boat. */
+final class ProblemRuns {
+    private static final int BOATS = 1;
+
+    private ProblemRuns() {}
+
+    static RunReport run(String id, Map<String, String> parameters, Charges charges, String rules) {
+        return of(id, parameters, charges, rules).run(Pacer.UNPACED, RunObserver.NONE);
+    }
+
+    static InProcessRun of(String id, Map<String, String> parameters, Charges charges, String rules) {
+        Project project = new ProjectReader(Runs.LIBRARY.vocabulary())
+                .read(Runs.text("problem-project.json"))
+                .orThrow();
+        RunPlan plan =
+                new RunPlan(Runs.LIBRARY.vocabulary(), project, project.plan(id).orElseThrow());
+        RunSettings settings = new RunSettings(
+                id,
+                id,
+                new RunSettings.Fleet(BOATS, 1, 600, 1).with(charges),
+                Speed.MAX,
+                OptionalLong.of(400_000),
+                parameters,
+                5_000,
+                "");
+        AnswersFile answers = AnswersFileReader.read(
+                        "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [" + rules + "]}",
+                        Runs.LIBRARY.vocabulary())
+                .orThrow();
+        return new InProcessRun(plan, settings, answers, RunJournal.none());
+    }
+}
