@@ -72,7 +72,7 @@ class LegacyDamageTest {
     @Test
     void theWholeOneArrives() {
         assertThat(read(WHOLE).project()).isPresent();
-        assertThat(read(WHOLE).isComplete()).isTrue();
+        assertThat(read(WHOLE).isAccountedFor()).isTrue();
     }
 
     @Test
@@ -117,7 +117,7 @@ class LegacyDamageTest {
                         .as("seed %d: %s", seed, bent)
                         .anyMatch(f -> f.isError() && !f.message().isBlank());
             } else {
-                assertThat(result.isComplete())
+                assertThat(result.isAccountedFor())
                         .as("seed %d: %s %s %s %s", seed, bent, result.source(), result.imported(), result.findings())
                         .isTrue();
                 String written =

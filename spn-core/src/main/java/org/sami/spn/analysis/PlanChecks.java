@@ -30,6 +30,7 @@ public final class PlanChecks {
             new TokensForOutputs(),
             new RequirementsAndEvents(),
             new RelevantTokens(),
+            new MissedAnswers(),
             new RequiredFields(),
             new FieldValues(),
             new KnownVariables(),

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.model.ImportOrigin;
 import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -148,8 +149,21 @@ public final class ProjectReader {
         List<MissionTreeNode> tree = root.objects("missionTree").stream()
                 .map(m -> treeNode(m, planIds))
                 .toList();
+        Optional<ImportOrigin> origin = root.object("importedFrom").map(ProjectReader::origin);
         root.done();
-        return new Project(id, name, domain, globals, tree, plans, schema);
+        return new Project(id, name, domain, globals, tree, plans, schema, origin);
+    }
+
+    private static ImportOrigin origin(Members m) {
+        List<ImportOrigin.Remark> remarks = new ArrayList<>();
+        for (Members r : m.objects("remarks")) {
+            remarks.add(new ImportOrigin.Remark(
+                    r.text("code"), r.text("plan", ""), r.texts("elements"), r.text("message", "")));
+            r.done();
+        }
+        ImportOrigin origin = new ImportOrigin(m.text("file"), remarks);
+        m.done();
+        return origin;
     }
 
     private static MissionTreeNode treeNode(Members m, Names planIds) {

@@ -12,6 +12,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import org.sami.spn.model.ImportOrigin;
 import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -95,6 +96,7 @@ public final class ProjectWriter {
         if (!project.missionTree().isEmpty()) {
             root.set("missionTree", tree(project.missionTree()));
         }
+        project.importedFrom().ifPresent(origin -> root.set("importedFrom", origin(origin)));
         return root;
     }
 
@@ -106,6 +108,21 @@ public final class ProjectWriter {
             v.initial().ifPresent(i -> node.set("initial", values.write(i, v.type())));
         }
         return array;
+    }
+
+    private static ObjectNode origin(ImportOrigin origin) {
+        ObjectNode node = NODES.objectNode().put("file", origin.file());
+        ArrayNode remarks = NODES.arrayNode();
+        for (ImportOrigin.Remark r : origin.remarks()) {
+            ObjectNode remark = remarks.addObject().put("code", r.code());
+            PlanWriter.putText(remark, "plan", r.plan());
+            PlanWriter.putTexts(remark, "elements", r.elements());
+            PlanWriter.putText(remark, "message", r.message());
+        }
+        if (!remarks.isEmpty()) {
+            node.set("remarks", remarks);
+        }
+        return node;
     }
 
     private static ArrayNode tree(List<MissionTreeNode> nodes) {

@@ -133,12 +133,14 @@ final class CopyCheck {
 
     private static List<String> markups(LegacyPlan.Event e) {
         return e.markups().stream()
-                .map(m -> m.className()
-                        + m.options()
-                        + m.parameters().entrySet().stream()
-                                .map(p -> p.getKey() + p.getValue().node())
-                                .collect(Collectors.joining()))
+                .map(m -> m.className() + said(m.options()) + said(m.parameters()))
                 .toList();
+    }
+
+    private static String said(Map<String, LegacyValue> fields) {
+        return fields.entrySet().stream()
+                .map(f -> f.getKey() + f.getValue().node())
+                .collect(Collectors.joining(",", "{", "}"));
     }
 
     private boolean sameValue(JsonNode a, JsonNode b) {

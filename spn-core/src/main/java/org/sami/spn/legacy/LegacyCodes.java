@@ -1,5 +1,7 @@
 package org.sami.spn.legacy;
 
+import java.util.Set;
+
 /** The stable codes of the findings of an import; docs/import-legacy.md explains them. */
 final class LegacyCodes {
     // the file is refused
@@ -41,6 +43,18 @@ final class LegacyCodes {
     static final String COPY_KEPT = "N-COPY-KEPT";
     static final String NOT_A_COPY = "N-COPY-WITHOUT-PLAN";
     static final String LEFT_BEHIND = "N-LEFT-BEHIND";
+
+    /** Of what says less here than it did in the export. */
+    static final Set<String> LOSSES =
+            Set.of(UNKNOWN_MEMBER, UNKNOWN_EVENT, UNKNOWN_FIELD, UNKNOWN_MARKUP, UNKNOWN_OPTION, UNKNOWN_CLASS, VALUE);
+
+    /** Of what arrived otherwise than it stood there; other findings name what the plans themselves say. */
+    private static final Set<String> CHANGES =
+            Set.of(NO_REQUIREMENT, REQUIREMENT, PARALLEL_EDGE, ORDER, EVENT_SIDE, DROPPED);
+
+    static boolean isChange(String code) {
+        return LOSSES.contains(code) || CHANGES.contains(code);
+    }
 
     private LegacyCodes() {}
 }

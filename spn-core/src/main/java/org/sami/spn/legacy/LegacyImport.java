@@ -9,10 +9,13 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.json.Reading;
+import org.sami.spn.model.ImportOrigin;
 import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -34,6 +37,7 @@ public final class LegacyImport {
      * @param imported counts of the project, without what was written although the export does not have it
      * @param explained what of the export's counts is not in the project, because a finding says why
      * @param roots ids of the plans that are started by themselves and have a start place, in order
+     * @param planNames names of the export's plans, in its order
      */
     public record Result(
             Optional<Project> project,
@@ -41,16 +45,38 @@ public final class LegacyImport {
             Counts source,
             Counts imported,
             Counts explained,
-            List<String> roots) {
+            List<String> roots,
+            List<String> planNames) {
         public Result {
             Objects.requireNonNull(project, "project");
             findings = List.copyOf(findings);
             roots = List.copyOf(roots);
+            planNames = List.copyOf(planNames);
         }
 
-        /** Whether all of the export arrived, less what findings explain. */
-        public boolean isComplete() {
+        /** The name of the plan that a finding is about; empty text where it is about none. */
+        public String planOf(Finding finding) {
+            return LegacyPlan.indexIn(finding.pointer())
+                    .filter(i -> i < planNames.size())
+                    .map(planNames::get)
+                    .orElse("");
+        }
+
+        /** Whether the numbers add up: what is not in the project, a finding explains. */
+        public boolean isAccountedFor() {
             return imported.plus(explained).equals(source);
+        }
+
+        /** Findings that name what says less here than it did in the export: its meaning was lost, or is kept as text only. */
+        public List<Finding> losses() {
+            return findings.stream()
+                    .filter(f -> LegacyCodes.LOSSES.contains(f.code()))
+                    .toList();
+        }
+
+        /** Whether all that the export says arrived. */
+        public boolean isComplete() {
+            return project.isPresent() && isAccountedFor() && losses().isEmpty();
         }
     }
 
@@ -58,6 +84,11 @@ public final class LegacyImport {
     public LegacyImport(Vocabulary vocabulary, LegacyTable table) {
         this.vocabulary = Objects.requireNonNull(vocabulary, "vocabulary");
         this.table = Objects.requireNonNull(table, "table");
+    }
+
+    /** Whether a remark of an import says that something arrived otherwise than it stood there, or not at all. */
+    public static boolean isChange(ImportOrigin.Remark remark) {
+        return LegacyCodes.isChange(remark.code());
     }
 
     /** Imports a file. */
@@ -68,7 +99,8 @@ public final class LegacyImport {
                             .newDecoder()
                             .decode(java.nio.ByteBuffer.wrap(Files.readAllBytes(file)))
                             .toString(),
-                    name(file));
+                    name(file),
+                    String.valueOf(file.getFileName()));
         } catch (CharacterCodingException e) {
             return failed(LegacyCodes.FILE, "The file " + file + " is not UTF-8 text");
         } catch (IOException e) {
@@ -87,7 +119,7 @@ public final class LegacyImport {
 
     private static Result nothing(List<Finding> findings, Counts source) {
         Counts none = new Counts(java.util.Map.of());
-        return new Result(Optional.empty(), findings, source, none, none, List.of());
+        return new Result(Optional.empty(), findings, source, none, none, List.of(), List.of());
     }
 
     /**
@@ -96,6 +128,10 @@ public final class LegacyImport {
      * @param name the project's name here
      */
     public Result read(String text, String name) {
+        return read(text, name, name);
+    }
+
+    private Result read(String text, String name, String fileName) {
         Findings findings = new Findings();
         LegacyReader reader = new LegacyReader(findings);
         Optional<JsonNode> document = reader.parse(text);
@@ -104,10 +140,10 @@ public final class LegacyImport {
         if (read.isEmpty() || findings.hasErrors()) {
             return nothing(findings.list(), source);
         }
-        return convert(read.get(), name, source, findings);
+        return convert(read.get(), name, fileName, source, findings);
     }
 
-    private Result convert(LegacyProject read, String name, Counts source, Findings findings) {
+    private Result convert(LegacyProject read, String name, String fileName, Counts source, Findings findings) {
         Counts.Tally explained = new Counts.Tally();
         Counts.Tally added = new Counts.Tally();
         LegacyValues values = new LegacyValues(vocabulary, table);
@@ -133,13 +169,16 @@ public final class LegacyImport {
                 .toList();
         VariableDeclarations variables =
                 new VariableDeclarations(vocabulary, values, events.units(), read, plans, findings);
+        List<Plan> declared = plans.stream().map(variables::declare).toList();
         Project project = new Project(
                 name.isBlank() ? "imported" : name,
                 name,
                 vocabulary.domain(),
                 variables.globals(),
                 read.tree().map(t -> List.of(node(t, copies))).orElse(List.of()),
-                plans.stream().map(variables::declare).toList());
+                declared,
+                Optional.empty(),
+                Optional.of(new ImportOrigin(fileName, remarks(read, declared, findings))));
         List<String> roots = read.plans().stream()
                 .filter(p -> p.role() == LegacyPlan.Role.ROOT && p.hasStart())
                 .map(LegacyPlan::id)
@@ -149,7 +188,25 @@ public final class LegacyImport {
             return nothing(findings.list(), source);
         }
         Counts written = Counts.of(project).minus(added.counts());
-        return new Result(Optional.of(project), findings.list(), source, written, explained.counts(), roots);
+        List<String> names = read.plans().stream()
+                .map(p -> p.name().isBlank() ? p.id() : p.name())
+                .toList();
+        return new Result(Optional.of(project), findings.list(), source, written, explained.counts(), roots, names);
+    }
+
+    /** The findings so far, of plans that are in the project; their pointers lead into the export and are not kept. */
+    private static List<ImportOrigin.Remark> remarks(LegacyProject read, List<Plan> plans, Findings findings) {
+        Set<String> here = plans.stream().map(Plan::id).collect(Collectors.toSet());
+        return findings.list().stream()
+                .map(f -> new ImportOrigin.Remark(
+                        f.code(),
+                        LegacyPlan.indexIn(f.pointer())
+                                .map(i -> read.plans().get(i).id())
+                                .filter(here::contains)
+                                .orElse(""),
+                        f.elements(),
+                        f.message()))
+                .toList();
     }
 
     /** What the earlier system's format holds and this one cannot: nobody gets a file that is then refused. */

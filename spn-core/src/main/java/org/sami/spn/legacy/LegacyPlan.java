@@ -3,6 +3,8 @@ package org.sami.spn.legacy;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** A plan of the export. Pointers are JSON pointers into it. */
 record LegacyPlan(
@@ -16,6 +18,8 @@ record LegacyPlan(
         List<String> writes,
         List<Task> tasks,
         int danglingEdgeRefs) {
+    private static final Pattern IN_A_PLAN = Pattern.compile("^/plans/(\\d+)(/|$)");
+
     LegacyPlan {
         vertices = List.copyOf(vertices);
         edges = List.copyOf(edges);
@@ -122,7 +126,8 @@ record LegacyPlan(
     }
 
     /** A markup with its chosen constants and its parameters. */
-    record Markup(String pointer, String className, Map<String, String> options, Map<String, LegacyValue> parameters) {}
+    record Markup(
+            String pointer, String className, Map<String, LegacyValue> options, Map<String, LegacyValue> parameters) {}
 
     /**
      * A plan that a place runs.
@@ -178,6 +183,12 @@ record LegacyPlan(
     /** A requirement as it stands; {@code match} and {@code move} may be unset. */
     record Requirement(
             String pointer, Kind kind, Optional<Quantity> match, int quantity, String task, Optional<Move> move) {}
+
+    /** Which plan of the export a pointer leads into. */
+    static Optional<Integer> indexIn(String pointer) {
+        Matcher matcher = IN_A_PLAN.matcher(pointer);
+        return matcher.find() ? Optional.of(Integer.valueOf(matcher.group(1))) : Optional.empty();
+    }
 
     static String simpleName(String className) {
         return className.substring(className.lastIndexOf('.') + 1);

@@ -167,7 +167,7 @@ final class LegacyPlanReader {
 
     private LegacyPlan.Markup markup(Cursor m) {
         LegacyPlan.Markup markup =
-                new LegacyPlan.Markup(m.pointer(), m.text("class"), m.textMap("options"), values(m, "parameters"));
+                new LegacyPlan.Markup(m.pointer(), m.text("class"), values(m, "options"), values(m, "parameters"));
         m.done();
         return markup;
     }

@@ -2,9 +2,13 @@ package org.sami.spn.legacy;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.sami.spn.value.ValueType;
+import org.sami.spn.vocabulary.FieldType;
+import org.sami.spn.vocabulary.MarkupType;
 
 /**
  * What the classes of the earlier system are called in a domain: its events, markups, types and tasks. A file of the domain
@@ -40,12 +44,17 @@ public record LegacyTable(
     /**
      * A markup of this language for a markup class.
      *
-     * @param options by the name that the class gives them; parameters are named {@code parameter.member}
+     * @param options by the name that the class gives them; parameters are named {@code parameter.member}. The first rule of
+     *     a name whose option takes the value is used: a field had other constants in other years
      * @param set options where the class leaves them open, as JSON of plan files
      */
-    public record MarkupRule(String markup, Map<String, FieldRule> options, Map<String, JsonNode> set) {
-        FieldRule option(String name) {
-            return options.getOrDefault(name, FieldRule.same(name));
+    public record MarkupRule(String markup, Map<String, List<FieldRule>> options, Map<String, JsonNode> set) {
+        /** The rules for a field: those of the table, else one for the option that its name means. */
+        List<FieldRule> option(String name, MarkupType type) {
+            return OptionNames.find(options, name)
+                    .orElseGet(() -> List.of(FieldRule.same(OptionNames.meant(
+                                    type.options().stream().map(FieldType::name).toList(), name)
+                            .orElse(name))));
         }
     }
 
@@ -57,11 +66,25 @@ public record LegacyTable(
      * @param values other names of constants, as JSON of plan files, by the constant
      * @param waitForAll whether the field says that the transition waits for all, instead of being one
      * @param reason why there is no such field here; empty text where there is one
+     * @param only the constants that the rule is for; empty where it is for all
      */
     public record FieldRule(
-            String to, double unitMillis, Map<String, JsonNode> values, boolean waitForAll, String reason) {
+            String to,
+            double unitMillis,
+            Map<String, JsonNode> values,
+            boolean waitForAll,
+            String reason,
+            Set<String> only) {
         static FieldRule same(String name) {
-            return new FieldRule(name, 1, Map.of(), false, "");
+            return new FieldRule(name, 1, Map.of(), false, "", Set.of());
+        }
+
+        boolean isFor(Optional<String> constant) {
+            return only.isEmpty() || constant.filter(only::contains).isPresent();
+        }
+
+        boolean drops() {
+            return !reason.isEmpty();
         }
     }
 

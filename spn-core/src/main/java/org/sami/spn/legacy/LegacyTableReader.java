@@ -5,8 +5,10 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.sami.spn.json.Reading;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.ValueType;
@@ -127,8 +129,8 @@ public final class LegacyTableReader {
         if (type.isEmpty() && !name.isEmpty()) {
             m.error(LegacyCodes.TABLE, "markup", "The domain has no markup " + name, name);
         }
-        Map<String, LegacyTable.FieldRule> options = rules(m, "options");
-        type.ifPresent(t -> options.values().forEach(rule -> {
+        Map<String, List<LegacyTable.FieldRule>> options = alternatives(m, "options");
+        type.ifPresent(t -> options.values().stream().flatMap(List::stream).forEach(rule -> {
             if (!rule.to().isEmpty()
                     && t.options().stream().noneMatch(o -> o.name().equals(rule.to()))) {
                 m.error(LegacyCodes.TABLE, "options", t.name() + " has no option " + rule.to(), t.name());
@@ -148,6 +150,19 @@ public final class LegacyTableReader {
         return rules;
     }
 
+    /** Rules of which each name has one, or a list of some. */
+    private static Map<String, List<LegacyTable.FieldRule>> alternatives(Cursor c, String member) {
+        Map<String, List<LegacyTable.FieldRule>> rules = new LinkedHashMap<>();
+        c.object(member)
+                .ifPresent(all -> c.map(member).forEach((name, element) -> {
+                    List<Cursor> listed = element.node().isArray()
+                            ? all.objects(name)
+                            : all.object(name).stream().toList();
+                    rules.put(name, listed.stream().map(r -> rule(name, r)).toList());
+                }));
+        return rules;
+    }
+
     private static LegacyTable.FieldRule rule(String name, Cursor r) {
         String reason = r.text("drop", "");
         boolean waitForAll = r.flag("waitForAll");
@@ -158,7 +173,8 @@ public final class LegacyTableReader {
         Map<String, JsonNode> values = new LinkedHashMap<>();
         r.map("values").forEach((constant, e) -> values.put(constant, e.node()));
         String to = reason.isEmpty() && !waitForAll ? r.text("to", name) : "";
-        return new LegacyTable.FieldRule(to, UNITS.getOrDefault(unit, 1.0), values, waitForAll, reason);
+        return new LegacyTable.FieldRule(
+                to, UNITS.getOrDefault(unit, 1.0), values, waitForAll, reason, Set.copyOf(r.texts("only")));
     }
 
     private LegacyTable.Unknown unknown(Cursor u) {

@@ -1,20 +1,29 @@
 package org.sami.spn.legacy;
 
-import com.fasterxml.jackson.databind.node.TextNode;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.sami.spn.json.ValueJson;
 import org.sami.spn.model.MarkupSpec;
+import org.sami.spn.value.BooleanValue;
+import org.sami.spn.value.EnumValue;
+import org.sami.spn.value.NamedType;
 import org.sami.spn.value.Value;
+import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.MarkupType;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** Makes markups of this language of the export's, by the table of classes. */
 final class MarkupConverter {
+    private static final Set<String> YES = Set.of("yes", "true");
+    private static final Set<String> NO = Set.of("no", "false");
+    private static final Set<String> NAMES_OF_THE_CLASS = Set.of("type", "class");
+
     private final Vocabulary vocabulary;
     private final LegacyTable table;
     private final LegacyValues values;
@@ -65,30 +74,22 @@ final class MarkupConverter {
 
     private Optional<LegacyTable.MarkupRule> rule(LegacyPlan.Markup m) {
         return LegacyTable.find(table.markups(), m.className())
-                .or(() -> vocabulary
-                        .markup(LegacyPlan.simpleName(m.className()))
-                        .map(t -> new LegacyTable.MarkupRule(t.name(), Map.of(), Map.of())));
+                .or(() ->
+                        vocabulary.markup(LegacyPlan.simpleName(m.className())).map(this::ruleOf));
+    }
+
+    /** The rule of a class that is called as the markup is here; classes of other years may spell fields as it does. */
+    private LegacyTable.MarkupRule ruleOf(MarkupType type) {
+        return table.markups().values().stream()
+                .filter(rule -> rule.markup().equals(type.name()))
+                .findFirst()
+                .orElse(new LegacyTable.MarkupRule(type.name(), Map.of(), Map.of()));
     }
 
     private MarkupSpec convert(LegacyPlan.Event event, LegacyPlan.Markup m, LegacyTable.MarkupRule rule) {
         MarkupType type = vocabulary.markup(rule.markup()).orElseThrow();
         Map<String, Value> options = new LinkedHashMap<>();
-        given(m).forEach((name, value) -> {
-            LegacyTable.FieldRule optionRule = rule.option(name);
-            Optional<FieldType> option = type.options().stream()
-                    .filter(o -> o.name().equals(optionRule.to()))
-                    .findFirst();
-            Optional<Value> converted = option.flatMap(o -> values.convert(value, o.type(), optionRule));
-            converted.ifPresent(v -> options.put(optionRule.to(), v));
-            if (converted.isEmpty() && optionRule.reason().isEmpty()) {
-                findings.warning(
-                        LegacyCodes.UNKNOWN_OPTION,
-                        value.pointer(),
-                        "The option " + name + " of the markup " + type.name() + " of " + event.key()
-                                + " cannot be kept: " + value.node(),
-                        event.key());
-            }
-        });
+        given(m).forEach((name, value) -> put(event, type, rule, name, value, options));
         rule.set()
                 .forEach((name, json) -> type.options().stream()
                         .filter(o -> o.name().equals(name))
@@ -99,22 +100,77 @@ final class MarkupConverter {
         return new MarkupSpec(type.name(), options);
     }
 
+    /** Puts what a field says into the first option of its rules that takes it. */
+    private void put(
+            LegacyPlan.Event event,
+            MarkupType type,
+            LegacyTable.MarkupRule rule,
+            String name,
+            LegacyValue value,
+            Map<String, Value> options) {
+        List<LegacyTable.FieldRule> rules = rule.option(name, type);
+        Optional<String> constant = LegacyValues.constant(value);
+        for (LegacyTable.FieldRule optionRule : rules) {
+            if (!optionRule.isFor(constant)) {
+                continue;
+            }
+            if (optionRule.drops()) {
+                return;
+            }
+            Optional<Value> converted = option(type, optionRule.to())
+                    .flatMap(o -> values.convert(value, o.type(), optionRule).or(() -> word(value, o.type())));
+            if (converted.isPresent()) {
+                options.put(optionRule.to(), converted.get());
+                return;
+            }
+        }
+        findings.warning(
+                LegacyCodes.UNKNOWN_OPTION,
+                value.pointer(),
+                "The option " + name + " of the markup " + type.name() + " of " + event.key() + " cannot be kept: "
+                        + value.node(),
+                event.key());
+    }
+
+    private static Optional<FieldType> option(MarkupType type, String name) {
+        return type.options().stream().filter(o -> o.name().equals(name)).findFirst();
+    }
+
+    /** A constant or a yes, spelled otherwise than here. */
+    private Optional<Value> word(LegacyValue value, ValueType type) {
+        Optional<String> word = LegacyValues.constant(value).map(MarkupConverter::plain);
+        if (type == ValueType.Simple.BOOLEAN) {
+            return word.filter(w -> YES.contains(w) || NO.contains(w)).map(w -> new BooleanValue(YES.contains(w)));
+        }
+        if (type instanceof ValueType.Named named
+                && vocabulary.types().get(named.name()) instanceof NamedType.Enumeration words) {
+            return word.flatMap(w -> words.constants().stream()
+                    .filter(c -> plain(c).equals(w))
+                    .findFirst()
+                    .map(c -> new EnumValue(named.name(), c)));
+        }
+        return Optional.empty();
+    }
+
+    private static String plain(String word) {
+        return word.toLowerCase(Locale.ROOT).replaceAll("[ _-]", "");
+    }
+
     /** Chosen constants by their name, and what parameters hold by {@code parameter.member}. */
     private static Map<String, LegacyValue> given(LegacyPlan.Markup m) {
-        Map<String, LegacyValue> given = new LinkedHashMap<>();
-        m.options()
-                .forEach((name, constant) -> given.put(
-                        name,
-                        new LegacyValue(
-                                Findings.at(Findings.at(m.pointer(), "options"), name), TextNode.valueOf(constant))));
-        m.parameters()
-                .forEach((name, value) -> value.node().properties().forEach(member -> {
-                    if (!member.getKey().equals("type")
-                            && !member.getKey().equals("class")
-                            && !member.getValue().isNull()) {
-                        given.put(name + "." + member.getKey(), value.member(member.getKey()));
-                    }
-                }));
+        Map<String, LegacyValue> given = new LinkedHashMap<>(m.options());
+        m.parameters().forEach((name, value) -> {
+            if (!value.type().isEmpty() && !value.type().equals("option")) {
+                given.put(name, value);
+                return;
+            }
+            value.node().properties().forEach(member -> {
+                if (!NAMES_OF_THE_CLASS.contains(member.getKey())
+                        && !member.getValue().isNull()) {
+                    given.put(name + "." + member.getKey(), value.member(member.getKey()));
+                }
+            });
+        });
         return given;
     }
 }

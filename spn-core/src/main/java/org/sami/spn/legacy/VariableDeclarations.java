@@ -64,7 +64,7 @@ final class VariableDeclarations {
                 .findFirst();
         Optional<ValueType> own = g.value().flatMap(values::naturalType);
         LegacyTable.FieldRule rule =
-                new LegacyTable.FieldRule("", units.getOrDefault(g.name(), 1.0), Map.of(), false, "");
+                new LegacyTable.FieldRule("", units.getOrDefault(g.name(), 1.0), Map.of(), false, "", Set.of());
         for (Optional<ValueType> type : List.of(used, own)) {
             Optional<Value> value = type.flatMap(t -> g.value().flatMap(v -> values.convert(v, t, rule)));
             if (value.isPresent() || (type.isPresent() && g.value().isEmpty())) {
@@ -72,7 +72,7 @@ final class VariableDeclarations {
             }
         }
         findings.warning(
-                LegacyCodes.VARIABLE,
+                LegacyCodes.VALUE,
                 g.pointer(),
                 "The value of the global variable " + g.name() + " of the class " + g.className()
                         + " cannot be one here; it is declared without it",

@@ -10,6 +10,7 @@ import java.util.Optional;
  * @param domain id of the vocabulary
  * @param missionTree roots of the tree in which the plans are shown
  * @param schema the JSON Schema that the project's file names for editors; it means nothing here and is kept
+ * @param importedFrom where it came from, if not from an author's hand
  */
 public record Project(
         String id,
@@ -18,7 +19,8 @@ public record Project(
         List<VariableSpec> globals,
         List<MissionTreeNode> missionTree,
         List<Plan> plans,
-        Optional<String> schema) {
+        Optional<String> schema,
+        Optional<ImportOrigin> importedFrom) {
     public Project {
         Objects.requireNonNull(id, "id");
         Objects.requireNonNull(name, "name");
@@ -27,9 +29,10 @@ public record Project(
         missionTree = List.copyOf(missionTree);
         plans = List.copyOf(plans);
         Objects.requireNonNull(schema, "schema");
+        Objects.requireNonNull(importedFrom, "importedFrom");
     }
 
-    /** A project whose file names no JSON Schema. */
+    /** A project whose file names no JSON Schema, and that was not imported. */
     public Project(
             String id,
             String name,
@@ -37,7 +40,7 @@ public record Project(
             List<VariableSpec> globals,
             List<MissionTreeNode> missionTree,
             List<Plan> plans) {
-        this(id, name, domain, globals, missionTree, plans, Optional.empty());
+        this(id, name, domain, globals, missionTree, plans, Optional.empty(), Optional.empty());
     }
 
     /** The plan of that id. */

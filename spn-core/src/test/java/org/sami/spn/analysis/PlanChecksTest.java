@@ -75,6 +75,18 @@ class PlanChecksTest {
                 .out("first", "go", "take all any");
     }
 
+    /** Drivers may be taken to a rest on their way; the transition that takes those who arrived watches both places. */
+    private static NetBuilder rest(String whoArrives) {
+        return begin().output("go", "Drive", Map.of("speed", SPEED), Map.of())
+                .transition("driven", "Driven")
+                .in("go", "driven", whoArrives)
+                .in("rest", "driven", "always")
+                .out("driven", "end", "take all relevant")
+                .input("pause", "Interrupt", Map.of("interruptName", new TextValue("pause")), Map.of())
+                .in("go", "pause", "relevant all")
+                .out("pause", "rest", "take all relevant");
+    }
+
     private static NetBuilder passOn(NetBuilder net) {
         return net.in("go", "last", "any >= 1").out("last", "end", "take all any");
     }
@@ -271,6 +283,7 @@ class PlanChecksTest {
                 "W-RELEVANT-NOBODY",
                 passOn(begin()).transition("last", "News").in("start", "last", "relevant all"),
                 drive()));
+        cases.add(of("W-ANSWER-MISSED", rest("relevant all"), rest("relevant >= 1")));
         NetBuilder tasks = passOn(begin()).task("T", "Measure", Map.of());
         cases.add(of(
                 "E-UNKNOWN-TASK",

@@ -8,7 +8,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.sami.crw.sim.legacy.ImportedFindings;
 import org.sami.crw.sim.run.PlanInterrupts;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Severity;
@@ -114,6 +116,12 @@ final class CheckCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         if (json) {
             ObjectNode object = FindingsText.json(checked, source.findings());
+            imported(source).ifPresent(imported -> {
+                ObjectNode origin = object.putObject("imported")
+                        .put("from", imported.origin().file());
+                origin.put("ofImport", imported.ofImport().size());
+                origin.put("ofPlans", imported.ofPlans().size());
+            });
             ObjectNode interrupts = object.putObject("interrupts");
             source.project()
                     .ifPresent(project -> project.plans().forEach(plan -> {
@@ -124,7 +132,13 @@ final class CheckCommand implements Callable<Integer> {
                     }));
             out.println(object.toPrettyString());
         } else {
-            print(out, checked, source.findings());
+            Optional<ImportedFindings> imported = imported(source);
+            if (imported.isPresent()) {
+                print(out, checked, imported.get());
+                count(out, checked, source.findings());
+            } else {
+                print(out, checked, source.findings());
+            }
             source.project()
                     .ifPresent(project -> project.plans().forEach(plan -> {
                         PlanInterrupts interrupts = new PlanInterrupts(library.vocabulary(), project, plan);
@@ -139,8 +153,30 @@ final class CheckCommand implements Callable<Integer> {
 
     private static void print(PrintWriter out, String source, List<Finding> findings) {
         FindingsText.print(out, source, findings);
+        count(out, source, findings);
+    }
+
+    private static void count(PrintWriter out, String source, List<Finding> findings) {
         out.printf(
                 "%s: %d errors, %d warnings%n",
                 source, FindingsText.count(findings, Severity.ERROR), FindingsText.count(findings, Severity.WARNING));
+    }
+
+    private static Optional<ImportedFindings> imported(PlanSource source) {
+        return source.project()
+                .flatMap(p -> p.importedFrom().map(origin -> ImportedFindings.of(p, origin, source.findings())));
+    }
+
+    /** What the import did, what it may have caused, and what the plans' own authors drew so. */
+    private static void print(PrintWriter out, String name, ImportedFindings imported) {
+        out.printf("%s: %s%n", name, imported.heading());
+        if (!imported.ofImport().isEmpty()) {
+            out.println("at elements that the import wrote otherwise than they stood there:");
+            FindingsText.print(out, name, imported.ofImport());
+        }
+        if (!imported.ofPlans().isEmpty()) {
+            out.println("of the plans as they were drawn:");
+            FindingsText.print(out, name, imported.ofPlans());
+        }
     }
 }

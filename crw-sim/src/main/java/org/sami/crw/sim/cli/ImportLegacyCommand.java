@@ -76,6 +76,9 @@ final class ImportLegacyCommand implements Callable<Integer> {
                     "Where chance in these runs comes from; equal seeds give equal runs (default ${DEFAULT-VALUE}).")
     private long seed;
 
+    @Option(names = "--all", description = "Print each finding of the import in a line of its own as well.")
+    private boolean all;
+
     @Option(names = "--json", description = "Print one JSON object on standard output, and nothing else there.")
     private boolean json;
 
@@ -98,7 +101,9 @@ final class ImportLegacyCommand implements Callable<Integer> {
         PrintWriter writer = spec.commandLine().getOut();
         ImportReport imported = new ImportReport(String.valueOf(file), String.valueOf(out), result, Optional.empty());
         if (!json) {
-            FindingsText.print(writer, String.valueOf(file), result.findings());
+            if (all) {
+                FindingsText.print(writer, String.valueOf(file), result.findings());
+            }
             writer.print(imported.text());
             writer.flush();
         }

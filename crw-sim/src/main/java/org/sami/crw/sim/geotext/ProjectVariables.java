@@ -28,6 +28,7 @@ public final class ProjectVariables {
                 List.copyOf(globals.values()),
                 project.missionTree(),
                 project.plans(),
-                project.schema());
+                project.schema(),
+                project.importedFrom());
     }
 }

@@ -7,6 +7,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Severity;
 import org.sami.spn.legacy.CountedKind;
@@ -27,13 +29,17 @@ public record ImportReport(String source, String target, LegacyImport.Result res
         Objects.requireNonNull(trials, "trials");
     }
 
-    /** For people: a table of the counts, and how it went. */
+    /** For people: what was found, those of one code together, a table of the counts, and whether all arrived. */
     public String text() {
+        StringBuilder text = new StringBuilder(FindingGroups.text(result.findings(), this::planOf));
         if (result.project().isEmpty()) {
-            return source + ": " + count(Severity.ERROR) + " errors; nothing is imported\n";
+            return text.append(source)
+                    .append(": ")
+                    .append(count(Severity.ERROR))
+                    .append(" errors; nothing is imported\n")
+                    .toString();
         }
-        StringBuilder text = new StringBuilder(
-                String.format(Locale.ROOT, "%-22s %8s %8s %10s%n", "", "source", "imported", "explained"));
+        text.append(String.format(Locale.ROOT, "%-22s %8s %8s %10s%n", "", "source", "imported", "explained"));
         for (CountedKind kind : CountedKind.values()) {
             text.append(String.format(
                     Locale.ROOT,
@@ -43,14 +49,35 @@ public record ImportReport(String source, String target, LegacyImport.Result res
                     result.imported().of(kind),
                     result.explained().of(kind)));
         }
-        text.append(result.isComplete() ? "all arrived" : "NOT ALL ARRIVED")
-                .append(", less what is explained by findings; ")
+        text.append(verdict())
+                .append("; ")
                 .append(count(Severity.WARNING))
                 .append(" warnings, ")
                 .append(count(Severity.NOTE))
                 .append(" notes\n");
         text.append("written to ").append(target).append('\n');
         return text.toString();
+    }
+
+    private String verdict() {
+        if (result.isComplete()) {
+            return "complete: all arrived, less what is explained by findings";
+        }
+        if (!result.isAccountedFor()) {
+            return "NOT COMPLETE: the numbers do not add up, and no finding says why";
+        }
+        Map<String, Long> lost = result.losses().stream()
+                .collect(Collectors.groupingBy(Finding::code, TreeMap::new, Collectors.counting()));
+        return "NOT COMPLETE: " + result.losses().size() + " things of the export say less here ("
+                + lost.entrySet().stream()
+                        .map(e -> e.getKey() + " " + e.getValue())
+                        .collect(Collectors.joining(", "))
+                + ")";
+    }
+
+    /** The name of the plan that a finding is about; empty text for the project itself. */
+    private String planOf(Finding finding) {
+        return result.planOf(finding);
     }
 
     /** The same with trials of its plans. */
@@ -74,7 +101,8 @@ public record ImportReport(String source, String target, LegacyImport.Result res
         ObjectNode json = JsonNodeFactory.instance.objectNode();
         json.put("source", source);
         json.put("target", result.project().isPresent() ? target : "");
-        json.put("complete", result.project().isPresent() && result.isComplete());
+        json.put("complete", result.isComplete());
+        json.put("lost", result.losses().size());
         ObjectNode counts = json.putObject("counts");
         ObjectNode exported = counts.putObject("source");
         result.source().byLabel().forEach(exported::put);

@@ -43,9 +43,10 @@ class ImportLegacyCommandTest {
 
         assertThat(ran.exitCode()).isZero();
         assertThat(ran.out())
-                .contains("W-NO-REQUIREMENT at /plans/0/edges/0")
+                .contains("warning W-NO-REQUIREMENT: 2 in Greeting")
+                .contains("such as /plans/0/edges/0")
                 .containsPattern("places +2 +2 +0")
-                .contains("all arrived");
+                .contains("complete: all arrived");
         Ran run = Ran.crw("run", out.toString(), "--plan", "Greeting", "--speed", "max", "--json");
         assertThat(run.exitCode()).as(run.err()).isZero();
         assertThat(run.out()).contains("Hello");
@@ -64,6 +65,40 @@ class ImportLegacyCommandTest {
         try (Stream<Path> left = Files.list(folder)) {
             assertThat(left.map(p -> p.getFileName().toString())).containsExactlyInAnyOrder("old.json", "new");
         }
+    }
+
+    @Test
+    void saysThatAnImportIsNotCompleteAndWhatItLost() throws IOException {
+        Path out = folder.resolve("new.json");
+        String markup = "\"markups\": [{\"class\": \"sami.markup.Priority\", \"options\": {\"ranking\": \"HIGH\","
+                + " \"colour\": \"RED\"}}], ";
+
+        Ran ran = Ran.crw(
+                "import-legacy",
+                export(SMALL.replace("\"fieldValues\"", markup + "\"fieldValues\"")).toString(),
+                out.toString(),
+                "--all");
+
+        assertThat(ran.exitCode()).isZero();
+        assertThat(ran.out())
+                .contains("NOT COMPLETE: 1 things of the export say less here (W-UNKNOWN-OPTION 1)")
+                .contains("The option colour of the markup Priority of v1.e0 cannot be kept")
+                .contains("W-NO-REQUIREMENT at /plans/0/edges/1");
+    }
+
+    @Test
+    void aCheckOfAnImportPartsWhatTheImportWroteFromWhatThePlansSay() throws IOException {
+        Path out = folder.resolve("new.json");
+        Ran.crw("import-legacy", export(SMALL).toString(), out.toString());
+
+        Ran text = Ran.crw("check", out.toString());
+        Ran json = Ran.crw("check", out.toString(), "--json");
+
+        assertThat(text.out())
+                .contains("imported from old.json; the import said: W-HEADING 1, W-NO-REQUIREMENT 2")
+                .containsSubsequence("of the plans as they were drawn:", "E-NO-START");
+        assertThat(new ObjectMapper().readTree(json.out()).path("imported").path("ofPlans").asInt())
+                .isPositive();
     }
 
     @Test
