@@ -65,11 +65,7 @@ final class RequirementConverter {
     }
 
     private void warn(LegacyPlan.Edge edge, LegacyPlan.Requirement r, String message) {
-        findings.warning(
-                LegacyCodes.REQUIREMENT,
-                r.pointer(),
-                "Edge " + edge.key() + ": " + message,
-                edge.key());
+        findings.warning(LegacyCodes.REQUIREMENT, r.pointer(), "Edge " + edge.key() + ": " + message, edge.key());
     }
 
     private InRequirement in(LegacyPlan.Edge edge, LegacyPlan.Requirement r) {

@@ -65,7 +65,7 @@ final class ImportLegacyCommand implements Callable<Integer> {
             names = "--run",
             description =
                     "Then run every root plan that has a start place, each alone: 3 simulated boats, the simulated "
-                            + "operator, and interrupts pressed at random, for 30 simulated minutes.")
+                            + "operator, and interrupts pressed at random, for one simulated hour.")
     private boolean run;
 
     @Option(

@@ -13,8 +13,8 @@ package org.sami.crw.sim.legacy;
  */
 public record TrialSettings(
         int boats, int locations, double areaM, long millis, long answerAfterMillis, long pressEveryMillis, long seed) {
-    /** Three boats, thirty minutes. */
+    /** Three boats, one hour, and an area that they explore in half of it, interrupts included. */
     public static TrialSettings of(long seed) {
-        return new TrialSettings(3, 8, 200, 1_800_000, 5_000, 300_000, seed);
+        return new TrialSettings(3, 8, 100, 3_600_000, 5_000, 300_000, seed);
     }
 }

@@ -75,7 +75,8 @@ class ImportLegacyCommandTest {
 
         Ran ran = Ran.crw(
                 "import-legacy",
-                export(SMALL.replace("\"fieldValues\"", markup + "\"fieldValues\"")).toString(),
+                export(SMALL.replace("\"fieldValues\"", markup + "\"fieldValues\""))
+                        .toString(),
                 out.toString(),
                 "--all");
 
@@ -97,7 +98,11 @@ class ImportLegacyCommandTest {
         assertThat(text.out())
                 .contains("imported from old.json; the import said: W-HEADING 1, W-NO-REQUIREMENT 2")
                 .containsSubsequence("of the plans as they were drawn:", "E-NO-START");
-        assertThat(new ObjectMapper().readTree(json.out()).path("imported").path("ofPlans").asInt())
+        assertThat(new ObjectMapper()
+                        .readTree(json.out())
+                        .path("imported")
+                        .path("ofPlans")
+                        .asInt())
                 .isPositive();
     }
 
