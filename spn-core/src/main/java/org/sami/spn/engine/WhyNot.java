@@ -53,10 +53,15 @@ final class WhyNot {
             }
         }
         Scope scope = Scope.of(t.transition.reach(), received);
+        List<String> subMissions = new ArrayList<>();
         for (CompiledPlace place : t.transition.inPlaces) {
             if (scope.reach != Scope.Reach.ALL && !rules.enabling.isReady(t, place, scope)) {
+                boolean aborted = Awaiting.wasAborted(t.mission.places[place.index]);
                 reasons.add("It waits for the sub-mission on '" + place + "', which "
-                        + (Awaiting.wasAborted(t.mission.places[place.index]) ? "was aborted." : "is not complete."));
+                        + (aborted ? "was aborted." : "is not complete."));
+                if (!aborted) {
+                    subMissions.add(place.id());
+                }
             }
         }
         if (scope.reach == Scope.Reach.FREE
@@ -83,7 +88,7 @@ final class WhyNot {
                 reasons.add("The events that it has received do not name the same robots or tasks.");
             }
         }
-        return new Explanation(reasons.isEmpty(), reasons, awaiting.awaited(t));
+        return new Explanation(reasons.isEmpty(), reasons, awaiting.awaited(t), subMissions);
     }
 
     private static String describe(CompiledInput input) {

@@ -98,7 +98,7 @@ public final class Waits {
             return;
         }
         standing.forEach((place, tokens) -> all.add(at(mission, plan, place, tokens)));
-        if (standing.isEmpty()) {
+        if (standing.isEmpty() && !isShared(mission)) {
             all.add(new Wait(1, plan.id(), "", List.of(), unmarked(plan), List.of()));
         }
     }
@@ -112,10 +112,6 @@ public final class Waits {
         Set<String> events = new LinkedHashSet<>();
         Set<String> reasons = new LinkedHashSet<>();
         List<BlockedTransition> transitions = new ArrayList<>();
-        view.missions().stream()
-                .filter(child -> child.parent() == mission.id() && child.place().equals(place))
-                .forEach(child -> events.add("the end of "
-                        + project.plan(child.plan()).map(Plan::title).orElse(child.plan())));
         for (InEdge edge : plan.inEdges()) {
             Transition transition = plan.transition(edge.transition()).orElseThrow();
             if (!edge.place().equals(place) || comesAtAnyTime(transition)) {
@@ -123,6 +119,9 @@ public final class Waits {
             }
             Explanation why = view.whyNotEnabled(mission.id(), transition.id());
             transitions.add(new BlockedTransition(Words.transition(plan, transition.id()), why.reasons()));
+            if (why.awaitedSubMissions().contains(place)) {
+                running(mission, place).forEach(child -> events.add("the end of " + child));
+            }
             if (why.awaited().isEmpty()) {
                 reasons.addAll(why.reasons());
             } else {
@@ -137,6 +136,22 @@ public final class Waits {
         return new Wait(1, plan.id(), name(plan, place), who(tokens), occurrence, transitions);
     }
 
+    /** The sub-missions of a place that run, by name. */
+    private List<String> running(MissionView mission, String place) {
+        return view.missions().stream()
+                .filter(child -> child.parent() == mission.id() && child.place().equals(place))
+                .map(child -> project.plan(child.plan()).map(Plan::title).orElse(child.plan()))
+                .toList();
+    }
+
+    /** Whether it is a shared instance: with nobody in it it waits for nothing, and nobody waits for it. */
+    private boolean isShared(MissionView mission) {
+        return view.mission(mission.parent()).flatMap(parent -> project.plan(parent.plan())).stream()
+                .flatMap(parent -> parent.place(mission.place()).stream())
+                .flatMap(place -> place.subMissions().stream())
+                .anyMatch(spec -> spec.shared() && spec.plan().equals(mission.plan()));
+    }
+
     private String unmarked(Plan plan) {
         String events = plan.transitions().stream()
                 .filter(t -> !t.inputs().isEmpty() && !comesAtAnyTime(t))
@@ -148,12 +163,13 @@ public final class Waits {
     }
 
     private boolean comesAtAnyTime(Transition transition) {
-        return transition.inputs().stream()
-                .allMatch(input -> vocabulary
-                        .event(input.type())
-                        .map(EventType::role)
-                        .filter(ANY_TIME::contains)
-                        .isPresent());
+        return !transition.inputs().isEmpty()
+                && transition.inputs().stream()
+                        .allMatch(input -> vocabulary
+                                .event(input.type())
+                                .map(EventType::role)
+                                .filter(ANY_TIME::contains)
+                                .isPresent());
     }
 
     private static String words(List<InputEventSpec> inputs) {

@@ -1,6 +1,7 @@
 package org.sami.crw.sim.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -86,6 +87,14 @@ class StuckRunTest {
         assertThat(wait.occurrence())
                 .isEqualTo("other tokens: It waits for CheckReturn 'good', which can come no longer: "
                         + "the sub-mission on 'Help' is over.");
+    }
+
+    @Test
+    void sharedSubMissionThatHasReturnedTheBoatIsNotWaitedFor() {
+        assertThat(run("returned", Conditions.CALM).waits())
+                .extracting(Wait::plan, Wait::place, Wait::occurrence)
+                .containsExactly(tuple(
+                        "returned", "Help", "other tokens: 'Gate' must have at least 1 generic tokens; there are 0."));
     }
 
     private static RunReport run(String id, Conditions water) {
