@@ -34,15 +34,18 @@ final class AllocationHandler implements ActivationHandler {
     private final AllocationService service;
     private final BoatPositions positions;
     private final MessageSink messages;
+    private final Computations computations;
 
-    AllocationHandler(AllocationService service, BoatPositions positions, MessageSink messages) {
+    AllocationHandler(
+            AllocationService service, BoatPositions positions, MessageSink messages, Computations computations) {
         this.service = service;
         this.positions = positions;
         this.messages = messages;
+        this.computations = computations;
     }
 
     @Override
-    public void handle(Activation activation, HandlerContext context) {
+    public void handle(Activation activation, HandlerContext context) throws Exception {
         AllocationQuestion question = AllocationQuestion.of(activation, context, positions);
         if (!question.unknown().isEmpty()) {
             tell(
@@ -54,8 +57,32 @@ final class AllocationHandler implements ActivationHandler {
                     question.unknown());
         }
         AllocationProblem problem = question.problem();
-        AllocationService.Options options =
-                service.solve(problem, Markups.criterion(activation), Markups.optionsWanted(activation));
+        computations.compute(activation, context, new Computations.Task<AllocationService.Options>() {
+            @Override
+            public String what() {
+                return "the allocation of " + problem.work().size() + " locations";
+            }
+
+            @Override
+            public AllocationService.Options compute() {
+                return service.solve(problem, Markups.criterion(activation), Markups.optionsWanted(activation));
+            }
+
+            @Override
+            public void found(AllocationService.Options options) {
+                answer(activation, context, question, options);
+            }
+        });
+    }
+
+    private void answer(
+            Activation activation,
+            HandlerContext context,
+            AllocationQuestion question,
+            AllocationService.Options options) {
+        options.best()
+                .shortfall()
+                .ifPresent(words -> tell(activation, context, Priority.HIGH, "Allocation: " + words, List.of()));
         List<Unallocated> unallocated = options.best().unallocated();
         if (!unallocated.isEmpty()) {
             String words = String.join(

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import org.sami.crw.decision.MessageSink;
@@ -38,10 +39,12 @@ public final class CrwDomain implements AutoCloseable {
             Executor fleet,
             MessageSink messages,
             CrwServices services,
-            BoatConnector connector) {
+            BoatConnector connector,
+            Optional<ServiceThreads> threads) {
         NewBoats newBoats = new NewBoats();
         WayQuestions ways = new WayQuestions(boats, fleet);
         MotionCommands motion = new MotionCommands(boats, messages, ways);
+        Computations computations = new Computations(fleet, messages, threads);
         BoatSettings settings = new BoatSettings(boats, messages);
         AreaSubscriptions areas = new AreaSubscriptions(boats, fleet);
         MeasurementHandler measurements = new MeasurementHandler(messages, fleet);
@@ -65,8 +68,10 @@ public final class CrwDomain implements AutoCloseable {
         BoatPositions positions =
                 boat -> boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
         handlers.putAll(movers(motion));
-        handlers.put(ExploreAreaHandler.TYPE, new ExploreAreaHandler(services.coverage(), positions, motion, messages));
-        Withdrawals withdrawals = new Withdrawals(handlers.keySet(), motion, fleet);
+        handlers.put(
+                ExploreAreaHandler.TYPE,
+                new ExploreAreaHandler(services.coverage(), positions, motion, messages, computations));
+        Withdrawals withdrawals = new Withdrawals(handlers.keySet(), motion, computations, fleet);
         handlers.put(AreaSubscriptions.TYPE, areas);
         handlers.put(MeasurementHandler.TYPE, measurements);
         handlers.put(SetDescriptionHandler.TYPE, new SetDescriptionHandler());
@@ -75,10 +80,14 @@ public final class CrwDomain implements AutoCloseable {
         handlers.put(ResendWaypointsHandler.TYPE, new ResendWaypointsHandler(motion));
         handlers.put(SetGainsHandler.TYPE, new SetGainsHandler(settings));
         handlers.put(VelocityMultiplierHandler.TYPE, new VelocityMultiplierHandler(settings));
-        handlers.put(AllocationHandler.TYPE, new AllocationHandler(services.allocation(), positions, messages));
-        handlers.put(PathHandler.TYPE, new PathHandler(services.paths(), positions, messages));
+        handlers.put(
+                AllocationHandler.TYPE,
+                new AllocationHandler(services.allocation(), positions, messages, computations));
+        handlers.put(PathHandler.TYPE, new PathHandler(services.paths(), positions, messages, computations));
         handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions));
-        handlers.put(DistributeHandler.TYPE, new DistributeHandler(services.allocation(), positions, messages));
+        handlers.put(
+                DistributeHandler.TYPE,
+                new DistributeHandler(services.allocation(), positions, messages, computations));
         handlers.put(CompareDistanceHandler.TYPE, new CompareDistanceHandler(positions));
         handlers.put(BatterySubscriptions.TYPE, batteries);
         for (AbortScope scope : AbortScope.values()) {
@@ -95,6 +104,8 @@ public final class CrwDomain implements AutoCloseable {
         handlers.put(UnknownRequestHandler.TYPE, new UnknownRequestHandler(messages));
         handlers.forEach((type, handler) -> registrations.add(host.register(type, handler, fleet)));
         registrations.add(host.addListener(withdrawals));
+        registrations.add(host.addListener(computations));
+        registrations.add(computations::close);
         registrations.add(host.addListener(questions));
         registrations.add(host.addListener(ways));
         registrations.add(host.addListener(new UnknownBoats(host, fleet)));
@@ -148,7 +159,22 @@ public final class CrwDomain implements AutoCloseable {
             MessageSink messages,
             CrwServices services,
             BoatConnector connector) {
-        return new CrwDomain(host, boats, fleet, messages, services, connector);
+        return new CrwDomain(host, boats, fleet, messages, services, connector, Optional.empty());
+    }
+
+    /**
+     * Puts the domain on the host of a session in real time, whose services compute beside the fleet's thread.
+     *
+     * @param threads where; closed by the caller, after the domain
+     */
+    public static CrwDomain installInRealTime(
+            EngineHost host,
+            ProxyRegistry boats,
+            Executor fleet,
+            MessageSink messages,
+            CrwServices services,
+            ServiceThreads threads) {
+        return new CrwDomain(host, boats, fleet, messages, services, BoatConnector.NONE, Optional.of(threads));
     }
 
     /** What every proxy of the registry must be given; to be called on the fleet's thread. */

@@ -36,15 +36,18 @@ final class DistributeHandler implements ActivationHandler {
     private final AllocationService service;
     private final BoatPositions positions;
     private final MessageSink messages;
+    private final Computations computations;
 
-    DistributeHandler(AllocationService service, BoatPositions positions, MessageSink messages) {
+    DistributeHandler(
+            AllocationService service, BoatPositions positions, MessageSink messages, Computations computations) {
         this.service = service;
         this.positions = positions;
         this.messages = messages;
+        this.computations = computations;
     }
 
     @Override
-    public void handle(Activation activation, HandlerContext context) {
+    public void handle(Activation activation, HandlerContext context) throws Exception {
         List<String> boats =
                 Addressee.of(activation, context).stream().map(Addressee::boat).toList();
         Map<String, GeoPoint> from = new LinkedHashMap<>();
@@ -52,23 +55,38 @@ final class DistributeHandler implements ActivationHandler {
         if (from.isEmpty()) {
             throw new IllegalStateException("There is no boat whose position is known, of " + boats);
         }
-        AllocationService.Options options = service.solve(
-                AllocationProblem.ofVisits(from, locations(activation)), Markups.criterion(activation), 1);
+        computations.compute(activation, context, new Computations.Task<AllocationService.Options>() {
+            @Override
+            public String what() {
+                return "the distribution of locations";
+            }
+
+            @Override
+            public AllocationService.Options compute() {
+                return service.solve(
+                        AllocationProblem.ofVisits(from, locations(activation)), Markups.criterion(activation), 1);
+            }
+
+            @Override
+            public void found(AllocationService.Options options) {
+                answer(activation, context, boats, options);
+            }
+        });
+    }
+
+    private void answer(
+            Activation activation, HandlerContext context, List<String> boats, AllocationService.Options options) {
         Map<String, ListValue> lists = new LinkedHashMap<>();
         boats.forEach(boat -> lists.put(
                 boat,
                 new ListValue(List.copyOf(options.best().paths().getOrDefault(boat, List.of()).stream()
                         .map(Work::location)
                         .toList()))));
+        options.best()
+                .shortfall()
+                .ifPresent(words -> tell(activation, context, Priority.HIGH, "Distribution: " + words));
         if (Markups.criterion(activation).isPresent()) {
-            messages.tell(new OperatorMessage(
-                    context.nowMillis(),
-                    activation.mission(),
-                    OperatorMessage.Source.DOMAIN,
-                    Priority.LOW,
-                    "Distribution: " + options.reason(),
-                    List.of(),
-                    ""));
+            tell(activation, context, Priority.LOW, "Distribution: " + options.reason());
         }
         context.post(new Input.Received(Occurrence.answer(
                 EventNames.DISTRIBUTE_RESPONSE,
@@ -76,6 +94,17 @@ final class DistributeHandler implements ActivationHandler {
                 boats,
                 List.of(),
                 Map.of("locations", ProxyMaps.toValue(lists)))));
+    }
+
+    private void tell(Activation activation, HandlerContext context, Priority priority, String text) {
+        messages.tell(new OperatorMessage(
+                context.nowMillis(),
+                activation.mission(),
+                OperatorMessage.Source.DOMAIN,
+                priority,
+                text,
+                List.of(),
+                ""));
     }
 
     private static List<GeoPoint> locations(Activation activation) {

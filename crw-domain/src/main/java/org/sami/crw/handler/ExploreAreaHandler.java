@@ -1,12 +1,14 @@
 package org.sami.crw.handler;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.sami.crw.decision.MessageSink;
 import org.sami.crw.decision.OperatorMessage;
 import org.sami.crw.event.ProxyMaps;
@@ -42,37 +44,77 @@ final class ExploreAreaHandler implements ActivationHandler {
     private final BoatPositions positions;
     private final MotionCommands motion;
     private final MessageSink messages;
+    private final Computations computations;
+    /** What waits until an area is divided, by mission and area. */
+    private final Map<String, List<Consumer<Map<String, GeoPath>>>> underWay = new HashMap<>();
 
     ExploreAreaHandler(
-            CoverageAlgorithm algorithm, BoatPositions positions, MotionCommands motion, MessageSink messages) {
+            CoverageAlgorithm algorithm,
+            BoatPositions positions,
+            MotionCommands motion,
+            MessageSink messages,
+            Computations computations) {
         this.algorithm = algorithm;
         this.positions = positions;
         this.motion = motion;
         this.messages = messages;
+        this.computations = computations;
     }
 
     @Override
-    public void handle(Activation activation, HandlerContext context) {
-        List<Addressee> addressees = Addressee.of(activation, context);
+    public void handle(Activation activation, HandlerContext context) throws Exception {
         GeoArea area = Restrictions.area(Fields.required(activation, AREA), AREA);
         double spacingM = Fields.metres(activation, SPACING);
         String key = "explore/" + PathProgress.key(Double.toString(spacingM), new GeoPath(allPoints(area)));
-        Map<String, GeoPath> shares = remembered(activation, context, key);
-        List<Addressee> newcomers = addressees.stream()
-                .filter(one -> !shares.containsKey(one.boat()))
-                .toList();
-        Map<String, String> noWay = new LinkedHashMap<>();
-        if (shares.isEmpty() && !newcomers.isEmpty()) {
-            shares.putAll(divide(newcomers, area, spacingM, activation, context, noWay));
-        } else if (!newcomers.isEmpty()) {
-            takeOver(newcomers, shares, activation, context);
+        Exploration one = new Exploration(activation, context, area, spacingM, key);
+        List<Consumer<Map<String, GeoPath>>> others = underWay.get(one.name());
+        if (others == null) {
+            explore(one, remembered(activation, context, key));
+        } else {
+            others.add(shares -> exploreToo(one, shares));
         }
-        context.post(new Input.Remember(activation.mission(), key, ProxyMaps.toValue(shares)));
+    }
+
+    /** What an activation asks. */
+    private record Exploration(
+            Activation activation, HandlerContext context, GeoArea area, double spacingM, String key) {
+        String name() {
+            return activation.mission() + " " + key;
+        }
+    }
+
+    /** It waited for another activation's division: what goes wrong now concerns it alone. */
+    private void exploreToo(Exploration one, Map<String, GeoPath> shares) {
+        try {
+            explore(one, shares);
+        } catch (Exception fault) {
+            one.context.post(new Input.HandlerFailed(one.activation.id(), fault.getMessage()));
+        }
+    }
+
+    private void explore(Exploration one, Map<String, GeoPath> shares) throws Exception {
+        List<Addressee> newcomers = Addressee.of(one.activation, one.context).stream()
+                .filter(addressee -> !shares.containsKey(addressee.boat()))
+                .toList();
+        if (shares.isEmpty() && !newcomers.isEmpty()) {
+            divide(newcomers, one);
+            return;
+        }
+        if (!newcomers.isEmpty()) {
+            takeOver(newcomers, shares, one.activation, one.context);
+        }
+        drive(one, shares, Map.of());
+    }
+
+    private void drive(Exploration one, Map<String, GeoPath> shares, Map<String, String> noWay) {
+        Activation activation = one.activation;
+        HandlerContext context = one.context;
+        context.post(new Input.Remember(activation.mission(), one.key, ProxyMaps.toValue(shares)));
         List<Move> moves = new ArrayList<>();
-        for (Addressee addressee : addressees) {
+        for (Addressee addressee : Addressee.of(activation, context)) {
             if (noWay.containsKey(addressee.boat())) {
                 motion.refuse(activation, context, addressee, noWay.get(addressee.boat()));
-            } else {
+            } else if (!computations.areElsewhere() || addressee.stands(activation, context)) {
                 GeoPath path = shares.getOrDefault(addressee.boat(), new GeoPath(List.of()));
                 moves.add(ExecutePathHandler.move(activation, context, addressee, path, false));
             }
@@ -92,22 +134,68 @@ final class ExploreAreaHandler implements ActivationHandler {
                 .orElseGet(LinkedHashMap::new));
     }
 
-    private Map<String, GeoPath> divide(
-            List<Addressee> boats,
-            GeoArea area,
-            double spacingM,
-            Activation activation,
-            HandlerContext context,
-            Map<String, String> noWay) {
+    private void divide(List<Addressee> boats, Exploration one) throws Exception {
         Map<String, Optional<GeoPoint>> from = new LinkedHashMap<>();
-        boats.forEach(one -> from.put(one.boat(), positions.positionOf(one.boat())));
-        Coverage coverage = algorithm.cover(new CoverageProblem(
-                from, area, spacingM, Restrictions.avoid(activation), Restrictions.within(activation)));
-        noWay.putAll(coverage.noWay());
-        Map<String, GeoPath> shares = new LinkedHashMap<>();
-        coverage.shares().forEach((boat, share) -> shares.put(boat, share.path()));
-        tell(activation, context, "Exploring " + coverage.words(), List.copyOf(shares.keySet()));
-        return shares;
+        boats.forEach(boat -> from.put(boat.boat(), positions.positionOf(boat.boat())));
+        CoverageProblem problem = new CoverageProblem(
+                from, one.area, one.spacingM, Restrictions.avoid(one.activation), Restrictions.within(one.activation));
+        underWay.put(one.name(), new ArrayList<>());
+        boolean[] begun = new boolean[1];
+        try {
+            computations.compute(one.activation, one.context, new Dividing(one, problem));
+            begun[0] = true;
+        } finally {
+            if (!begun[0]) {
+                letOthersGo(one, new LinkedHashMap<>());
+            }
+        }
+    }
+
+    private final class Dividing implements Computations.Task<Coverage> {
+        private final Exploration one;
+        private final CoverageProblem problem;
+
+        Dividing(Exploration one, CoverageProblem problem) {
+            this.one = one;
+            this.problem = problem;
+        }
+
+        @Override
+        public String what() {
+            return "the division of the area to explore";
+        }
+
+        @Override
+        public boolean commandsBoats() {
+            return true;
+        }
+
+        @Override
+        public Coverage compute() {
+            return algorithm.cover(problem);
+        }
+
+        @Override
+        public void found(Coverage coverage) {
+            Map<String, GeoPath> shares = new LinkedHashMap<>();
+            coverage.shares().forEach((boat, share) -> shares.put(boat, share.path()));
+            tell(one.activation, one.context, "Exploring " + coverage.words(), List.copyOf(shares.keySet()));
+            drive(one, shares, coverage.noWay());
+            letOthersGo(one, shares);
+        }
+
+        @Override
+        public void gone() {
+            motion.forget(one.activation.id());
+            letOthersGo(one, new LinkedHashMap<>());
+        }
+    }
+
+    private void letOthersGo(Exploration one, Map<String, GeoPath> shares) {
+        List<Consumer<Map<String, GeoPath>>> others = underWay.remove(one.name());
+        if (others != null) {
+            others.forEach(other -> other.accept(shares));
+        }
     }
 
     /** Each newcomer gets the longest of what is left of boats that are in the mission no longer. */

@@ -126,6 +126,11 @@ final class MotionCommands implements BoatListener {
         takenBack.computeIfAbsent(activation, id -> new HashSet<>()).addAll(named);
     }
 
+    /** An activation will ask nothing any more. */
+    void forget(long activation) {
+        takenBack.remove(activation);
+    }
+
     /** Takes back what a mission has for boats; no boats named = for all. */
     void withdraw(long mission, List<String> named) {
         questions.withdraw(mission, named);

@@ -40,44 +40,66 @@ final class PathHandler implements ActivationHandler {
     private final PathService service;
     private final BoatPositions positions;
     private final MessageSink messages;
+    private final Computations computations;
 
-    PathHandler(PathService service, BoatPositions positions, MessageSink messages) {
+    PathHandler(PathService service, BoatPositions positions, MessageSink messages, Computations computations) {
         this.service = service;
         this.positions = positions;
         this.messages = messages;
+        this.computations = computations;
     }
 
     @Override
-    public void handle(Activation activation, HandlerContext context) {
+    public void handle(Activation activation, HandlerContext context) throws Exception {
         List<Addressee> addressees = Addressee.of(activation, context);
         if (addressees.isEmpty()) {
             throw new IllegalArgumentException("No boat entered " + activation.place() + ": nobody to find a way for");
         }
+        Map<String, Optional<GeoPoint>> from = new LinkedHashMap<>();
+        addressees.forEach(one -> from.put(one.boat(), positions.positionOf(one.boat())));
+        computations.compute(activation, context, new Computations.Task<Map<String, PathService.Options>>() {
+            @Override
+            public String what() {
+                return "the ways of " + addressees.size() + " boats";
+            }
+
+            @Override
+            public Map<String, PathService.Options> compute() {
+                Map<String, PathService.Options> options = new LinkedHashMap<>();
+                addressees.forEach(one -> options.put(one.boat(), find(one, from.get(one.boat()), activation)));
+                return options;
+            }
+
+            @Override
+            public void found(Map<String, PathService.Options> options) {
+                answer(activation, context, options);
+            }
+        });
+    }
+
+    private void answer(Activation activation, HandlerContext context, Map<String, PathService.Options> found) {
         Map<String, List<PathAnswer.Way>> ways = new LinkedHashMap<>();
         Map<String, Value> noWay = new LinkedHashMap<>();
         Set<String> reasons = new LinkedHashSet<>();
-        for (Addressee addressee : addressees) {
-            PathService.Options options = find(addressee, activation);
+        found.forEach((boat, options) -> {
             if (options.ways().isEmpty()) {
-                noWay.put(addressee.boat(), new TextValue(options.reason()));
-                tell(activation, context, Priority.HIGH, addressee.boat() + ": " + options.reason(), addressee.boat());
+                noWay.put(boat, new TextValue(options.reason()));
+                tell(activation, context, Priority.HIGH, boat + ": " + options.reason(), boat);
             } else {
-                ways.put(addressee.boat(), options.ways());
+                ways.put(boat, options.ways());
                 reasons.add(options.reason());
             }
-        }
+        });
         if (Markups.criterion(activation).isPresent()) {
             reasons.forEach(reason -> tell(activation, context, Priority.LOW, "Path: " + reason));
         }
         Map<String, Value> values =
                 Map.of("options", new ListValue(List.copyOf(sets(ways))), "noWay", ProxyMaps.toValue(noWay));
-        List<String> boats = addressees.stream().map(Addressee::boat).toList();
-        context.post(
-                new Input.Received(Occurrence.answer(EventNames.PATH_RESPONSE, activation, boats, List.of(), values)));
+        context.post(new Input.Received(Occurrence.answer(
+                EventNames.PATH_RESPONSE, activation, List.copyOf(found.keySet()), List.of(), values)));
     }
 
-    private PathService.Options find(Addressee addressee, Activation activation) {
-        Optional<GeoPoint> from = positions.positionOf(addressee.boat());
+    private PathService.Options find(Addressee addressee, Optional<GeoPoint> from, Activation activation) {
         Optional<GeoPoint> to = addressee.values(activation, POINTS).stream()
                 .map(byBoat -> ProxyMaps.read(byBoat, GeoPoint.class).get(addressee.boat()))
                 .filter(point -> point != null)

@@ -18,12 +18,14 @@ import org.sami.spn.protocol.Input;
 final class Withdrawals implements HostListener {
     private final Set<String> commands;
     private final MotionCommands motion;
+    private final Computations computations;
     private final Executor fleet;
 
     /** Watches for withdrawals of what output events of certain types have asked. */
-    Withdrawals(Set<String> commands, MotionCommands motion, Executor fleet) {
+    Withdrawals(Set<String> commands, MotionCommands motion, Computations computations, Executor fleet) {
         this.commands = Set.copyOf(commands);
         this.motion = motion;
+        this.computations = computations;
         this.fleet = fleet;
     }
 
@@ -45,6 +47,7 @@ final class Withdrawals implements HostListener {
 
     private void withdraw(Effect.CommandsWithdrawn withdrawn, List<Activation> askedBefore) {
         motion.withdraw(withdrawn.mission(), withdrawn.proxies());
+        computations.withdraw(withdrawn.mission(), withdrawn.proxies(), motion);
         for (Activation activation : askedBefore) {
             motion.takeBack(
                     activation.id(), withdrawn.proxies().isEmpty() ? activation.proxies() : withdrawn.proxies());

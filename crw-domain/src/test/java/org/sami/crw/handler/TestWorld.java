@@ -55,6 +55,14 @@ final class TestWorld implements HostClock {
         this(engine, Optional.empty());
     }
 
+    /** A world whose services compute beside the fleet's thread, as in a session in real time. */
+    TestWorld(EngineFunction engine, CrwServices services, ServiceThreads threads) {
+        host = EngineHost.builder(engine).clock(this).executor(tasks::add).build();
+        desk = new OperatorDesk(Runnable::run);
+        domain = CrwDomain.installInRealTime(host, boats, tasks::add, desk, services, threads);
+        host.addListener(desk);
+    }
+
     TestWorld(EngineFunction engine, Optional<Executor> enginesOwn) {
         host = EngineHost.builder(engine)
                 .clock(this)

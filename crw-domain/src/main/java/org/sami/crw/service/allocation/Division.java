@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.sami.crw.event.Allocation;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.choice.Criterion;
@@ -21,6 +22,7 @@ import org.sami.spn.value.GeoPoint;
  * @param longestM the longest of them
  * @param legsMeasured how many distances were computed for it
  * @param method the algorithm's name
+ * @param shortfall where the algorithm came to a limit: what became of the rest, in words
  */
 public record Division(
         AllocationProblem problem,
@@ -29,7 +31,8 @@ public record Division(
         double totalM,
         double longestM,
         long legsMeasured,
-        String method) {
+        String method,
+        Optional<String> shortfall) {
 
     /** A division from the work's indices in the problem, in each boat's order. */
     static Division of(
@@ -47,7 +50,8 @@ public record Division(
             total += length;
             longest = Math.max(longest, length);
         }
-        return new Division(whole, paths, whole.impossible(), total, longest, legs.measured(), method);
+        return new Division(
+                whole, paths, whole.impossible(), total, longest, legs.measured(), method, legs.shortfall());
     }
 
     /** Orders divisions by a criterion, the best first: by what is measured, not by what is declared. */

@@ -30,32 +30,7 @@ public final class LeastTotalDivision extends AllocationAlgorithm {
     private static List<List<Integer>> cheapestInsertion(AllocationProblem problem, Legs legs) {
         List<List<Integer>> shares = new ArrayList<>();
         problem.boats().forEach(boat -> shares.add(new ArrayList<>()));
-        for (int work = 0; work < problem.work().size(); work++) {
-            insert(work, problem, legs, shares);
-        }
+        CheapestInsertion.insert(0, problem, legs, shares);
         return shares;
-    }
-
-    private static void insert(int work, AllocationProblem problem, Legs legs, List<List<Integer>> shares) {
-        double least = Double.POSITIVE_INFINITY;
-        int bestBoat = -1;
-        int bestBefore = 0;
-        for (int boat = 0; boat < shares.size(); boat++) {
-            List<Integer> share = shares.get(boat);
-            boolean can = problem.boats().get(boat).canDo(problem.work().get(work));
-            for (int before = 0; can && before <= share.size(); before++) {
-                int previous = before == 0 ? -1 : share.get(before - 1);
-                double cost = legs.leg(boat, previous, work);
-                if (before < share.size()) {
-                    cost += legs.between(work, share.get(before)) - legs.leg(boat, previous, share.get(before));
-                }
-                if (bestBoat < 0 || cost < least) {
-                    least = cost;
-                    bestBoat = boat;
-                    bestBefore = before;
-                }
-            }
-        }
-        shares.get(bestBoat).add(bestBefore, work);
     }
 }

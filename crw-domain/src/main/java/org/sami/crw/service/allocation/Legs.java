@@ -1,7 +1,9 @@
 package org.sami.crw.service.allocation;
 
 import java.util.List;
+import java.util.Optional;
 import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.Interruption;
 import org.sami.crw.service.LocalPlane;
 import org.sami.spn.value.GeoPoint;
 
@@ -10,12 +12,15 @@ import org.sami.spn.value.GeoPoint;
  * measure of how much an algorithm computes, the same on every machine.
  */
 final class Legs {
+    private static final long LOOK_MASK = (1 << 16) - 1;
+
     private final double[] boatX;
     private final double[] boatY;
     private final double[] begunM;
     private final double[] x;
     private final double[] y;
     private long measured;
+    private Optional<String> shortfall = Optional.empty();
 
     Legs(AllocationProblem problem) {
         List<Candidate> boats = problem.boats();
@@ -38,14 +43,29 @@ final class Legs {
         return begunM[boat];
     }
 
+    private void count() {
+        if ((++measured & LOOK_MASK) == 0) {
+            Interruption.check();
+        }
+    }
+
+    /** The algorithm came to its limit; what became of the rest, in words. */
+    void fallShort(String words) {
+        shortfall = Optional.of(words);
+    }
+
+    Optional<String> shortfall() {
+        return shortfall;
+    }
+
     /** From where a boat is free to some work. */
     double first(int boat, int to) {
-        measured++;
+        count();
         return distance(boatX[boat], boatY[boat], x[to], y[to]);
     }
 
     double between(int from, int to) {
-        measured++;
+        count();
         return distance(x[from], y[from], x[to], y[to]);
     }
 

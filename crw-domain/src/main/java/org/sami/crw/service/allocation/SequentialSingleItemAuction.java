@@ -14,9 +14,13 @@ import org.sami.crw.service.choice.Merit;
  * <p>As a bid is the length of the whole path and not what the location adds to it, long paths lose and the work spreads.
  *
  * <p>Cost: L locations and B boats with k locations each take O(L B k²) steps at most; a bid looks only at the part of
- * the path that the location changes, and stops where it has lost.
+ * the path that the location changes, and stops where it has lost. After {@link #LIMIT} distances it ends: what is left goes to whose
+ * path it makes least longer, and the division says so. The limit is a number and no time, so that equal problems have equal answers.
  */
 public final class SequentialSingleItemAuction extends AllocationAlgorithm {
+    /** Some two seconds' worth. */
+    static final long LIMIT = 400_000_000;
+
     @Override
     public String name() {
         return "Sequential single-item auction";
@@ -33,10 +37,21 @@ public final class SequentialSingleItemAuction extends AllocationAlgorithm {
         for (int boat = 0; boat < problem.boats().size(); boat++) {
             paths.add(new NearestNeighbourPath(legs, boat));
         }
-        for (int location = 0; location < problem.work().size(); location++) {
+        int locations = problem.work().size();
+        int location = 0;
+        while (location < locations && legs.measured() < LIMIT) {
             auction(location, problem, paths);
+            location++;
         }
-        return paths.stream().map(NearestNeighbourPath::locations).toList();
+        List<List<Integer>> shares = new ArrayList<>(
+                paths.stream().map(NearestNeighbourPath::locations).toList());
+        if (location < locations) {
+            legs.fallShort("the auction ended at its limit after " + location + " of " + locations
+                    + " locations; the others are where they make a path least longer");
+            shares.replaceAll(ArrayList::new);
+            CheapestInsertion.insert(location, problem, legs, shares);
+        }
+        return shares;
     }
 
     private static void auction(int location, AllocationProblem problem, List<NearestNeighbourPath> paths) {

@@ -7,6 +7,7 @@ import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.Polygon;
 import org.locationtech.jts.geom.prep.PreparedGeometry;
 import org.locationtech.jts.geom.prep.PreparedGeometryFactory;
+import org.sami.crw.service.Interruption;
 import org.sami.crw.service.water.Areas;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoArea;
@@ -41,6 +42,7 @@ public final class Spread {
         int rows = (int) Math.floor(extent.getHeight() / rowM);
         double firstX = extent.getMinX() + extent.getWidth() % spacingM / 2;
         for (int row = 0; row <= rows; row++) {
+            Interruption.check();
             double y = extent.getMinY() + (extent.getHeight() - rows * rowM) / 2 + row * rowM;
             double shiftM = row % 2 * spacingM / 2;
             for (double x = firstX + shiftM; x <= extent.getMaxX(); x += spacingM) {

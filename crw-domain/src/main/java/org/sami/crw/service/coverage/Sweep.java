@@ -10,6 +10,7 @@ import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.Polygon;
 import org.locationtech.jts.geom.util.AffineTransformation;
+import org.sami.crw.service.Interruption;
 
 /** Parallel lanes over a region, evenly spaced so that the outer ones are half a spacing from its outermost points. */
 final class Sweep {
@@ -69,6 +70,7 @@ final class Sweep {
         double[][] edges = edges(turn.transform(drivable));
         int count = (int) Math.max(1, Math.ceil(extent.getHeight() / spacingM - SLACK));
         for (int row = 0; row < count; row++) {
+            Interruption.check();
             double y = extent.getMinY() + extent.getHeight() * (row + 0.5) / count;
             sweep.rows.add(sweep.lanes(row, y, edges));
         }

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.locationtech.jts.geom.Coordinate;
+import org.sami.crw.service.Interruption;
 
 /**
  * One way through all cells of a sweep: always to the nearest corner of a cell that was not driven yet, from that corner of all at
@@ -59,6 +60,7 @@ final class Tour {
         int at = first;
         double lengthM = 0;
         for (int i = 0; i < order.length; i++) {
+            Interruption.check();
             order[i] = at;
             driven[at / ENTRIES] = true;
             int nearest = at;

@@ -18,6 +18,7 @@ import org.locationtech.jts.geom.prep.PreparedGeometryFactory;
 import org.locationtech.jts.operation.buffer.BufferOp;
 import org.locationtech.jts.operation.buffer.BufferParameters;
 import org.locationtech.jts.operation.distance.DistanceOp;
+import org.sami.crw.service.Interruption;
 
 /**
  * Shortest ways around polygons: a shortest way is straight but for turns at their convex corners (T. Lozano-Pérez, M. A. Wesley, An
@@ -78,6 +79,7 @@ public final class VisibilityGraph {
         boolean blockedOnTheLeft = Orientation.isCCW(all) == exterior;
         int size = all.length - 1;
         for (int i = 0; i < size; i++) {
+            Interruption.check();
             Coordinate before = all[(i + size - 1) % size];
             Coordinate after = all[(i + 1) % size];
             int turn = Orientation.index(before, all[i], after);
@@ -139,6 +141,7 @@ public final class VisibilityGraph {
             reached[start] = true;
             expand(start, 0);
             while (!open.isEmpty()) {
+                Interruption.check();
                 Leg leg = open.poll();
                 if (reached[leg.to()] || !sees(places[leg.from()], places[leg.to()])) {
                     continue;
