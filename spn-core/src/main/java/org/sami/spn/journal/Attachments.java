@@ -5,6 +5,7 @@ import java.sql.Connection;
 import java.sql.PreparedStatement;
 import java.sql.ResultSet;
 import java.sql.SQLException;
+import java.util.List;
 import java.util.Optional;
 
 /** Snapshots and marks: each is bound by its checksum to the entry that it follows. */
@@ -26,6 +27,15 @@ final class Attachments {
             insert.setBytes(2, state);
             insert.setBytes(3, chain.attached(entryChecksum, SNAPSHOT, state).bytes());
             insert.executeUpdate();
+        }
+    }
+
+    void dropSnapshots(List<Long> indexes) throws SQLException {
+        try (PreparedStatement delete = connection.prepareStatement("DELETE FROM snapshots WHERE idx = ?")) {
+            for (long index : indexes) {
+                delete.setLong(1, index);
+                delete.executeUpdate();
+            }
         }
     }
 

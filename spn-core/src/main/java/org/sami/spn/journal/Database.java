@@ -23,7 +23,8 @@ final class Database implements AutoCloseable {
         "CREATE TABLE snapshots (idx INTEGER PRIMARY KEY, state BLOB NOT NULL, checksum BLOB NOT NULL) STRICT",
         "CREATE TABLE marks (idx INTEGER PRIMARY KEY, mark TEXT NOT NULL, checksum BLOB NOT NULL) STRICT",
         "CREATE TABLE telemetry (pos INTEGER PRIMARY KEY, at_millis INTEGER NOT NULL, proxy TEXT NOT NULL,"
-                + " kind TEXT NOT NULL, json TEXT NOT NULL) STRICT"
+                + " kind TEXT NOT NULL, json TEXT NOT NULL, sum INTEGER NOT NULL)"
+                + " STRICT"
     };
 
     private final Path file;
@@ -93,6 +94,22 @@ final class Database implements AutoCloseable {
     void prepareWriting(JournalOptions options) throws SQLException {
         run("PRAGMA synchronous=" + (options.everSyncs() ? "NORMAL" : "OFF"));
         run("PRAGMA wal_autocheckpoint=" + options.checkpointPages());
+    }
+
+    /** Has telemetry carry checksums also in a file of the time when it had none; what is there stays without. */
+    void addTelemetrySums() throws SQLException {
+        if (!hasTelemetrySums()) {
+            run("ALTER TABLE telemetry ADD COLUMN sum INTEGER");
+        }
+    }
+
+    boolean hasTelemetrySums() throws SQLException {
+        return number("SELECT count(*) FROM pragma_table_info('telemetry') WHERE name = 'sum'") > 0;
+    }
+
+    /** Whether telemetry carried checksums from the file's beginning. */
+    boolean hasAllTelemetrySums() throws SQLException {
+        return number("SELECT count(*) FROM pragma_table_info('telemetry') WHERE name = 'sum' AND \"notnull\" = 1") > 0;
     }
 
     /** Whether SQLite finds its own structure whole and lets us write. */

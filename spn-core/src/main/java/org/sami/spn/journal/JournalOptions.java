@@ -15,6 +15,12 @@ public record JournalOptions(
     /** What a session in the field uses. */
     public static final JournalOptions DEFAULT = new JournalOptions(1000, 100, true, 4096, 4000);
 
+    /** So many snapshots are kept in any case: to these a resume and those who look back at once go. */
+    static final int NEWEST_SNAPSHOTS = 10;
+
+    /** Of the older ones every how-many-th is kept; between them the entries are gone through again. */
+    static final int KEPT_SNAPSHOT = 20;
+
     public JournalOptions {
         if (snapshotEvery < 0 || syncWithinMillis < 0 || checkpointPages < 0) {
             throw new IllegalArgumentException("Not negative: snapshotEvery " + snapshotEvery + ", syncWithinMillis "

@@ -29,6 +29,7 @@ public final class JournalReader implements AutoCloseable {
      * @throws JournalException where not even the header is
      */
     public static JournalReader open(Path file) throws JournalException {
+        JournalLock.checkName(file);
         Database database = Database.open(file);
         try {
             return new JournalReader(database, Scan.of(file, database.connection()));
@@ -97,9 +98,9 @@ public final class JournalReader implements AutoCloseable {
         return history.marks();
     }
 
-    /** The telemetry, in the order in which it was added. */
-    public List<TelemetryRow> telemetry() {
-        return TelemetryTable.readable(database.connection());
+    /** The telemetry, in the order in which it was added, without what is damaged. Read anew at each call. */
+    public Telemetry telemetry() {
+        return TelemetryTable.read(database);
     }
 
     @Override

@@ -34,6 +34,7 @@ final class Rebuild {
             checksum = HeaderTable.write(database.connection(), header);
             finish(database);
         } catch (SQLException fault) {
+            deleteWithLog(unborn);
             throw new JournalException(file, 0, "cannot be written: " + fault.getMessage(), fault);
         }
         Files.move(unborn, file, StandardCopyOption.ATOMIC_MOVE);
@@ -42,20 +43,20 @@ final class Rebuild {
 
     /**
      * Puts a journal of the valid entries in the place of a damaged one; closes the damaged one.
-     *
-     * @return where the damaged file is kept
      */
-    static Path of(Database damaged, Contents valid, JournalOptions options) throws IOException {
+    static Rebuilt of(Database damaged, Contents valid, JournalOptions options) throws IOException {
         Path file = damaged.file();
         Path copy = file.resolveSibling(file.getFileName() + "-rebuilt");
         deleteWithLog(copy);
+        Telemetry telemetry = TelemetryTable.read(damaged);
         try (Database rebuilt = Database.create(copy, options)) {
             HeaderTable.write(rebuilt.connection(), valid.header());
             copyEntries(damaged, rebuilt.connection(), valid.lastValid());
             copyAttachments(damaged, rebuilt.connection(), valid);
-            copyTelemetry(damaged, rebuilt.connection());
+            copyTelemetry(telemetry, rebuilt.connection());
             finish(rebuilt);
         } catch (SQLException fault) {
+            deleteWithLog(copy);
             throw new JournalException(file, 0, "cannot be written anew: " + fault.getMessage(), fault);
         }
         Path kept = keep(file);
@@ -64,8 +65,16 @@ final class Rebuild {
         Files.deleteIfExists(Database.log(file));
         Files.deleteIfExists(file.resolveSibling(file.getFileName() + "-shm"));
         Files.move(copy, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-        return kept;
+        return new Rebuilt(kept, telemetry.damage());
     }
+
+    /**
+     * What came of it.
+     *
+     * @param kept where the damaged file is kept
+     * @param telemetryDamage which telemetry is lost, in words
+     */
+    record Rebuilt(Path kept, Optional<String> telemetryDamage) {}
 
     private static void finish(Database database) throws SQLException {
         database.connection().commit();
@@ -109,10 +118,9 @@ final class Rebuild {
     }
 
     /** As much as can be read: readings change no state. */
-    private static void copyTelemetry(Database from, Connection to) throws SQLException {
-        try (PreparedStatement insert =
-                to.prepareStatement("INSERT INTO telemetry(at_millis, proxy, kind, json) VALUES (?, ?, ?, ?)")) {
-            for (TelemetryRow row : TelemetryTable.readable(from.connection())) {
+    private static void copyTelemetry(Telemetry telemetry, Connection to) throws SQLException {
+        try (PreparedStatement insert = TelemetryTable.insertion(to)) {
+            for (TelemetryRow row : telemetry.rows()) {
                 TelemetryTable.insert(insert, row);
             }
         }

@@ -1,8 +1,12 @@
 package org.sami.spn.journal;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.sql.SQLException;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -36,8 +40,11 @@ public final class SqliteJournal implements InputJournal {
     private Checksum checksum;
     private long lastIndex;
     private long lastMillis;
+    private final Deque<Long> snapshots;
     private long lastSnapshot;
+    private long keptForGood;
     private boolean broken;
+    private String failure = "";
     private volatile boolean closed;
 
     private SqliteJournal(
@@ -56,6 +63,7 @@ public final class SqliteJournal implements InputJournal {
         this.checksum = contents.lastChecksum();
         this.lastIndex = contents.lastValid();
         this.lastMillis = contents.lastMillis();
+        this.snapshots = new ArrayDeque<>(contents.snapshots().keySet());
         this.lastSnapshot =
                 contents.snapshots().isEmpty() ? 0 : contents.snapshots().lastKey();
     }
@@ -69,6 +77,7 @@ public final class SqliteJournal implements InputJournal {
         JournalLock lock = JournalLock.take(file);
         try {
             Contents contents = Rebuild.begin(file, header, options);
+            lock.takeFile(file);
             return opened(lock, Database.open(file), contents, Optional.empty(), options);
         } catch (IOException fault) {
             lock.close();
@@ -82,9 +91,13 @@ public final class SqliteJournal implements InputJournal {
      *
      * @throws JournalException if it is written by somebody else, or its header does not hold
      */
-    public static SqliteJournal open(Path file, JournalOptions options) throws IOException {
+    public static SqliteJournal open(Path name, JournalOptions options) throws IOException {
+        Path file = JournalLock.file(name);
         JournalLock lock = JournalLock.take(file);
         try {
+            if (Files.isRegularFile(file)) {
+                lock.takeFile(file);
+            }
             Database database = Database.open(file);
             Contents contents;
             Optional<String> damage;
@@ -98,8 +111,11 @@ public final class SqliteJournal implements InputJournal {
             if (damage.isEmpty()) {
                 return opened(lock, database, contents, damage, options);
             }
-            Path kept = Rebuild.of(database, contents, options);
-            Optional<String> told = damage.map(what -> what + "; the damaged file is kept as " + kept.getFileName());
+            Rebuild.Rebuilt anew = Rebuild.of(database, contents, options);
+            lock.takeFile(file);
+            Optional<String> told = damage.map(what -> what
+                    + anew.telemetryDamage().map(lost -> "; " + lost).orElse("") + "; the damaged file is kept as "
+                    + anew.kept().getFileName());
             Database rebuilt = Database.open(file);
             return opened(lock, rebuilt, Scan.of(file, rebuilt.connection()), told, options);
         } catch (IOException fault) {
@@ -117,6 +133,7 @@ public final class SqliteJournal implements InputJournal {
             throws JournalException {
         try {
             database.prepareWriting(options);
+            database.addTelemetrySums();
             return new SqliteJournal(lock, database, contents, damage, options);
         } catch (SQLException fault) {
             database.close();
@@ -172,9 +189,31 @@ public final class SqliteJournal implements InputJournal {
     public synchronized void offerSnapshot(Supplier<byte[]> state) throws IOException {
         if (options.snapshotEvery() > 0 && lastIndex - lastSnapshot >= options.snapshotEvery()) {
             byte[] bytes = state.get();
-            commit(lastIndex, () -> attachments.writeSnapshot(lastIndex, checksum, bytes));
+            commit(lastIndex, () -> {
+                attachments.writeSnapshot(lastIndex, checksum, bytes);
+                snapshots.add(lastIndex);
+                if (snapshots.size() > JournalOptions.NEWEST_SNAPSHOTS) {
+                    attachments.dropSnapshots(thinOut());
+                }
+            });
             lastSnapshot = lastIndex;
         }
+    }
+
+    /** Which snapshots between the newest and the last that stays for good are given up. */
+    private List<Long> thinOut() {
+        List<Long> dropped = new ArrayList<>();
+        long staying = keptForGood;
+        while (snapshots.size() > JournalOptions.NEWEST_SNAPSHOTS) {
+            long oldest = snapshots.removeFirst();
+            if (oldest - staying >= (long) options.snapshotEvery() * JournalOptions.KEPT_SNAPSHOT) {
+                staying = oldest;
+            } else {
+                dropped.add(oldest);
+            }
+        }
+        keptForGood = staying;
+        return dropped;
     }
 
     /** Notes what a simulated world says of itself after the last entry; a second mark there replaces the first. */
@@ -230,7 +269,8 @@ public final class SqliteJournal implements InputJournal {
     /** One transaction, telemetry included. After a failure nothing more is written: the file's end is not known. */
     private void commit(long entry, Writing writing) throws JournalException {
         if (closed || broken) {
-            throw new JournalException(file, entry, closed ? "the journal is closed" : "the journal failed before");
+            throw new JournalException(
+                    file, entry, closed ? "the journal is closed" : "the journal failed before" + failure);
         }
         broken = true;
         try {
@@ -240,6 +280,7 @@ public final class SqliteJournal implements InputJournal {
             database.run("COMMIT");
             broken = false;
         } catch (SQLException fault) {
+            failure = ": " + fault.getMessage();
             throw new JournalException(file, entry, "cannot be written: " + fault.getMessage(), fault);
         }
     }

@@ -1,16 +1,18 @@
 package org.sami.spn.journal;
 
-import java.lang.System.Logger.Level;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.sql.Connection;
 import java.sql.PreparedStatement;
-import java.sql.ResultSet;
 import java.sql.SQLException;
-import java.sql.Statement;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.zip.CRC32C;
 
-/** Telemetry on its way into the file: taken from any thread, written with whatever is committed next. */
+/**
+ * Telemetry on its way into the file: taken from any thread, written with whatever is committed next. Each row carries a
+ * checksum of its own, and none of its predecessor's: a row that is lost spoils no other.
+ */
 final class TelemetryTable {
     private final ConcurrentLinkedQueue<TelemetryRow> waiting = new ConcurrentLinkedQueue<>();
 
@@ -27,12 +29,16 @@ final class TelemetryTable {
         if (waiting.isEmpty()) {
             return;
         }
-        try (PreparedStatement insert = connection.prepareStatement(
-                "INSERT INTO telemetry(at_millis, proxy, kind, json) VALUES (?, ?, ?, ?)")) {
+        try (PreparedStatement insert = insertion(connection)) {
             for (TelemetryRow row = waiting.poll(); row != null; row = waiting.poll()) {
                 insert(insert, row);
             }
         }
+    }
+
+    static PreparedStatement insertion(Connection connection) throws SQLException {
+        return connection.prepareStatement(
+                "INSERT INTO telemetry(at_millis, proxy, kind, json, sum) VALUES (?, ?, ?, ?, ?)");
     }
 
     static void insert(PreparedStatement insert, TelemetryRow row) throws SQLException {
@@ -40,25 +46,24 @@ final class TelemetryTable {
         insert.setString(2, row.proxy());
         insert.setString(3, row.kind());
         insert.setString(4, row.json());
+        insert.setLong(5, sum(row));
         insert.executeUpdate();
     }
 
-    /** The rows up to the first that cannot be read, in the order in which they were added. */
-    static List<TelemetryRow> readable(Connection connection) {
-        List<TelemetryRow> found = new ArrayList<>();
-        try (Statement statement = connection.createStatement();
-                ResultSet rows =
-                        statement.executeQuery("SELECT at_millis, proxy, kind, json FROM telemetry ORDER BY pos")) {
-            while (rows.next()) {
-                String json = rows.getString(4);
-                if (rows.getString(2) != null && rows.getString(3) != null && json != null) {
-                    found.add(new TelemetryRow(rows.getLong(1), rows.getString(2), rows.getString(3), json));
-                }
-            }
-        } catch (SQLException damaged) {
-            System.getLogger(TelemetryTable.class.getName())
-                    .log(Level.WARNING, "telemetry ends after {0} rows: {1}", found.size(), damaged.getMessage());
+    /** CRC-32C over a row, each text led by its length in bytes. */
+    static long sum(TelemetryRow row) {
+        CRC32C sum = new CRC32C();
+        sum.update(ByteBuffer.allocate(Long.BYTES).putLong(row.atMillis()).flip());
+        for (String text : List.of(row.proxy(), row.kind(), row.json())) {
+            byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+            sum.update(ByteBuffer.allocate(Integer.BYTES).putInt(bytes.length).flip());
+            sum.update(bytes);
         }
-        return found;
+        return sum.getValue();
+    }
+
+    /** What is true of a file's telemetry. */
+    static Telemetry read(Database database) {
+        return new TelemetryScan(database).run();
     }
 }

@@ -159,19 +159,74 @@ class SqliteJournalTest {
 
     @Test
     void aSecondProcessIsToldSo() throws Exception {
-        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-        String classPath = System.getProperty("java.class.path");
         try (SqliteJournal journal = create()) {
             journal.append(numbers(1, 1), Durability.PROCESS);
-            Path output = folder.resolve("output");
-            Process other = new ProcessBuilder(java, "-cp", classPath, SecondWriter.class.getName(), file.toString())
-                    .redirectErrorStream(true)
-                    .redirectOutput(output.toFile())
-                    .start();
-            assertThat(other.waitFor(60, TimeUnit.SECONDS)).isTrue();
-            assertThat(output).content().contains("is being written already, by another process");
+            assertThat(second(file)).contains("is being written already, by another process");
             journal.append(numbers(2, 2), Durability.PROCESS);
         }
+    }
+
+    private List<Path> otherNames() throws IOException {
+        Path subFolder = Files.createDirectories(folder.resolve("elsewhere"));
+        Path symbolic = Files.createSymbolicLink(subFolder.resolve("symbolic.journal"), file.toAbsolutePath());
+        Path hard = Files.createLink(subFolder.resolve("hard.journal"), file);
+        return List.of(symbolic, hard);
+    }
+
+    @Test
+    void aSecondWriterByAnotherNameIsToldSo() throws Exception {
+        try (SqliteJournal journal = create()) {
+            journal.append(numbers(1, 1), Durability.PROCESS);
+            for (Path other : otherNames()) {
+                assertThatThrownBy(() -> SqliteJournal.open(other, OPTIONS))
+                        .as(other.toString())
+                        .isInstanceOf(JournalException.class)
+                        .hasMessageContaining("is being written already, by this program");
+                assertThat(second(other)).contains("is being written already, by another process");
+            }
+            journal.append(numbers(2, 2), Durability.PROCESS);
+        }
+        for (Path other :
+                List.of(folder.resolve("elsewhere/symbolic.journal"), folder.resolve("elsewhere/hard.journal"), file)) {
+            try (SqliteJournal again = SqliteJournal.open(other, OPTIONS)) {
+                assertThat(again.lastIndex()).isEqualTo(2);
+            }
+        }
+    }
+
+    @Test
+    void aReaderByAHardLinkIsNotShownWhatIsOld() throws Exception {
+        try (SqliteJournal journal = create()) {
+            journal.append(numbers(1, 1), Durability.PROCESS);
+            List<Path> others = otherNames();
+            try (JournalReader reader = JournalReader.open(others.get(0))) {
+                assertThat(reader.lastIndex()).isEqualTo(1);
+            }
+            assertThatThrownBy(() -> JournalReader.open(others.get(1)))
+                    .isInstanceOf(JournalException.class)
+                    .hasMessageContaining("is being written under another name");
+            try (JournalReader reader = JournalReader.open(file)) {
+                assertThat(reader.lastIndex()).isEqualTo(1);
+            }
+            assertThat(second(file)).contains("is being written already, by another process");
+        }
+    }
+
+    /** What another process says that opens a file to write it. */
+    private String second(Path name) throws Exception {
+        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+        Path output = folder.resolve("output");
+        Process other = new ProcessBuilder(
+                        java,
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        SecondWriter.class.getName(),
+                        name.toString())
+                .redirectErrorStream(true)
+                .redirectOutput(output.toFile())
+                .start();
+        assertThat(other.waitFor(60, TimeUnit.SECONDS)).isTrue();
+        return Files.readString(output);
     }
 
     /** Run as a process of its own. */
@@ -265,7 +320,7 @@ class SqliteJournalTest {
             while (seen
                     .isEmpty()) { // ends: the journal writes within the time of a sync, else the test's time runs out
                 try (JournalReader reader = JournalReader.open(file)) {
-                    seen = reader.telemetry();
+                    seen = reader.telemetry().rows();
                 }
             }
             assertThat(seen).containsExactly(row);
@@ -279,7 +334,7 @@ class SqliteJournalTest {
             journal.addTelemetry(List.of(row));
         }
         try (JournalReader reader = JournalReader.open(file)) {
-            assertThat(reader.telemetry()).containsExactly(row);
+            assertThat(reader.telemetry().rows()).containsExactly(row);
         }
     }
 

@@ -13,12 +13,14 @@ import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.TimeValue;
 
 /**
- * Runs the benchmarks of the link and of the services, prints a table and puts it into the file of all benchmarks. System properties: {@code
+ * Runs the benchmarks of the link, of the services and of hours of a run, prints a table and puts it into the file of all benchmarks. System properties: {@code
  * benchmarks.file}; {@code quick} = true for less than two minutes.
  */
 public final class LinkBenchmarkMain {
     private static final String PREFIX = "link.";
     private static final String SERVICES = "service.";
+    private static final String HEAP = "heap.growth";
+    private static final String JOURNAL = "journal.growth";
 
     private LinkBenchmarkMain() {}
 
@@ -35,6 +37,10 @@ public final class LinkBenchmarkMain {
         List<Figure> services = services(quick);
         FigureFile.print(services);
         FigureFile.replace(file, SERVICES, services);
+        List<Figure> growth = new GrowthBenchmark(25, quick ? 3 : 100).run();
+        FigureFile.print(growth);
+        FigureFile.replace(file, HEAP, growth.subList(0, 1));
+        FigureFile.replace(file, JOURNAL, growth.subList(1, 2));
         System.out.println("Written to " + file);
     }
 

@@ -1,7 +1,7 @@
 package org.sami.crw.sim.fleet;
 
-import java.util.ArrayList;
-import java.util.Collections;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.List;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.CommandMessage;
@@ -24,6 +24,9 @@ import org.sami.spn.value.GeoPoint;
  * truth; the proxy knows what telemetry has told it.
  */
 public final class SimulatedBoat {
+    /** So much of its past a boat remembers. */
+    public static final int NEWEST = 4096;
+
     private final String id;
     private final SimulatedHull hull;
     private final Instruments instruments;
@@ -32,8 +35,8 @@ public final class SimulatedBoat {
     private final InMemoryPipe toBoat;
     private final InMemoryPipe toBase;
     private final long trackEveryMs;
-    private final List<TrackPoint> track = new ArrayList<>();
-    private final List<ExecutedCommand> executed = new ArrayList<>();
+    private final Deque<TrackPoint> track = new ArrayDeque<>();
+    private final Deque<ExecutedCommand> executed = new ArrayDeque<>();
 
     SimulatedBoat(
             String id,
@@ -61,7 +64,7 @@ public final class SimulatedBoat {
     }
 
     private void answered(long nowMs, CommandMessage command, LinkMessage answer) {
-        executed.add(new ExecutedCommand(nowMs, command.commandId(), command, answer));
+        keep(executed, new ExecutedCommand(nowMs, command.commandId(), command, answer));
         if (command instanceof StartWaypoints && answer instanceof Ack) {
             hull.putToUse();
         }
@@ -117,19 +120,26 @@ public final class SimulatedBoat {
         return hull.recharges();
     }
 
-    /** Where the boat has truly been, in regular steps of time from the start on; unmodifiable. */
-    public List<TrackPoint> track() {
-        return Collections.unmodifiableList(track);
+    private static <T> void keep(Deque<T> rows, T row) {
+        if (rows.size() == NEWEST) {
+            rows.removeFirst();
+        }
+        rows.addLast(row);
     }
 
-    /** What the boat's server has executed or refused, each command id once, in order; unmodifiable. */
+    /** Where the boat has truly been, in regular steps of time, the newest {@link #NEWEST} points. */
+    public List<TrackPoint> track() {
+        return List.copyOf(track);
+    }
+
+    /** What the boat's server has executed or refused, each command id once, in order, the newest {@link #NEWEST}. */
     public List<ExecutedCommand> executed() {
-        return Collections.unmodifiableList(executed);
+        return List.copyOf(executed);
     }
 
     void tick(long nowMs, double seconds) {
         if (nowMs % trackEveryMs == 0) {
-            track.add(new TrackPoint(nowMs, hull.latDeg(), hull.lonDeg(), hull.eastM(), hull.northM()));
+            keep(track, new TrackPoint(nowMs, hull.latDeg(), hull.lonDeg(), hull.eastM(), hull.northM()));
         }
         server.tick(nowMs);
         hull.step(seconds);

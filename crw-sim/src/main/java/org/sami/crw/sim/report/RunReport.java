@@ -33,10 +33,10 @@ public record RunReport(
         boats = List.copyOf(boats);
         locations = List.copyOf(locations);
         decisions = List.copyOf(decisions);
-        firings = List.copyOf(firings);
+        firings = Spool.copyOf(firings);
         interrupts = List.copyOf(interrupts);
         notes = List.copyOf(notes);
-        readings = List.copyOf(readings);
+        readings = Spool.copyOf(readings);
         tasks = List.copyOf(tasks);
         waits = List.copyOf(waits);
     }

@@ -23,18 +23,18 @@ public final class ResumedJournal implements RunJournal, EarlierProcesses, AutoC
     private static final int WORDS_LENGTH = 160;
 
     private final SqliteJournal journal;
-    private final List<JournalEntry> past;
+    private final PastEntries past;
     private final Map<Long, MarkText> marks;
     private final Inputs inputs = new Inputs();
     private final long knownUntilMillis;
     private long index;
     private long reachedMillis = -1;
 
-    private ResumedJournal(SqliteJournal journal, List<JournalEntry> past, Map<Long, MarkText> marks) {
+    private ResumedJournal(SqliteJournal journal, PastEntries past, Map<Long, MarkText> marks) {
         this.journal = journal;
         this.past = past;
         this.marks = marks;
-        MarkText last = marks.get((long) past.size());
+        MarkText last = marks.get(past.size());
         knownUntilMillis = last == null ? -1 : last.atMillis();
     }
 
@@ -45,13 +45,18 @@ public final class ResumedJournal implements RunJournal, EarlierProcesses, AutoC
      */
     public static ResumedJournal open(Path file) throws IOException {
         SqliteJournal journal = SqliteJournal.open(file, WrittenJournal.OPTIONS);
-        try (JournalReader reader = JournalReader.open(file)) {
+        JournalReader reader = null;
+        try {
+            reader = JournalReader.open(journal.file());
             Map<Long, MarkText> marks = new TreeMap<>();
             for (WorldMark mark : reader.marks()) {
                 marks.put(mark.index(), MarkText.of(mark));
             }
-            return new ResumedJournal(journal, reader.entries(), marks);
+            return new ResumedJournal(journal, new PastEntries(reader), marks);
         } catch (IOException | RuntimeException fault) {
+            if (reader != null) {
+                reader.close();
+            }
             journal.close();
             throw fault;
         }
@@ -74,8 +79,7 @@ public final class ResumedJournal implements RunJournal, EarlierProcesses, AutoC
 
     @Override
     public long cameToMillis() {
-        long lastEntry = past.isEmpty() ? 0 : past.get(past.size() - 1).atMillis();
-        return marks.values().stream().mapToLong(MarkText::atMillis).reduce(lastEntry, Math::max);
+        return marks.values().stream().mapToLong(MarkText::atMillis).reduce(past.lastMillis(), Math::max);
     }
 
     /** How many entries the run has added since. */
@@ -123,18 +127,21 @@ public final class ResumedJournal implements RunJournal, EarlierProcesses, AutoC
     }
 
     @Override
-    public void over() throws JournalMismatchException {
+    public void over() throws IOException {
         if (index < past.size()) {
             throw new JournalMismatchException(
                     index + 1,
                     "this program ends the mission before it; the journal has "
-                            + past.get((int) index).input().getClass().getSimpleName());
+                            + past.get(index + 1).input().getClass().getSimpleName());
         }
     }
 
     @Override
     public void close() throws IOException {
-        journal.close();
+        try (SqliteJournal written = journal;
+                PastEntries read = past) {
+            // Both are closed, the reader first.
+        }
     }
 
     private final class Inputs implements InputJournal {
@@ -154,7 +161,7 @@ public final class ResumedJournal implements RunJournal, EarlierProcesses, AutoC
         public void append(List<JournalEntry> batch, Durability durability) throws IOException {
             int known = (int) Math.min(batch.size(), Math.max(0, past.size() - index));
             for (JournalEntry entry : batch.subList(0, known)) {
-                compare(past.get((int) entry.index() - 1), entry);
+                compare(past.get(entry.index()), entry);
             }
             if (known < batch.size()) {
                 journal.append(batch.subList(known, batch.size()), durability);

@@ -343,7 +343,7 @@ public final class InProcessRun {
                 visits.visited(),
                 visits.count(),
                 recorder.openDecisions(),
-                recorder.firings().size(),
+                recorder.firingCount(),
                 least);
     }
 }

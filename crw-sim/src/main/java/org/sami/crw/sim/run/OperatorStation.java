@@ -22,6 +22,7 @@ import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.DurationValue;
 import org.sami.spn.vocabulary.Reserved;
 
@@ -66,6 +67,8 @@ public final class OperatorStation implements HostListener {
         for (Effect effect : effects) {
             if (effect instanceof Effect.MissionStarted started) {
                 planOfMission.put(started.mission(), started.plan());
+            } else if (effect instanceof Effect.MissionEnded ended && ended.outcome() != Outcome.HALTED) {
+                planOfMission.remove(ended.mission()); // its questions are closed
             } else if (effect instanceof Effect.Activated activated) {
                 workMillis.put(activated.activation().id(), workMillis(activated.activation()));
             } else if (effect instanceof Effect.DecisionOpened opened) {

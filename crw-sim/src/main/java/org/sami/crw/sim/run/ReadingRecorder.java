@@ -1,25 +1,27 @@
 package org.sami.crw.sim.run;
 
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatReading;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.ReadingResult;
+import org.sami.crw.sim.report.RowFormats;
+import org.sami.crw.sim.report.Spool;
 import org.sami.spn.host.HostClock;
 
 /**
- * Notes down what the base is told of the boats' sensors: the first {@link #MOST} readings, which fit into memory. Readings are
+ * Notes down what the base is told of the boats' sensors: the first {@link #MOST} readings, which lie in a file. Readings are
  * no input of the engine. For the thread that drives the proxies.
  */
 public final class ReadingRecorder implements BoatListener {
     /** So many readings are kept. */
-    public static final int MOST = 500_000;
+    public static final int MOST = 5_000_000;
+
+    private static final double PER_DEGREE = 1e7;
 
     private final HostClock clock;
     private final int most;
-    private final List<ReadingResult> readings = new ArrayList<>();
+    private final Spool<ReadingResult> readings = new Spool<>(RowFormats.READING);
     private long dropped;
 
     /** A recorder that notes the time by a clock. */
@@ -46,8 +48,13 @@ public final class ReadingRecorder implements BoatListener {
                 reading.channel(),
                 reading.values(),
                 reading.unit(),
-                reading.position().latDeg(),
-                reading.position().lonDeg());
+                rounded(reading.position().latDeg()),
+                rounded(reading.position().lonDeg()));
+    }
+
+    /** To a centimetre: no boat knows better where it was, and hours of readings take much room. */
+    private static double rounded(double deg) {
+        return Math.rint(deg * PER_DEGREE) / PER_DEGREE;
     }
 
     /** Notes a reading. */
@@ -59,9 +66,9 @@ public final class ReadingRecorder implements BoatListener {
         }
     }
 
-    /** What was noted, in order; unmodifiable. */
+    /** What was noted so far, in order; unmodifiable. */
     public List<ReadingResult> readings() {
-        return Collections.unmodifiableList(readings);
+        return readings.soFar();
     }
 
     /** Says at a time that some are missing, if some are. */

@@ -77,7 +77,7 @@ public final class ReportBuilder {
                                 end.atMillis(),
                                 end.wallSeconds(),
                                 recorder.clicks(),
-                                recorder.firings().size(),
+                                recorder.firingCount(),
                                 resumedFrom,
                                 recorder.hash().with(boats)),
                         results,

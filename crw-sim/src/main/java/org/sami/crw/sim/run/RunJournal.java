@@ -3,7 +3,7 @@ package org.sami.crw.sim.run;
 import java.io.IOException;
 import java.util.OptionalLong;
 import org.sami.spn.host.InputJournal;
-import org.sami.spn.host.MemoryJournal;
+import org.sami.spn.host.NoJournal;
 
 /**
  * What a run in process writes down as it goes: the engine's inputs, and marks by which its world is known again. For the
@@ -40,7 +40,7 @@ public interface RunJournal {
     /** A journal that nobody reads again. */
     static RunJournal none() {
         return new RunJournal() {
-            private final InputJournal inputs = new MemoryJournal();
+            private final InputJournal inputs = new NoJournal();
 
             @Override
             public InputJournal inputs() {

@@ -1,6 +1,7 @@
 package org.sami.crw.sim.run;
 
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -13,6 +14,8 @@ import org.sami.crw.decision.ClickCount;
 import org.sami.crw.sim.report.DecisionResult;
 import org.sami.crw.sim.report.FiringResult;
 import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.sim.report.RowFormats;
+import org.sami.crw.sim.report.Spool;
 import org.sami.crw.sim.report.TaskResult;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
@@ -30,9 +33,10 @@ public final class RunRecorder implements HostListener {
     private final Project project;
     private final RunHash hash = new RunHash();
     private final Map<Long, String> planOfMission = new LinkedHashMap<>();
-    private final List<FiringResult> firings = new ArrayList<>();
+    private final Spool<FiringResult> firings = new Spool<>(RowFormats.FIRING);
     private final Set<Long> openDecisions = new LinkedHashSet<>();
-    private final Map<Long, DecisionResult> decisions = new LinkedHashMap<>();
+    private final Spool<DecisionResult> settled = new Spool<>(RowFormats.DECISION);
+    private final Map<Long, DecisionResult> decisions = new LinkedHashMap<>(); // from the first that is open
     private final List<NoteResult> notes = new ArrayList<>();
     private final TaskRecorder tasks;
     private OptionalLong root = OptionalLong.empty();
@@ -89,9 +93,18 @@ public final class RunRecorder implements HostListener {
             closed(atMillis, closed);
         } else if (effect instanceof Effect.Noted noted) {
             noted(atMillis, input, noted);
-        } else if (effect instanceof Effect.MissionEnded ended && isRoot(ended.mission())) {
+        } else if (effect instanceof Effect.MissionEnded ended) {
+            ended(atMillis, ended);
+        }
+    }
+
+    private void ended(long atMillis, Effect.MissionEnded ended) {
+        if (isRoot(ended.mission())) {
             outcome = Optional.of(ended.outcome());
             endedAtMillis = OptionalLong.of(atMillis);
+        }
+        if (ended.outcome() != Outcome.HALTED) {
+            planOfMission.remove(ended.mission()); // it never fires again
         }
     }
 
@@ -149,6 +162,20 @@ public final class RunRecorder implements HostListener {
                                 .orElse(""),
                         closed.answer().map(Words::answer).orElse(""),
                         closed.answer().isPresent() ? (int) costOfInput : 0));
+        settle();
+    }
+
+    /** In the order in which they were opened, those before the first that is open are told from a file. */
+    private void settle() {
+        Iterator<DecisionResult> oldest = decisions.values().iterator();
+        while (oldest.hasNext()) {
+            DecisionResult decision = oldest.next();
+            if (decision.closedAtMillis().isEmpty()) {
+                return;
+            }
+            settled.add(decision);
+            oldest.remove();
+        }
     }
 
     private void noted(long atMillis, Input input, Effect.Noted noted) {
@@ -212,13 +239,20 @@ public final class RunRecorder implements HostListener {
         return openDecisions.size();
     }
 
-    /** All firings, in order. */
+    /** How many firings there were. */
+    public int firingCount() {
+        return firings.size();
+    }
+
+    /** All firings so far, in order. */
     public List<FiringResult> firings() {
-        return firings;
+        return firings.soFar();
     }
 
     List<DecisionResult> decisions() {
-        return List.copyOf(decisions.values());
+        List<DecisionResult> all = new ArrayList<>(settled);
+        all.addAll(decisions.values());
+        return all;
     }
 
     List<TaskResult> tasks() {

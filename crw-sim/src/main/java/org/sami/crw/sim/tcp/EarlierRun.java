@@ -1,9 +1,11 @@
 package org.sami.crw.sim.tcp;
 
-import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import org.sami.boat.server.LocalFrame;
 import org.sami.crw.sim.report.LinkResult;
 import org.sami.crw.sim.report.NoteResult;
@@ -23,21 +25,42 @@ final class EarlierRun implements SessionNotes.Reader {
     private final List<Pose> poses = new ArrayList<>();
     private final List<Visit> visits = new ArrayList<>();
     private final List<ReadingResult> readings = new ArrayList<>();
+    private final List<String> leftOut;
     private Optional<SessionArea> area = Optional.empty();
 
     private record Pose(long atMillis, String boat, BoatDesk.Told told, double distanceM) {}
 
     private record Visit(long atMillis, String boat, GeoPoint location) {}
 
-    EarlierRun(List<TelemetryRow> rows, BoatDesk desk, Notices notices) throws IOException {
+    EarlierRun(List<TelemetryRow> rows, BoatDesk desk, Notices notices) {
         this.desk = desk;
         this.notices = notices;
-        SessionNotes.read(rows, this);
+        leftOut = SessionNotes.read(rows, this);
     }
 
-    /** The area, if the boats had answered. */
+    /** The area, if the boats had answered and it is still known. */
     Optional<SessionArea> area() {
         return area;
+    }
+
+    /** The area that was told otherwise. */
+    void know(SessionArea found) {
+        area = Optional.of(found);
+    }
+
+    /** Where each boat was first, as far as that is known. */
+    List<GeoPoint> firstPositions() {
+        Map<String, GeoPoint> first = new TreeMap<>();
+        poses.forEach(pose -> first.putIfAbsent(pose.boat, pose.told.position()));
+        return List.copyOf(first.values());
+    }
+
+    /** What was left out because it makes no sense, in words; empty if nothing was. */
+    Optional<String> leftOut() {
+        return leftOut.isEmpty()
+                ? Optional.empty()
+                : Optional.of("telemetry: " + leftOut.size() + (leftOut.size() == 1 ? " row makes" : " rows make")
+                        + " no sense and left out; the first is '" + leftOut.get(0) + "'");
     }
 
     /**
@@ -56,9 +79,11 @@ final class EarlierRun implements SessionNotes.Reader {
         }
     }
 
-    /** What boats had measured. */
+    /** What boats had measured, in order of time. */
     List<ReadingResult> readings() {
-        return readings;
+        List<ReadingResult> inOrder = new ArrayList<>(readings);
+        inOrder.sort(Comparator.comparingLong(ReadingResult::atMillis));
+        return inOrder;
     }
 
     @Override

@@ -13,6 +13,7 @@ import org.sami.crw.proxy.BoatReading;
 import org.sami.crw.proxy.BoatStatus;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.Withdrawal;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.LinkAlarm;
 import org.sami.crw.sim.report.ReadingResult;
@@ -130,5 +131,20 @@ final class FleetEar implements BaseListener, BoatListener {
                 arrivals.at(boatId, points, at);
             }
         }
+    }
+
+    @Override
+    public void onCompleted(String boatId, BoatCommand command) {
+        reported.remove(command.commandId());
+    }
+
+    @Override
+    public void onFailed(String boatId, BoatCommand command, String reason) {
+        reported.remove(command.commandId());
+    }
+
+    @Override
+    public void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {
+        reported.remove(command.commandId());
     }
 }

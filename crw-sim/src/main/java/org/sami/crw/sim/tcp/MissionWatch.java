@@ -259,7 +259,7 @@ final class MissionWatch {
                 visits.visited(),
                 visits.count(),
                 recorder.openDecisions(),
-                recorder.firings().size(),
+                recorder.firingCount(),
                 least);
     }
 
@@ -277,6 +277,7 @@ final class MissionWatch {
                     .last(boat.id())
                     .ifPresent(told -> station.notes().pose(atMillis, boat.id(), told, boat.distanceM()));
         }
+        station.notes().flush();
     }
 
     /** The report; when everything has ended. */

@@ -1,18 +1,65 @@
 package org.sami.crw.sim.tcp;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
 import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.ProxyValue;
+import org.sami.spn.value.Value;
 
 /**
- * What was found when the boats had answered for the first time; it stays so for the whole run.
+ * What was found when the boats had answered for the first time; it stays so for the whole run. It is kept in the session's memory
+ * in the engine, since a run that has lost it cannot be taken up as it was (docs/decisions/0141).
  *
  * @param centre of the area in which the locations lie
  * @param boats their names in the order of their addresses
  */
 record SessionArea(GeoPoint centre, List<String> boats) {
+    private static final String KEY = "run/area";
+
     SessionArea {
         Objects.requireNonNull(centre, "centre");
         boats = List.copyOf(boats);
+    }
+
+    /** An area around boats. */
+    static SessionArea around(List<GeoPoint> positions, List<String> boats) {
+        return new SessionArea(
+                GeoPoint.of(
+                        positions.stream()
+                                .mapToDouble(GeoPoint::latDeg)
+                                .average()
+                                .orElse(0),
+                        positions.stream()
+                                .mapToDouble(GeoPoint::lonDeg)
+                                .average()
+                                .orElse(0)),
+                boats);
+    }
+
+    /** Has the engine remember it. */
+    Input remember() {
+        List<Value> values = new ArrayList<>(List.of(centre));
+        boats.forEach(boat -> values.add(new ProxyValue(boat)));
+        return new Input.Remember(Ids.NONE, KEY, new ListValue(values));
+    }
+
+    /** What the engine remembers of it. */
+    static Optional<SessionArea> remembered(EngineView view) {
+        return view.memory(Ids.NONE, KEY)
+                .filter(ListValue.class::isInstance)
+                .map(value -> ((ListValue) value).items())
+                .filter(items -> !items.isEmpty() && items.get(0) instanceof GeoPoint)
+                .map(items -> new SessionArea(
+                        (GeoPoint) items.get(0),
+                        items.stream()
+                                .filter(ProxyValue.class::isInstance)
+                                .map(boat -> ((ProxyValue) boat).proxy())
+                                .toList()));
     }
 }

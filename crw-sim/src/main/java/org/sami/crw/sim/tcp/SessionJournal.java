@@ -2,21 +2,26 @@ package org.sami.crw.sim.tcp;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.sami.crw.sim.resume.EarlierProcesses;
 import org.sami.crw.sim.resume.RunRecord;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.host.InputJournal;
-import org.sami.spn.host.MemoryJournal;
+import org.sami.spn.host.NoJournal;
 import org.sami.spn.journal.JournalOptions;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.journal.SqliteJournal;
+import org.sami.spn.journal.Telemetry;
 import org.sami.spn.journal.TelemetryRow;
+import org.sami.spn.protocol.Input;
 
 /**
  * The journal of a run behind TCP: the engine's inputs, telemetry beside them, and what earlier processes of the run left. It
@@ -25,21 +30,32 @@ import org.sami.spn.journal.TelemetryRow;
 public final class SessionJournal implements EarlierProcesses, AutoCloseable {
     private final Optional<SqliteJournal> file;
     private final InputJournal inputs;
-    private final List<TelemetryRow> earlier;
     private final boolean resumed;
+    private final long cameToMillis;
+    private final Optional<String> telemetryDamage;
 
-    private SessionJournal(SqliteJournal journal, List<TelemetryRow> earlier, boolean resumed) {
+    private SessionJournal(SqliteJournal journal) {
         file = Optional.of(journal);
         inputs = journal;
-        this.earlier = earlier;
-        this.resumed = resumed;
+        resumed = false;
+        cameToMillis = 0;
+        telemetryDamage = Optional.empty();
+    }
+
+    private SessionJournal(SqliteJournal journal, Telemetry earlier) {
+        file = Optional.of(journal);
+        inputs = journal;
+        resumed = true;
+        cameToMillis = earlier.rows().stream().mapToLong(TelemetryRow::atMillis).reduce(inputs.lastMillis(), Math::max);
+        telemetryDamage = earlier.damage();
     }
 
     private SessionJournal() {
         file = Optional.empty();
-        inputs = new MemoryJournal();
-        earlier = List.of();
+        inputs = new NoJournal();
         resumed = false;
+        cameToMillis = 0;
+        telemetryDamage = Optional.empty();
     }
 
     /** A journal that nobody reads again. */
@@ -53,8 +69,7 @@ public final class SessionJournal implements EarlierProcesses, AutoCloseable {
      * @throws IOException if there is one already, or none can be made
      */
     public static SessionJournal create(Path file, RunRecord record) throws IOException {
-        return new SessionJournal(
-                SqliteJournal.create(file, record.toHeader(), JournalOptions.DEFAULT), List.of(), false);
+        return new SessionJournal(SqliteJournal.create(file, record.toHeader(), JournalOptions.DEFAULT));
     }
 
     /**
@@ -65,7 +80,7 @@ public final class SessionJournal implements EarlierProcesses, AutoCloseable {
     public static SessionJournal open(Path file) throws IOException {
         SqliteJournal journal = SqliteJournal.open(file, JournalOptions.DEFAULT);
         try (JournalReader reader = JournalReader.open(file)) {
-            return new SessionJournal(journal, reader.telemetry(), true);
+            return new SessionJournal(journal, reader.telemetry());
         } catch (IOException | RuntimeException fault) {
             journal.close();
             throw fault;
@@ -84,7 +99,8 @@ public final class SessionJournal implements EarlierProcesses, AutoCloseable {
 
     @Override
     public String damage() {
-        return file.flatMap(journal -> journal.recovery().damage()).orElse("");
+        return Stream.concat(file.flatMap(journal -> journal.recovery().damage()).stream(), telemetryDamage.stream())
+                .collect(Collectors.joining("; "));
     }
 
     @Override
@@ -99,12 +115,34 @@ public final class SessionJournal implements EarlierProcesses, AutoCloseable {
 
     @Override
     public long cameToMillis() {
-        return earlier.stream().mapToLong(TelemetryRow::atMillis).reduce(inputs.lastMillis(), Math::max);
+        return resumed ? cameToMillis : inputs.lastMillis();
     }
 
-    /** What earlier processes wrote beside the inputs, in order. */
-    List<TelemetryRow> earlier() {
-        return earlier;
+    /** What earlier processes wrote beside the inputs, in order, as far as it is not damaged. */
+    List<TelemetryRow> earlier() throws IOException {
+        if (!resumed) {
+            return List.of();
+        }
+        try (JournalReader reader = JournalReader.open(file.orElseThrow().file())) {
+            return reader.telemetry().rows();
+        }
+    }
+
+    /** The boats with which an earlier process started the mission, in order; empty if none did. */
+    Optional<List<String>> startedWith() throws IOException {
+        List<String> joined = new ArrayList<>();
+        boolean[] started = new boolean[1];
+        if (resumed) {
+            try (JournalReader reader = JournalReader.open(file.orElseThrow().file())) {
+                reader.entries(1, resumedFrom().getAsLong(), entry -> {
+                    if (entry.input() instanceof Input.ProxyJoined proxy && !started[0]) {
+                        joined.add(proxy.proxy());
+                    }
+                    started[0] |= entry.input() instanceof Input.StartMission;
+                });
+            }
+        }
+        return started[0] ? Optional.of(joined) : Optional.empty();
     }
 
     InputJournal inputs() {

@@ -5,9 +5,10 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalLong;
 import java.util.function.LongSupplier;
 import org.sami.crw.sim.report.LinkResult;
 import org.sami.crw.sim.report.NoteResult;
@@ -32,11 +33,13 @@ final class SessionNotes {
     private static final String MESSAGE = "message";
     private static final String BEGUN = "begun";
     private static final String AREA = "area";
-    private static final String READING = "reading";
+    private static final String READING = "reading"; // of one; written by earlier versions
+    private static final String READINGS = "readings";
     private static final String WHY = "why";
 
     private final SessionJournal journal;
     private final LongSupplier nowMillis;
+    private final Map<ReadingBatch.Channel, ReadingBatch> batches = new LinkedHashMap<>();
     private Optional<NoteResult> problem = Optional.empty();
 
     SessionNotes(SessionJournal journal, LongSupplier nowMillis) {
@@ -66,15 +69,26 @@ final class SessionNotes {
         add(atMillis, boat, POSE, json);
     }
 
-    void reading(ReadingResult reading) {
-        ObjectNode json = JSON.createObjectNode()
-                .put("latDeg", reading.latDeg())
-                .put("lonDeg", reading.lonDeg())
-                .put("sensor", reading.sensor())
-                .put("channel", reading.channel())
-                .put("unit", reading.unit());
-        reading.values().forEach(json.putArray("values")::add);
-        add(reading.atMillis(), reading.boat(), READING, json);
+    /** Several of one channel are written as one row: they are most of what a run writes down. */
+    synchronized void reading(ReadingResult reading) {
+        ReadingBatch batch = batches.computeIfAbsent(
+                new ReadingBatch.Channel(reading.boat(), reading.sensor(), reading.channel(), reading.unit()),
+                ReadingBatch::new);
+        if (batch.isDue(reading.atMillis())) {
+            write(batch);
+        }
+        batch.add(reading);
+    }
+
+    /** Writes what waits to be written with more of its kind. */
+    synchronized void flush() {
+        batches.values().forEach(this::write);
+    }
+
+    private void write(ReadingBatch batch) {
+        if (!batch.isEmpty()) {
+            add(batch.lastMillis(), batch.boat(), READINGS, batch.take());
+        }
     }
 
     void visited(long atMillis, String boat, GeoPoint location) {
@@ -169,18 +183,21 @@ final class SessionNotes {
     }
 
     /**
-     * Reads what earlier processes wrote, in order.
+     * Reads what earlier processes wrote, in order. A row that makes no sense is left out.
      *
-     * @return the time of the last row
-     * @throws IOException if a row makes no sense
+     * @return what the rows that were left out are of, in the order of the rows
      */
-    static OptionalLong read(List<TelemetryRow> rows, Reader reader) throws IOException {
-        OptionalLong last = OptionalLong.empty();
+    static List<String> read(List<TelemetryRow> rows, Reader reader) {
+        List<String> senseless = new ArrayList<>();
         for (TelemetryRow row : rows) {
-            read(row, JSON.readTree(row.json()), reader);
-            last = OptionalLong.of(Math.max(row.atMillis(), last.orElse(0)));
+            try {
+                read(row, JSON.readTree(row.json()), reader);
+            } catch (IOException | IllegalArgumentException fault) {
+                LOG.log(System.Logger.Level.DEBUG, "telemetry that makes no sense: " + row, fault);
+                senseless.add((row.kind() + " " + row.proxy()).strip());
+            }
         }
-        return last;
+        return senseless;
     }
 
     private static void read(TelemetryRow row, JsonNode json, Reader reader) {
@@ -188,7 +205,10 @@ final class SessionNotes {
         switch (row.kind()) {
             case POSE ->
                 reader.pose(
-                        row.atMillis(), boat, told(json), json.path("distanceM").asDouble());
+                        row.atMillis(),
+                        boat,
+                        told(json),
+                        json.required("distanceM").asDouble());
             case VISITED -> reader.visited(row.atMillis(), boat, point(json));
             case LINKED -> reader.linked(boat, json.path("bootId").asText());
             case LOST -> reader.lost(boat);
@@ -209,6 +229,7 @@ final class SessionNotes {
                         json.path("mission").asLong(),
                         json.path("text").asText()));
             case READING -> reader.reading(reading(row.atMillis(), boat, json));
+            case READINGS -> ReadingBatch.read(boat, json).forEach(reader::reading);
             case BEGUN -> reader.begun();
             case AREA -> reader.area(area(json));
             default -> LOG.log(System.Logger.Level.DEBUG, "a reading of another kind: {0}", row.kind());
@@ -238,13 +259,14 @@ final class SessionNotes {
     private static BoatDesk.Told told(JsonNode json) {
         return new BoatDesk.Told(
                 point(json),
-                json.path("headingRad").asDouble(),
-                json.path("speedMps").asDouble(),
-                json.path("batteryPercent").asDouble(),
-                json.path("boatTimeMs").asLong());
+                json.required("headingRad").asDouble(),
+                json.required("speedMps").asDouble(),
+                json.required("batteryPercent").asDouble(),
+                json.required("boatTimeMs").asLong());
     }
 
     private static GeoPoint point(JsonNode json) {
-        return GeoPoint.of(json.path("latDeg").asDouble(), json.path("lonDeg").asDouble());
+        return GeoPoint.of(
+                json.required("latDeg").asDouble(), json.required("lonDeg").asDouble());
     }
 }

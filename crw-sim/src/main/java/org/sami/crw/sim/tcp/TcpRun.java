@@ -68,6 +68,9 @@ public final class TcpRun {
         long wallStart = System.nanoTime();
         try (TcpStation station = new TcpStation(plan, settings, journal, start)) {
             EarlierRun earlier = new EarlierRun(journal.earlier(), station.desk(), station.notices());
+            earlier.leftOut().ifPresent(lines);
+            Optional<List<String>> startedWith = journal.startedWith();
+            findArea(station, earlier, startedWith);
             Optional<MissionWatch> known = Optional.empty();
             if (earlier.area().isPresent()) {
                 known = Optional.of(watch(station, earlier.area().get()));
@@ -82,11 +85,21 @@ public final class TcpRun {
             }
             station.notes().begun();
             station.desk().begunAnew();
-            earlier.area().ifPresent(area -> area.boats().forEach(station.base()::expect));
+            earlier.area()
+                    .map(SessionArea::boats)
+                    .or(() -> startedWith)
+                    .ifPresent(boats -> boats.forEach(station.base()::expect));
             RollCall roll = new RollCall(station.base(), settings.connect(), station.desk(), station.notes());
-            boolean ready =
-                    callRoll(station, roll, known.map(MissionWatch::wasStarted).orElse(false));
-            MissionWatch watch = known.isPresent() ? known.get() : watch(station, found(station, roll, ready));
+            boolean ready = callRoll(station, roll, startedWith.isPresent());
+            MissionWatch watch;
+            if (known.isPresent()) {
+                watch = known.get();
+            } else {
+                watch = watch(station, found(station, startedWith.orElseGet(roll::boats), ready));
+                if (startedWith.isPresent()) {
+                    watch.catchUp(earlier);
+                }
+            }
             RunOutcome outcome = ready ? watched(station, watch, observer) : RunOutcome.RUNNING;
             long endMillis = watch.endMillis();
             station.leave();
@@ -105,17 +118,46 @@ public final class TcpRun {
         return new MissionWatch(plan, settings, parameters, answers, journal, station, area);
     }
 
-    /** The area lies where somebody said, else around the boats. It stays there, whatever becomes of the run. */
-    private SessionArea found(TcpStation station, RollCall roll, boolean ready) {
-        List<GeoPoint> positions = station.desk().positions();
-        GeoPoint middle = GeoPoint.of(
-                positions.stream().mapToDouble(GeoPoint::latDeg).average().orElse(0),
-                positions.stream().mapToDouble(GeoPoint::lonDeg).average().orElse(0));
-        GeoPoint centre = settings.fleet().site().centre().orElse(middle);
-        SessionArea area = new SessionArea(centre, roll.boats());
+    /**
+     * Looks for the area of a mission that an earlier process started: its telemetry may be damaged, but the engine remembers it; in a
+     * journal of before it did, it lies around where the boats were first.
+     */
+    private void findArea(TcpStation station, EarlierRun earlier, Optional<List<String>> startedWith) {
+        if (earlier.area().isPresent() || startedWith.isEmpty()) {
+            return;
+        }
+        Optional<SessionArea> remembered = station.host().ask(SessionArea::remembered);
+        List<GeoPoint> first = earlier.firstPositions();
+        if (remembered.isPresent()) {
+            lines.accept("telemetry: where the area lies is lost there, and taken from the engine's entries");
+            earlier.know(remembered.get());
+        } else if (!first.isEmpty()) {
+            lines.accept("telemetry: where the area lies is lost; it is taken to be where the boats were first");
+            earlier.know(area(first, startedWith.get()));
+        } else if (station.host().ask(view -> view.missions().isEmpty())) {
+            lines.accept("telemetry: where the area lies is lost, and where the boats were");
+            earlier.know(area(first, startedWith.get()));
+        } else {
+            lines.accept("telemetry: where the area lies is lost; it is taken to be where the boats are now");
+        }
+    }
+
+    /** The area lies where somebody said, else around the boats. */
+    private SessionArea area(List<GeoPoint> positions, List<String> boats) {
+        return settings.fleet()
+                .site()
+                .centre()
+                .map(centre -> new SessionArea(centre, boats))
+                .orElseGet(() -> SessionArea.around(positions, boats));
+    }
+
+    /** The area as it is found when the boats have answered. It stays there, whatever becomes of the run. */
+    private SessionArea found(TcpStation station, List<String> boats, boolean ready) {
+        SessionArea area = area(station.desk().positions(), boats);
         if (ready) {
-            lines.accept("centre " + Site.words(centre));
+            lines.accept("centre " + Site.words(area.centre()));
             station.notes().area(area);
+            station.host().post(area.remember());
         }
         return area;
     }

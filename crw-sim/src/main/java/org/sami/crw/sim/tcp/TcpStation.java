@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.sami.crw.handler.CrwDomain;
+import org.sami.crw.handler.CrwServices;
+import org.sami.crw.handler.ServiceThreads;
 import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.LinkState;
@@ -37,6 +39,7 @@ final class TcpStation implements AutoCloseable {
     private final RealTimeLoop loop;
     private final EngineHost host;
     private final TcpBase base;
+    private final ServiceThreads services = new ServiceThreads(ServiceThreads.STANDARD_LIMIT_MILLIS);
     private final CrwDomain domain;
     private final BoatDesk desk = new BoatDesk();
     private final SessionNotes notes;
@@ -61,7 +64,8 @@ final class TcpStation implements AutoCloseable {
                 .build();
         ProxyConfig proxy = ProxyConfig.DEFAULT.withClientId(start.clientId()).withTelemetryHz(TELEMETRY_HZ);
         base = new TcpBase(TcpBaseConfig.of(proxy, settings.fleet().seed()), start.clock(), ear);
-        domain = CrwDomain.install(host, base.boats(), base.executor(), notices);
+        domain = CrwDomain.installInRealTime(
+                host, base.boats(), base.executor(), notices, CrwServices.STANDARD, services);
         ear.passTo(domain.boatListener());
     }
 
@@ -167,7 +171,9 @@ final class TcpStation implements AutoCloseable {
     @Override
     public void close() {
         listenNoLonger();
+        services.close();
         base.close();
+        notes.flush();
         host.close();
     }
 }

@@ -1,0 +1,133 @@
+package org.sami.crw.sim.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Runs whose disk is full at some moment, and has room again when they are taken up. */
+@Timeout(240)
+class FullDiskTest {
+    private static final List<String> MISSION =
+            List.of("run", "clv", "--boats", "3", "--locations", "8", "--speed", "max", "--json");
+
+    private static String undisturbed;
+
+    @TempDir
+    private Path folder;
+
+    @BeforeAll
+    static void runUndisturbed() throws Exception {
+        Ran ran = Ran.crw(MISSION.toArray(String[]::new));
+        assertThat(ran.exitCode()).as(ran.err()).isZero();
+        undisturbed = hash(ran.out());
+    }
+
+    private static String hash(String report) throws IOException {
+        return new ObjectMapper().readTree(report).path("runHash").asText();
+    }
+
+    /** A limit of the size of files, as a quota sets it: needs no rights. */
+    @Test
+    void runThatMayWriteNoMoreEndsAndIsTakenUpToTheSameEnd() throws Exception {
+        assumeThat(Path.of("/bin/bash")).as("ulimit of bash").exists();
+        Path library = folder.resolve("libsqlitejdbc.so"); // larger than the limit: not to be unpacked under it
+        assumeThat(unpacked(library)).as("SQLite's library for Linux").isTrue();
+        for (int kib : new int[] {110, 180, 210}) {
+            Path journal = folder.resolve("limit" + kib + ".journal");
+            List<String> command =
+                    new ArrayList<>(List.of("/bin/bash", "-c", "ulimit -f " + kib + "; exec \"$@\"", "bash"));
+            command.addAll(
+                    crw(journal, "-Dorg.sqlite.lib.path=" + folder, "-Dorg.sqlite.lib.name=" + library.getFileName()));
+
+            String said = run(command, 4);
+
+            assertThat(said).contains("cannot be written");
+            assertThat(takenUp(journal)).isEqualTo(undisturbed);
+        }
+    }
+
+    /** A real disk of a few hundred KiB: root alone can mount one. */
+    @Test
+    void runWhoseDiskIsFullEndsAndIsTakenUpToTheSameEndOnceThereIsRoom() throws Exception {
+        Path disk = Files.createDirectory(folder.resolve("disk"));
+        for (int kib : new int[] {244, 292, 340, 404}) {
+            boolean mounted = exitCode("mount", "-t", "tmpfs", "-o", "size=" + kib + "k", "none", disk.toString()) == 0;
+            assumeThat(mounted).as("a small disk can be mounted here").isTrue();
+            try {
+                Path journal = disk.resolve("journal");
+                String said = run(crw(journal), 4);
+                assertThat(said).contains("full");
+                Ran tooEarly = Ran.crw("resume", journal.toString(), "--speed", "max", "--json");
+                assertThat(tooEarly.exitCode()).isIn(0, 4);
+
+                assertThat(exitCode("mount", "-o", "remount,size=64m", disk.toString()))
+                        .isZero();
+
+                assertThat(takenUp(journal)).isEqualTo(undisturbed);
+            } finally {
+                assertThat(exitCode("umount", disk.toString())).isZero();
+            }
+        }
+    }
+
+    private static String takenUp(Path journal) throws IOException {
+        Ran resumed = Ran.crw("resume", journal.toString(), "--speed", "max", "--json");
+        assertThat(resumed.exitCode()).as(resumed.err()).isZero();
+        return hash(resumed.out());
+    }
+
+    private static boolean unpacked(Path library) throws IOException {
+        String architecture = System.getProperty("os.arch").equals("amd64") ? "x86_64" : System.getProperty("os.arch");
+        String name = "/org/sqlite/native/" + System.getProperty("os.name") + "/" + architecture + "/libsqlitejdbc.so";
+        try (InputStream in = FullDiskTest.class.getResourceAsStream(name)) {
+            return in != null && Files.copy(in, library) > 0;
+        }
+    }
+
+    private static List<String> crw(Path journal, String... options) {
+        List<String> command = new ArrayList<>(
+                List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-XX:+UseSerialGC"));
+        command.addAll(List.of(options));
+        command.addAll(List.of("-cp", System.getProperty("java.class.path"), Crw.class.getName()));
+        command.addAll(MISSION);
+        command.addAll(List.of("--journal", journal.toString()));
+        return command;
+    }
+
+    /** Runs a command and gives what it said. */
+    private String run(List<String> command, int exitCode) throws Exception {
+        Path output = folder.resolve("output");
+        Process process = new ProcessBuilder(command)
+                .redirectErrorStream(true)
+                .redirectOutput(output.toFile())
+                .start();
+        assertThat(process.waitFor(120, TimeUnit.SECONDS)).isTrue();
+        String said = Files.readString(output);
+        assertThat(process.exitValue()).as(said).isEqualTo(exitCode);
+        return said;
+    }
+
+    private static int exitCode(String... command) throws Exception {
+        try {
+            Process process = new ProcessBuilder(command)
+                    .redirectErrorStream(true)
+                    .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                    .start();
+            return process.waitFor();
+        } catch (IOException missing) {
+            return -1;
+        }
+    }
+}
