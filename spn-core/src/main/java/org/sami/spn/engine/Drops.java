@@ -117,7 +117,7 @@ final class Drops {
         for (Entry e : removed) {
             rules.leaving.left(e, before, true);
         }
-        rules.sharedInstances.pulled(removed, List.of());
+        rules.sharedInstances.pulled(removed, List.of(), before);
     }
 
     private void withdrawCommands(Mission m, Token token) {

@@ -90,7 +90,7 @@ final class Firing {
             rules.leaving.left(e, before, scope.reach != Scope.Reach.FREE);
         }
         if (scope.reach != Scope.Reach.FREE) {
-            rules.sharedInstances.pulled(selected.removed, returns);
+            rules.sharedInstances.pulled(selected.removed, returns, before);
         }
         nobody.forEach(rules.visits::end);
         write(m, used);

@@ -105,11 +105,13 @@ final class SharedInstances {
 
     /**
      * Tokens left a place of static instances other than with a return that brought them back: theirs is void, and who is
-     * still in the instance is taken out of it, unless a copy stays in the place.
+     * still in the instance is taken out of it, unless a copy stays in the place. Who enters the place again in the same firing
+     * has left it before.
      *
      * @param used returns that the firing used: they brought back what left with them
+     * @param before the stamp before the firing: what entered later has a greater order
      */
-    void pulled(List<Entry> removed, List<Return> used) {
+    void pulled(List<Entry> removed, List<Return> used, long before) {
         List<Return> left = new ArrayList<>();
         used.forEach(r -> left.add(new Return(r.instance, r.tokens, r.value)));
         for (Entry e : removed) {
@@ -117,18 +119,19 @@ final class SharedInstances {
                 boolean broughtBack =
                         left.stream().anyMatch(r -> r.instance == run.instance && r.tokens.remove(e.token));
                 if (!broughtBack) {
-                    pulled(run, e.token);
+                    pulled(run, e.token, before);
                 }
             }
         }
     }
 
-    private void pulled(SharedRun run, Token token) {
+    private void pulled(SharedRun run, Token token, long before) {
         PlaceState place = run.instance.place;
         if (!voidOldest(run, token)) {
             run.instance.starting.remove(token);
         }
-        if (Entry.kindOf(token) == Entry.GENERIC || place.find(token) != null) {
+        Entry oldest = place.find(token);
+        if (Entry.kindOf(token) == Entry.GENERIC || (oldest != null && oldest.order <= before)) {
             return;
         }
         forget(run, token);

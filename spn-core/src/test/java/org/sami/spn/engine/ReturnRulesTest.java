@@ -221,6 +221,17 @@ class ReturnRulesTest {
     }
 
     @Test
+    void aRobotThatAnInterruptPutsBackIntoThePlaceJoinsTheStaticInstanceAnewAndStandsThereOnce() {
+        NetBuilder net = parent(true).input("again", "Interrupt", button("Again"), Map.of());
+        Session s = sent(net.in("sub", "again", "relevant >= 1").out("again", "sub", "take all relevant"), "A", "B");
+
+        s.press("Again", "A");
+
+        assertThat(s.marking(s.idOf("parent"), "sub")).isEqualTo("B A");
+        assertThat(s.marking(s.idOf("child"), "c")).isEqualTo("B A");
+    }
+
+    @Test
     void theReturnOfADroppedRobotIsVoid() {
         Session s = sent(gated(parent(true), "out", "good", "d"), "A", "B");
         long m = s.idOf("parent");

@@ -38,7 +38,7 @@ final class Attention {
             if (!m.reacts() || here.isEmpty()) {
                 continue;
             }
-            for (Transition t : m.plan.transitions()) {
+            for (Transition t : inOrder(m, here.get())) {
                 for (InputEventSpec event : t.inputs()) {
                     Pending pending = new Pending(t, event, here.get());
                     if (!isFor(m, pending)) {
@@ -57,6 +57,12 @@ final class Attention {
             noteUnwanted(occurrence, askedForNames);
         }
         return wanted;
+    }
+
+    /** An answer reaches transitions in the order of the place that asked ("the plan's order of out-transitions"). */
+    private List<Transition> inOrder(Mission m, Occurrence o) {
+        Visit asked = world.visitOfActivation.get(o.activation());
+        return asked == null || asked.mission != m ? m.plan.transitions() : m.outTransitions(asked.place);
     }
 
     /** "With an activation and no mission it is an answer in the mission that asked and news in all others." */
@@ -249,11 +255,7 @@ final class Attention {
         }
         Optional<Visit> answered = p.answeredVisit(world);
         if (answered.isPresent()) {
-            Visit visit = answered.get();
-            return p.stood.contains(name)
-                    && (copy.visit == visit
-                            || World.others(m.inPlaces(p.transition), visit.place)
-                                    .contains(copy.visit.place));
+            return p.stood.contains(name) && m.inPlaces(p.transition).contains(copy.visit.place);
         }
         // "A boat that left must report again"
         return p.transition.waitFor() == WaitFor.ALL

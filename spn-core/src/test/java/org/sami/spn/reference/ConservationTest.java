@@ -44,12 +44,13 @@ class ConservationTest {
 
     /** Random inputs of a seed, as far as no place overflows. */
     private static List<Scenario.Timed> inputs(long seed) {
-        Subject interpreter = Differential.interpreter(RandomPlans.project(seed));
-        RandomInputs world = new RandomInputs(seed);
+        Project project = RandomPlans.project(seed);
+        Subject interpreter = Differential.interpreter(project);
+        RandomInputs world = new RandomInputs(project, seed);
         List<Scenario.Timed> inputs = new ArrayList<>();
         try {
             for (int i = 0; i < 25; i++) {
-                Scenario.Timed timed = new Scenario.Timed(world.nextTime(interpreter), world.next(interpreter));
+                Scenario.Timed timed = world.next(interpreter);
                 world.saw(interpreter.step(timed.nowMillis(), timed.input()));
                 inputs.add(timed);
             }

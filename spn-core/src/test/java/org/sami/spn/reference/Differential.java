@@ -38,10 +38,10 @@ final class Differential {
         Project project = RandomPlans.project(seed);
         Subject interpreter = interpreter(project);
         Subject other = maker.make(project);
-        RandomInputs world = new RandomInputs(seed);
+        RandomInputs world = new RandomInputs(project, seed);
         List<Scenario.Timed> inputs = new ArrayList<>();
         for (int i = 0; i < length; i++) {
-            Scenario.Timed timed = new Scenario.Timed(world.nextTime(interpreter), world.next(interpreter));
+            Scenario.Timed timed = world.next(interpreter);
             inputs.add(timed);
             try {
                 List<Effect> expected = interpreter.step(timed.nowMillis(), timed.input());

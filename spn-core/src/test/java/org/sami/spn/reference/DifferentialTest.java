@@ -13,7 +13,7 @@ import org.sami.spn.testing.TestVocabulary;
  */
 class DifferentialTest {
     private static final long FIRST_SEED = Long.getLong("spn.firstSeed", 1);
-    private static final long SEEDS = Long.getLong("spn.seeds", 3000);
+    private static final long SEEDS = Long.getLong("spn.seeds", 2400);
 
     private static Subject engine(org.sami.spn.model.Project project) {
         return new EngineSubject(TestVocabulary.TEST, project, Scenario.LIVELOCK_LIMIT);
@@ -23,7 +23,8 @@ class DifferentialTest {
     void engineAndInterpreterAgreeOnRandomPlans() {
         List<String> disagreements = new ArrayList<>();
         for (long seed = FIRST_SEED; seed < FIRST_SEED + SEEDS && disagreements.size() < 3; seed++) {
-            Differential.explore(seed, 25, DifferentialTest::engine).ifPresent(d -> disagreements.add(shrunk(d)));
+            Differential.explore(seed, Scenario.LENGTH, DifferentialTest::engine)
+                    .ifPresent(d -> disagreements.add(shrunk(d)));
         }
 
         assertThat(disagreements).as("Disagreements").isEmpty();
@@ -33,7 +34,7 @@ class DifferentialTest {
     void engineAndInterpreterAgreeOnLongSessions() {
         List<String> disagreements = new ArrayList<>();
         for (long seed = FIRST_SEED; seed < FIRST_SEED + SEEDS / 30 && disagreements.size() < 3; seed++) {
-            Differential.explore(1_000_000 + seed, 120, DifferentialTest::engine)
+            Differential.explore(1_000_000 + seed, 150, DifferentialTest::engine)
                     .ifPresent(d -> disagreements.add(shrunk(d)));
         }
 

@@ -37,7 +37,7 @@ final class Enabling {
             // that boat's current task"
             for (Token token : answered(pending).tokens()) {
                 if (token instanceof Token.Task task
-                        && boat.proxy().equals(world.allocation.get(task.task()))
+                        && Optional.of(boat.proxy()).equals(world.boatOf(task.task()))
                         && !tokens.contains(token)) {
                     tokens.add(token);
                 }

@@ -78,6 +78,7 @@ final class Firing {
         writeVariables(m, used);
         // "What its output events ask of boats is still sent, nobody waits for answers"
         boolean ends = places.endsWith(m, entered);
+        withdrawCommands(m, t, left, ends);
         entered.forEach(visit -> places.activate(visit, ends));
         if (!ends) {
             entered.forEach(places::startSubMissions);
@@ -103,6 +104,21 @@ final class Firing {
         }
         if (!m.pendingOf(t).isEmpty()) {
             world.lookAt(m, t); // "fires per occurrence"
+        }
+    }
+
+    /** Interrupts and aborts withdraw the commands of whom they take; a mission that ends, those of all. */
+    private void withdrawCommands(Mission m, Transition t, List<Copy> left, boolean ends) {
+        List<String> boats = left.stream()
+                .flatMap(copy -> world.boatOf(copy.token).stream())
+                .distinct()
+                .toList();
+        if (world.overrides(t) && !boats.isEmpty()) {
+            world.effects.add(new Effect.CommandsWithdrawn(m.id, boats));
+        }
+        if (ends) {
+            world.effects.add(new Effect.CommandsWithdrawn(m.id, List.of()));
+            m.commandsWithdrawn = true;
         }
     }
 
@@ -300,7 +316,7 @@ final class Firing {
                 .filter(v -> t.inputs().isEmpty()
                         || movesEverything
                         || used.stream()
-                                .anyMatch(p -> world.visitOfActivation.get(p.occurrence.activation()) == v
+                                .anyMatch(p -> p.answeredVisit(world).equals(Optional.of(v))
                                         || p.told.flatMap(r -> r.by.visit).equals(Optional.of(v))))
                 .toList();
     }

@@ -56,8 +56,10 @@ final class InWords {
             p.subMissions()
                     .forEach(s -> text.append(s.shared() ? " static " : " dynamic ")
                             .append(s.plan())
+                            .append(s.tasks().isEmpty() ? "" : " tasks " + s.tasks())
                             .append(s.variables().isEmpty() ? "" : s.variables()));
-            text.append("\n");
+            text.append(p.transitionOrder().isEmpty() ? "" : " order " + p.transitionOrder())
+                    .append("\n");
         }
         for (Transition t : plan.transitions()) {
             text.append("  ").append(t.id()).append(" ").append(t.waitFor()).append(" ");

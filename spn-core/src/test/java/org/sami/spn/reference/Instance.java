@@ -2,10 +2,12 @@ package org.sami.spn.reference;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.protocol.Token;
+import org.sami.spn.value.TaskId;
 
 /** A sub-mission that was started: of one visit (dynamic) or of the parent mission (static) (SEMANTICS, Sub-missions). */
 final class Instance {
@@ -35,5 +37,25 @@ final class Instance {
         this.parent = parent;
         this.place = place;
         this.visit = visit;
+    }
+
+    /** A token of the parent as the child names it: "their tokens start as that task". */
+    Token toChild(Token token) {
+        if (token instanceof Token.Task task) {
+            for (Map.Entry<String, TaskId> own : child.standsFor.entrySet()) {
+                if (own.getValue().equals(task.task())) {
+                    return new Token.Task(new TaskId(child.id, own.getKey()));
+                }
+            }
+        }
+        return token;
+    }
+
+    /** "A child's own task tokens never return; the parent's task tokens that entered it do." */
+    Optional<Token> toParent(Token token) {
+        if (token instanceof Token.Task task && task.task().mission() == child.id) {
+            return Optional.ofNullable(child.standsFor.get(task.task().name())).map(Token.Task::new);
+        }
+        return Optional.of(token);
     }
 }

@@ -12,6 +12,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.TaskSpec;
 import org.sami.spn.model.Transition;
 import org.sami.spn.protocol.Token;
+import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
 /** A running instance of a plan, root or child. */
@@ -30,19 +31,24 @@ final class Mission {
     final Optional<Instance> asChild;
 
     Status status = Status.WAITING;
-    /** What this mission starts with, kept while its parameters are asked. */
-    final List<Token> starting = new ArrayList<>();
+    /** What enters its start place once its parameters have been given: of a shared instance, entry by entry. */
+    final List<List<Token>> starting = new ArrayList<>();
 
     boolean startsWithTokens;
     final Map<String, Value> asked = new LinkedHashMap<>();
     final Map<String, Value> variables = new LinkedHashMap<>();
     final Map<String, Value> memory = new LinkedHashMap<>();
     final Map<String, TaskSpec> tasks = new LinkedHashMap<>();
+    /** Of a child: its tasks that stand for ones of its parents. */
+    final Map<String, TaskId> standsFor = new LinkedHashMap<>();
+
     final Map<String, List<Copy>> marking = new LinkedHashMap<>();
     final List<Visit> visits = new ArrayList<>();
     final List<Pending> pending = new ArrayList<>();
     final List<Instance> statics = new ArrayList<>();
     Optional<Value> returnValue = Optional.empty();
+    /** Its firing into an end place has withdrawn its commands already. */
+    boolean commandsWithdrawn;
     /** Firings since the last input; a chain that is too long is a livelock. */
     int chain;
 

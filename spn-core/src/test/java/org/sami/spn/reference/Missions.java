@@ -12,6 +12,7 @@ import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.SubMissionSpec;
+import org.sami.spn.model.TaskSpec;
 import org.sami.spn.model.Transition;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
@@ -118,16 +119,26 @@ final class Missions {
             }
         }
         makeSharedInstances(m);
-        if (m.asChild.map(i -> i.spec.shared()).orElse(false)) {
-            return; // it starts empty: what enters the parent's place joins its start place
-        }
-        List<Token> tokens = new ArrayList<>(m.starting);
         if (m.startsWithTokens) {
+            List<Token> tokens = new ArrayList<>();
             tokens.add(Token.GENERIC);
             world.proxies.forEach(proxy -> tokens.add(new Token.Proxy(proxy)));
+            tokens.addAll(ownTasks(m));
+            m.starting.add(tokens);
         }
-        m.plan.tasks().forEach(task -> tokens.add(new Token.Task(new TaskId(m.id, task.name()))));
-        places.enter(m, m.plan.startPlace().orElseThrow(), tokens);
+        List<List<Token>> starting = List.copyOf(m.starting);
+        m.starting.clear();
+        starting.forEach(tokens -> places.enter(m, m.plan.startPlace().orElseThrow(), tokens));
+    }
+
+    /** Task tokens of the mission's own tasks, without those that stand for tasks of its parents. */
+    private static List<Token> ownTasks(Mission m) {
+        return m.plan.tasks().stream()
+                .filter(task -> m.asChild
+                        .map(i -> !i.spec.tasks().containsValue(task.name()))
+                        .orElse(true))
+                .<Token>map(task -> new Token.Task(new TaskId(m.id, task.name())))
+                .toList();
     }
 
     /** "Static: one instance per parent mission". */
@@ -146,7 +157,29 @@ final class Missions {
 
     private Mission makeChild(Instance instance) {
         Plan plan = world.project.plan(instance.spec.plan()).orElseThrow();
-        return make(plan, plan.name(), Optional.of(instance));
+        Mission child = make(plan, plan.name(), Optional.of(instance));
+        instance.spec
+                .tasks()
+                .forEach((parents, own) ->
+                        nearest(instance.parent, parents).ifPresent(original -> stand(child, own, original)));
+        return child;
+    }
+
+    /** The task of that name of the nearest mission, from this one outwards. */
+    private static Optional<TaskId> nearest(Mission m, String task) {
+        return m.tasks.containsKey(task)
+                ? Optional.of(new TaskId(m.id, task))
+                : m.parent().flatMap(parent -> nearest(parent, task));
+    }
+
+    /** A child's task stands for a parent's: it has the parent's fields, and its own where that has none. */
+    private void stand(Mission child, String own, TaskId original) {
+        TaskSpec theirs = world.task(original).orElseThrow();
+        TaskSpec before = child.tasks.getOrDefault(own, new TaskSpec(own, theirs.taskClass(), Map.of()));
+        Map<String, Value> fields = new LinkedHashMap<>(before.fields());
+        fields.putAll(theirs.fields());
+        child.tasks.put(own, new TaskSpec(own, before.taskClass(), fields));
+        child.standsFor.put(own, original);
     }
 
     void startSubMissions(Visit visit, List<Token> tokens) {
@@ -154,20 +187,32 @@ final class Missions {
             if (spec.shared()) {
                 // "Entering tokens join its start place"
                 visit.mission.statics.stream()
-                        .filter(i -> i.spec.equals(spec) && i.child.reacts())
-                        .forEach(i -> {
-                            i.joined.addAll(tokens);
-                            places.enter(i.child, i.child.plan.startPlace().orElseThrow(), tokens);
-                        });
+                        .filter(i -> i.spec.equals(spec) && i.child.status != Mission.Status.ENDED)
+                        .forEach(i -> join(i, tokens));
             } else {
                 // "Dynamic: one instance per visit, with the entering tokens"
                 Instance instance = new Instance(spec, visit.mission, visit.place, Optional.of(visit));
                 visit.instances.add(instance);
                 instance.child = makeChild(instance);
-                instance.child.starting.addAll(tokens);
+                List<Token> starting = named(instance, tokens);
+                starting.addAll(ownTasks(instance.child));
+                instance.child.starting.add(starting);
                 begin(instance.child, Map.of());
             }
         }
+    }
+
+    private void join(Instance shared, List<Token> tokens) {
+        shared.joined.addAll(tokens);
+        if (shared.child.reacts()) {
+            places.enter(shared.child, shared.child.plan.startPlace().orElseThrow(), named(shared, tokens));
+        } else if (shared.child.status == Mission.Status.WAITING) {
+            shared.child.starting.add(named(shared, tokens));
+        }
+    }
+
+    private static List<Token> named(Instance instance, List<Token> tokens) {
+        return new ArrayList<>(tokens.stream().map(instance::toChild).toList());
     }
 
     // ---- Ending
@@ -194,6 +239,9 @@ final class Missions {
             }
             return own;
         });
+        if (!m.commandsWithdrawn) {
+            world.effects.add(new Effect.CommandsWithdrawn(m.id, List.of()));
+        }
         world.effects.add(new Effect.MissionEnded(m.id, outcome));
         m.asChild.ifPresent(instance -> tellParent(instance, outcome, inEndPlaces));
     }
@@ -209,13 +257,8 @@ final class Missions {
                 .filter(Place::end)
                 .flatMap(place -> m.tokensIn(place).stream())
                 .map(copy -> copy.token)
-                .filter(token -> !isOwnTask(m, token))
+                .flatMap(token -> m.asChild.flatMap(i -> i.toParent(token)).stream())
                 .toList();
-    }
-
-    /** "A child's own task tokens never return". */
-    private static boolean isOwnTask(Mission m, Token token) {
-        return token instanceof Token.Task task && task.task().mission() == m.id;
     }
 
     private void tellParent(Instance instance, Outcome outcome, List<Token> inEndPlaces) {
@@ -271,7 +314,7 @@ final class Missions {
         places.end(visit);
         List<Token> returned = copies.stream()
                 .map(c -> c.token)
-                .filter(token -> !isOwnTask(child, token))
+                .flatMap(token -> instance.toParent(token).stream())
                 .toList();
         returns(instance, returned);
     }

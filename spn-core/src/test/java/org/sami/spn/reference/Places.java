@@ -104,8 +104,8 @@ final class Places {
             }
         }
         for (Token token : tokens) {
-            if (token instanceof Token.Task task && world.allocation.containsKey(task.task())) {
-                allocation.put(task.task(), world.allocation.get(task.task()));
+            if (token instanceof Token.Task task) {
+                world.boatOf(task.task()).ifPresent(boat -> allocation.put(task.task(), boat));
             }
         }
         return new Activation(
@@ -221,7 +221,7 @@ final class Places {
         if (!m.standsInVisit(copy.token, copy.visit)) {
             copy.visit.instances.stream()
                     .filter(i -> i.state == Instance.State.RUNNING)
-                    .forEach(i -> removeEverywhere(i.child, copy.token));
+                    .forEach(i -> removeEverywhere(i.child, i.toChild(copy.token)));
         }
     }
 
@@ -243,7 +243,7 @@ final class Places {
                 if (concerned && !(copy.token instanceof Token.Generic) && !m.stands(copy.token, copy.visit.place)) {
                     forget(shared, copy.token);
                     if (shared.state == Instance.State.RUNNING) {
-                        removeEverywhere(shared.child, copy.token);
+                        removeEverywhere(shared.child, shared.toChild(copy.token));
                     }
                 }
             }
@@ -280,15 +280,20 @@ final class Places {
     }
 
     void removeEverywhere(Mission m, Token token) {
-        m.starting.remove(token);
-        m.asChild.ifPresent(instance -> instance.joined.removeIf(token::equals));
+        m.starting.forEach(waiting -> waiting.removeIf(token::equals));
+        m.asChild.ifPresent(
+                instance -> instance.toParent(token).ifPresent(theirs -> instance.joined.removeIf(theirs::equals)));
         List<Copy> copies = new ArrayList<>();
         for (Place place : m.plan.places()) {
             m.tokensIn(place).stream().filter(c -> c.token.equals(token)).forEach(copies::add);
         }
         copies.stream().map(c -> new Withdrawn(m, c.visit.place)).distinct().forEach(withdrawn::add);
         remove(m, copies);
+        if (!copies.isEmpty()) {
+            world.boatOf(token).ifPresent(boat -> world.effects.add(new Effect.CommandsWithdrawn(m.id, List.of(boat))));
+        }
         pulled(m, copies, List.of());
+        copies.forEach(c -> c.visit.instances.forEach(i -> i.back.remove(token)));
         attention.strike(m, copies, List.of());
     }
 

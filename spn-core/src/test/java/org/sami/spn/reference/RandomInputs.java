@@ -1,129 +1,145 @@
 package org.sami.spn.reference;
 
-import java.util.ArrayList;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Random;
+import org.sami.spn.model.Project;
 import org.sami.spn.model.TaskSpec;
 import org.sami.spn.protocol.Activation;
-import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
-import org.sami.spn.protocol.Question;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.testing.TestVocabulary;
 import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.TaskId;
+import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
 /**
- * A world that treats a session badly: answers early, late and twice, names wrong boats, sends news, drops boats, presses
- * buttons. Sees the session's effects, so that most of what it says makes sense. A function of the seed and the effects.
+ * A world around a session. Mostly it does what lets transitions fire ({@link Guide}), otherwise it treats the session badly:
+ * answers early, late and twice, names wrong boats, sends news, drops boats, presses buttons. A function of the seed and of
+ * the session's effects.
  */
 final class RandomInputs {
     private static final List<String> BOATS = List.of("A", "B", "C", "D");
 
-    private final Random random;
-    private final List<Activation> activations = new ArrayList<>();
-    private final List<Decision> decisions = new ArrayList<>();
-    private final List<Long> missions = new ArrayList<>();
-    private final List<TaskId> tasks = new ArrayList<>();
-    private final List<String> joined = new ArrayList<>();
+    private final Dice dice;
+    private final Seen seen;
+    private final Answering answering;
+    private final Guide guide;
+    /** What is still to be sent for the transition that was chosen last. */
+    private final Deque<Input> planned = new ArrayDeque<>();
+
+    private final int boats;
     private long now;
     private int sent;
 
-    RandomInputs(long seed) {
-        random = new Random(seed * 31 + 7);
+    RandomInputs(Project project, long seed) {
+        dice = new Dice(seed * 31 + 7);
+        seen = new Seen(project);
+        answering = new Answering(dice);
+        guide = new Guide(dice, seen, answering);
+        boats = 1 + dice.below(3);
     }
 
     void saw(List<Effect> effects) {
-        for (Effect effect : effects) {
-            if (effect instanceof Effect.Activated a) {
-                activations.add(a.activation());
-                a.activation().tasks().stream().filter(t -> !tasks.contains(t)).forEach(tasks::add);
-            } else if (effect instanceof Effect.DecisionOpened d) {
-                decisions.add(d.decision());
-            } else if (effect instanceof Effect.MissionStarted m) {
-                missions.add(m.mission());
-            }
-        }
+        seen.saw(effects);
     }
 
-    long nextTime(Subject subject) {
-        if (chance(30)) {
-            now += 100L * random.nextInt(30);
-        }
-        if (chance(8) && subject.nextDueMillis().isPresent()) {
-            now = Math.max(now, subject.nextDueMillis().getAsLong() + random.nextInt(2));
-        }
-        return now;
-    }
-
-    Input next(Subject subject) {
+    Scenario.Timed next(Subject subject) {
         sent++;
-        int boats = 1 + Math.abs(random.nextInt(3));
-        if (sent <= boats) {
-            return join();
+        Input input = input(subject);
+        if (dice.chance(20)) {
+            now += 100L * dice.below(30);
         }
-        if (missions.isEmpty() || (subject.statuses().isEmpty() && chance(90))) {
+        boolean awaitsTime = input instanceof Input.TimeReached && dice.chance(85);
+        if ((awaitsTime || dice.chance(5)) && subject.nextDueMillis().isPresent()) {
+            now = Math.max(now, subject.nextDueMillis().getAsLong() + dice.below(2));
+        }
+        return new Scenario.Timed(now, input);
+    }
+
+    private Input input(Subject subject) {
+        if (sent <= boats) {
+            return join(BOATS.get(sent - 1));
+        }
+        Map<Long, String> statuses = subject.statuses();
+        boolean nothingRuns = statuses.values().stream().allMatch("HALTED"::equals);
+        if (nothingRuns && dice.chance(90)) {
             return new Input.StartMission("main", "m", Map.of());
         }
-        int die = random.nextInt(100);
-        List<Decision> open = decisions.stream()
-                .filter(d -> subject.openDecisions().contains(d.id()))
-                .toList();
-        if (!open.isEmpty() && (die < 30 || subject.statuses().containsValue("WAITING"))) {
-            return decide(open.get(random.nextInt(open.size())));
+        List<Decision> open = seen.openDecisions(subject);
+        if (!open.isEmpty() && (dice.chance(7) || statuses.containsValue("WAITING"))) {
+            Decision d = dice.pick(open);
+            return new Input.AnswerDecision(d.id(), answering.any(d.question()), Answerer.OPERATOR);
         }
-        if (die < 72 && !activations.isEmpty()) {
-            return new Input.Received(answer(subject));
+        if (dice.chance(70)) {
+            if (planned.isEmpty()) {
+                planned.addAll(guide.next(subject));
+            }
+            if (!planned.isEmpty()) {
+                return planned.remove();
+            }
+            if (dice.chance(50)) {
+                return another(statuses); // nothing that runs waits for anything
+            }
         }
-        if (die < 84) {
-            return new Input.Received(news());
-        }
-        return other();
+        return hostile(subject);
     }
 
-    private Input join() {
-        String boat = BOATS.get(random.nextInt(BOATS.size()));
-        if (!joined.contains(boat)) {
-            joined.add(boat);
+    /** Starts a mission beside those that run, or ends one of them. */
+    private Input another(Map<Long, String> statuses) {
+        List<Long> roots = statuses.keySet().stream().filter(seen::isRoot).toList();
+        if (roots.size() < 3) {
+            return new Input.StartMission("main", "n", Map.of());
+        }
+        long root = dice.pick(roots);
+        return dice.chance(60) ? new Input.AbortMission(root) : new Input.CompleteMission(root);
+    }
+
+    private Input hostile(Subject subject) {
+        int die = dice.below(100);
+        if (die < 45 && !seen.activations.isEmpty()) {
+            return new Input.Received(answer(subject));
+        }
+        return die < 60 ? new Input.Received(news()) : other();
+    }
+
+    private Input join(String boat) {
+        if (!seen.joined.contains(boat)) {
+            seen.joined.add(boat);
         }
         return new Input.ProxyJoined(boat);
     }
 
-    // ---- Answers
+    // ---- Answers and news, fitting or not
 
     private Occurrence answer(Subject subject) {
-        List<Activation> open = activations.stream()
-                .filter(a -> subject.openActivations().contains(a.id()))
-                .toList();
-        List<Activation> from = open.isEmpty() || chance(12) ? activations : open;
-        Activation activation = from.get(random.nextInt(from.size()));
-        List<String> types = TestVocabulary.TEST
-                .event(activation.type())
-                .map(t -> t.answers())
-                .filter(answers -> !answers.isEmpty())
-                .orElse(List.of("Done"));
-        String type = types.get(random.nextInt(types.size()));
-        List<String> proxies = some(activation.proxies());
-        List<TaskId> named = chance(70) ? someTasks(activation.tasks()) : List.of();
-        if (chance(8)) {
-            proxies = some(BOATS);
+        List<Activation> open = seen.open(subject);
+        List<Activation> from = open.isEmpty() || dice.chance(15) ? List.copyOf(seen.activations.values()) : open;
+        Activation activation = dice.pick(from);
+        List<String> types =
+                TestVocabulary.TEST.event(activation.type()).orElseThrow().answers();
+        String type = types.isEmpty() ? "Done" : dice.pick(types);
+        List<String> proxies = dice.some(activation.proxies());
+        List<TaskId> named = dice.chance(70) ? oneOf(activation.tasks()) : List.of();
+        if (dice.chance(8)) {
+            proxies = dice.some(BOATS);
         }
-        if (chance(6)) {
+        if (dice.chance(6)) {
             proxies = List.of();
             named = List.of();
         }
-        boolean everybody = chance(4) && open.contains(activation) && noClockRuns(subject);
+        boolean everybody = dice.chance(6) && open.contains(activation) && noClockRuns(subject);
         long mission = everybody ? Ids.NONE : activation.mission();
-        return new Occurrence(type, mission, activation.id(), proxies, named, values(type));
+        return new Occurrence(type, mission, activation.id(), proxies, named, answering.values(type));
     }
 
     /** Then what is open now is open when the input is taken. */
@@ -131,122 +147,85 @@ final class RandomInputs {
         return subject.nextDueMillis().isEmpty();
     }
 
-    private List<String> some(List<String> all) {
-        if (all.isEmpty()) {
-            return List.of();
-        }
-        if (chance(50)) {
-            return List.of(all.get(random.nextInt(all.size())));
-        }
-        List<String> some = all.stream().filter(x -> chance(70)).toList();
-        return some.isEmpty() ? all : some;
-    }
-
-    private List<TaskId> someTasks(List<TaskId> all) {
-        return all.isEmpty() ? List.of() : List.of(all.get(random.nextInt(all.size())));
-    }
-
-    private Map<String, Value> values(String type) {
-        return switch (type) {
-            case "Provided" -> Map.of("number", new IntegerValue(random.nextInt(50)));
-            case "Done", "Done2", "News", "Other" ->
-                chance(80) ? Map.of("value", new IntegerValue(random.nextInt(50))) : Map.of();
-            default -> Map.of();
-        };
+    private List<TaskId> oneOf(List<TaskId> all) {
+        return all.isEmpty() ? List.of() : List.of(dice.pick(all));
     }
 
     private Occurrence news() {
-        String type = pick("News", "News", "Other", "Other", "Pose", "Done");
-        List<String> proxies = chance(75) ? some(joined.isEmpty() || chance(10) ? BOATS : joined) : List.of();
-        List<TaskId> named = chance(12) ? someTasks(tasks) : List.of();
-        long mission = chance(30) ? anyMission() : Ids.NONE;
-        return new Occurrence(type, mission, Ids.NONE, proxies, named, values(type));
+        String type = dice.pick("News", "News", "Other", "Other", "Pose", "Done");
+        List<String> proxies = dice.chance(75) ? dice.some(someBoats()) : List.of();
+        List<TaskId> named = dice.chance(12) ? oneOf(seen.tasks) : List.of();
+        long mission = dice.chance(30) && !seen.missions().isEmpty() ? anyMission() : Ids.NONE;
+        return new Occurrence(type, mission, Ids.NONE, proxies, named, answering.values(type));
     }
 
-    private Input decide(Decision decision) {
-        Answerer by = Answerer.OPERATOR;
-        Question question = decision.question();
-        if (question instanceof Question.Approve) {
-            return new Input.AnswerDecision(decision.id(), new Answer.YesNo(chance(65)), by);
-        }
-        if (question instanceof Question.ChooseProxies choose) {
-            return new Input.AnswerDecision(decision.id(), new Answer.Proxies(some(choose.proxies())), by);
-        }
-        if (question instanceof Question.ChooseOption) {
-            Answer answer = chance(25) ? new Answer.Rejected() : new Answer.Option(random.nextInt(3));
-            return new Input.AnswerDecision(decision.id(), answer, by);
-        }
-        Map<String, Value> values = new LinkedHashMap<>();
-        for (Question.Item item : ((Question.FillIn) question).items()) {
-            if (item.defaultValue().isEmpty() || chance(60)) {
-                values.put(item.key(), new IntegerValue(random.nextInt(50)));
-            }
-        }
-        return new Input.AnswerDecision(decision.id(), new Answer.Fields(values), by);
+    private List<String> someBoats() {
+        return seen.joined.isEmpty() || dice.chance(10) ? BOATS : seen.joined;
     }
 
     // ---- Everything else
 
     private Input other() {
-        return switch (random.nextInt(16)) {
-            case 0, 1, 2, 3 ->
+        return switch (dice.below(17)) {
+            case 0, 1, 2 ->
                 new Input.Interrupt(
-                        chance(50) ? Ids.NONE : anyMission(),
-                        pick("stop", "hold"),
-                        chance(60) && !joined.isEmpty() ? some(joined) : List.of());
-            case 4, 5 -> join();
-            case 6 -> drop();
-            case 7 -> new Input.AbortMission(chance(10) ? Ids.NONE : anyMission());
-            case 8 -> new Input.CompleteMission(anyMission());
-            case 9, 10, 11 -> allocate();
-            case 12 ->
+                        dice.chance(50) ? Ids.NONE : anyMission(),
+                        dice.pick("stop", "hold"),
+                        dice.chance(60) ? dice.some(seen.joined) : List.of());
+            case 3 -> join(dice.pick(BOATS));
+            case 4 -> drop();
+            case 5 -> new Input.AbortMission(dice.chance(10) ? Ids.NONE : anyMission());
+            case 6 -> new Input.CompleteMission(anyMission());
+            case 7, 8, 9 -> allocate();
+            case 10, 11 ->
                 new Input.SetVariable(
-                        chance(50) ? Ids.NONE : anyMission(),
-                        pick("@own", "@empty", "@global"),
-                        new IntegerValue(random.nextInt(50)));
-            case 13 ->
-                new Input.AddTasks(anyMission(), List.of(new TaskSpec(pick("T1", "X1", "X2"), "Measure", Map.of())));
-            case 14 -> chance(40) ? new Input.StartMission("main", "n", Map.of()) : new Input.TimeReached();
+                        dice.chance(40) ? Ids.NONE : anyMission(), RandomPlans.variable(dice), anyValue());
+            case 12 ->
+                new Input.AddTasks(
+                        anyMission(), List.of(new TaskSpec(dice.pick("T1", "X1", "X2"), "Measure", Map.of())));
+            case 13 -> dice.chance(30) ? new Input.StartMission("main", "n", Map.of()) : new Input.TimeReached();
             default -> new Input.TimeReached();
         };
     }
 
+    private Value anyValue() {
+        return dice.chance(15) ? new TextValue("of no use") : new IntegerValue(dice.below(50));
+    }
+
     private Input drop() {
-        if (joined.isEmpty()) {
+        if (seen.joined.isEmpty()) {
             return new Input.TimeReached();
         }
-        String boat = joined.get(random.nextInt(joined.size()));
-        boolean fromAll = chance(50);
+        String boat = dice.pick(seen.joined);
+        boolean fromAll = dice.chance(40);
         if (fromAll) {
-            joined.remove(boat);
+            seen.joined.remove(boat);
         }
-        return new Input.ProxyDropped(boat, fromAll ? Ids.NONE : missions.get(0));
+        List<Long> roots = seen.missions().stream().filter(seen::isRoot).toList();
+        return new Input.ProxyDropped(boat, fromAll || roots.isEmpty() ? Ids.NONE : roots.get(roots.size() - 1));
     }
 
     private Input allocate() {
-        if (tasks.isEmpty()) {
+        if (seen.tasks.isEmpty()) {
             return new Input.TimeReached();
         }
         Map<TaskId, Optional<String>> allocation = new LinkedHashMap<>();
-        for (TaskId task : someTasks(tasks)) {
+        for (TaskId task : dice.some(seen.tasks)) {
             allocation.put(
                     task,
-                    chance(80) && !joined.isEmpty() ? Optional.of(some(joined).get(0)) : Optional.empty());
+                    dice.chance(80) && !seen.joined.isEmpty() ? Optional.of(dice.pick(seen.joined)) : Optional.empty());
         }
         return new Input.AllocateTasks(allocation);
     }
 
-    /** Mostly the newest mission and its relatives, sometimes one that is over. */
+    /** Mostly one that runs or is just over, sometimes one that never was. */
     private long anyMission() {
-        return missions.get(random.nextInt(missions.size()));
-    }
-
-    private boolean chance(int percent) {
-        return random.nextInt(100) < percent;
-    }
-
-    private String pick(String... choices) {
-        return choices[random.nextInt(choices.length)];
+        List<Long> missions = seen.missions();
+        if (missions.isEmpty()) {
+            return 1;
+        }
+        return missions.get(
+                dice.chance(60) ? Math.max(0, missions.size() - 1 - dice.below(3)) : dice.below(missions.size()));
     }
 
     /** Whom a token is about, for printing. */

@@ -25,7 +25,6 @@ import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.protocol.Token;
-import org.sami.spn.value.TaskId;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventRole;
@@ -44,6 +43,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
     private final Roles roles;
     private final Missions missions;
     private final Firing firing;
+    private final Allocating allocating;
 
     ReferenceInterpreter(Vocabulary vocabulary, Project project, int livelockLimit) {
         world = new World(vocabulary, project, livelockLimit);
@@ -55,6 +55,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         missions = new Missions(world, places, attention, variables);
         places.connect(roles, missions);
         firing = new Firing(world, enabling, attention, places);
+        allocating = new Allocating(world);
     }
 
     // ---- What can be asked from outside
@@ -215,7 +216,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         if (input instanceof Input.SetVariable set) {
             setVariable(set);
         } else if (input instanceof Input.AllocateTasks allocate) {
-            allocate.allocation().forEach(this::allocate);
+            allocating.allocate(allocate.allocation());
         } else if (input instanceof Input.AddTasks add) {
             addTasks(add);
         } else if (input instanceof Input.HandlerFailed failed) {
@@ -418,9 +419,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
                     m.plan.places().stream()
                             .filter(place -> m.stands(boat, place))
                             .toList());
-            world.allocation
-                    .entrySet()
-                    .removeIf(e -> e.getKey().mission() == m.id && e.getValue().equals(proxy));
+            allocating.release(m, proxy);
         }
         Map<Mission, List<Transition>> struck = new LinkedHashMap<>();
         for (Mission m : concerned) {
@@ -442,6 +441,10 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
 
     private void answer(Input.AnswerDecision input) {
         Optional<World.Question> question = roles.find(input.decision());
+        if (question.isPresent() && roles.namesNobody(question.get(), input.answer())) {
+            world.note(NoteKind.NAMES_NOBODY, question.get().decision().mission(), "");
+            return;
+        }
         if (question.isEmpty() || !Roles.fits(question.get().decision().question(), input.answer())) {
             missions.reject("Not a decision that this answers: " + input.decision());
             return;
@@ -491,18 +494,6 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         }
         if (!written) {
             missions.reject("Cannot write " + set.variable());
-        }
-    }
-
-    private void allocate(TaskId task, Optional<String> proxy) {
-        if (world.mission(task.mission()).isEmpty() || world.task(task).isEmpty()) {
-            missions.reject("No such task");
-        } else if (proxy.isPresent() && !world.proxies.contains(proxy.get())) {
-            missions.reject("No such boat");
-        } else if (proxy.isPresent()) {
-            world.allocation.put(task, proxy.get());
-        } else {
-            world.allocation.remove(task); // "On release it loses its boat and stays where it is."
         }
     }
 

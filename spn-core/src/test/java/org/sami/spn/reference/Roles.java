@@ -94,11 +94,11 @@ final class Roles {
     }
 
     private void apply(Value allocation) {
-        ((MapValue) allocation).entries().forEach((task, proxy) -> {
-            if (world.task((TaskId) task).isPresent()) {
-                world.allocation.put((TaskId) task, ((ProxyValue) proxy).proxy());
-            }
-        });
+        Map<TaskId, Optional<String>> robots = new LinkedHashMap<>();
+        ((MapValue) allocation)
+                .entries()
+                .forEach((task, proxy) -> robots.put((TaskId) task, Optional.of(((ProxyValue) proxy).proxy())));
+        new Allocating(world).allocate(robots);
     }
 
     // ---- Timers: "each timer activation is its own timer; a per-boat timer ends when that boat leaves"
@@ -126,7 +126,7 @@ final class Roles {
         if (token instanceof Token.Proxy boat) {
             proxies.add(boat.proxy());
         } else if (token instanceof Token.Task task) {
-            Optional.ofNullable(world.allocation.get(task.task())).ifPresent(proxies::add); // whose it is now
+            world.boatOf(task.task()).ifPresent(proxies::add); // whose it is now
             tasks.add(task.task());
         }
         answer(activation, typeOf(EventRole.PROXY_TIMER_EXPIRED), proxies, tasks, Map.of());
@@ -229,7 +229,10 @@ final class Roles {
             case NONE, DEFAULTS -> Optional.empty();
             case YES -> Optional.of(new Answer.YesNo(true));
             case NO -> Optional.of(new Answer.YesNo(false));
-            case ALL -> Optional.of(new Answer.Proxies(((Question.ChooseProxies) question).proxies()));
+            case ALL -> // "all of nobody is no answer"
+                Optional.of(((Question.ChooseProxies) question).proxies())
+                        .filter(boats -> !boats.isEmpty())
+                        .map(Answer.Proxies::new);
             case FIRST ->
                 ((Question.ChooseOption) question).options().isEmpty()
                         ? Optional.empty()
@@ -291,6 +294,14 @@ final class Roles {
             }
         }
         return asked.containsAll(values.keySet());
+    }
+
+    /** A choice of boats that names none: "reported as naming nobody, and the question stays open". */
+    boolean namesNobody(World.Question q, Answer answer) {
+        return answer instanceof Answer.Proxies chosen
+                && chosen.proxies().isEmpty()
+                && q.decision().activation() != Ids.NONE
+                && world.eventType(q.decision().type()).decision().orElseThrow().names() == AnswerNames.CHOSEN;
     }
 
     /** "Answered once": closes the question and answers its activation. */

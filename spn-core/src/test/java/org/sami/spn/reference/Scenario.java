@@ -9,6 +9,9 @@ record Scenario(long seed, Project project, List<Timed> inputs) {
     /** Short, so that random rings end soon. */
     static final int LIVELOCK_LIMIT = 25;
 
+    /** Inputs of a session, unless it is to be a long one. */
+    static final int LENGTH = 50;
+
     /** An input with the session's time. */
     record Timed(long nowMillis, Input input) {}
 

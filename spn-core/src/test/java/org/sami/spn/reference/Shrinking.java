@@ -157,7 +157,7 @@ final class Shrinking {
                 plan.id(),
                 plan.name(),
                 plan.description(),
-                places,
+                places.stream().map(p -> withOrderOf(p, in)).toList(),
                 transitions,
                 in,
                 out,
@@ -167,6 +167,25 @@ final class Shrinking {
                 plan.layout(),
                 plan.notes(),
                 plan.testCases());
+    }
+
+    /** Without transitions that no edge leads to from that place. */
+    private static Place withOrderOf(Place p, List<InEdge> in) {
+        List<String> order = p.transitionOrder().stream()
+                .filter(t -> in.stream()
+                        .anyMatch(
+                                e -> e.place().equals(p.id()) && e.transition().equals(t)))
+                .toList();
+        return new Place(
+                p.id(),
+                p.name(),
+                p.start(),
+                p.end(),
+                p.endsSharedInstance(),
+                p.mode(),
+                p.outputs(),
+                p.subMissions(),
+                order);
     }
 
     private static Project replace(Project project, int index, Plan plan) {

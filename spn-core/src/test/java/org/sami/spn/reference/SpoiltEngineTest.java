@@ -76,7 +76,7 @@ class SpoiltEngineTest {
 
         Optional<Differential.Disagreement> found = Optional.empty();
         for (long seed = 1; seed <= MOST_SEEDS && found.isEmpty(); seed++) {
-            found = Differential.explore(seed, 25, spoilt);
+            found = Differential.explore(seed, Scenario.LENGTH, spoilt);
         }
 
         assertThat(found).as(rule).isPresent();

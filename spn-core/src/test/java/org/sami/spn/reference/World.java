@@ -96,6 +96,26 @@ final class World {
         }
     }
 
+    /** The task that one stands for in a child, or the task itself. */
+    TaskId owned(TaskId id) {
+        TaskId original =
+                mission(id.mission()).map(m -> m.standsFor.get(id.name())).orElse(null);
+        return original == null ? id : owned(original);
+    }
+
+    /** The boat that a task of a running mission is allocated to. */
+    Optional<String> boatOf(TaskId id) {
+        return task(id).flatMap(task -> Optional.ofNullable(allocation.get(owned(id))));
+    }
+
+    /** The boat of a proxy token, or of a task token that has one. */
+    Optional<String> boatOf(Token token) {
+        if (token instanceof Token.Proxy proxy) {
+            return Optional.of(proxy.proxy());
+        }
+        return token instanceof Token.Task task ? boatOf(task.task()) : Optional.empty();
+    }
+
     Optional<TaskSpec> task(TaskId id) {
         return mission(id.mission()).flatMap(m -> Optional.ofNullable(m.tasks.get(id.name())));
     }

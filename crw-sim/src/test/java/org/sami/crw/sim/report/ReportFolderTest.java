@@ -34,9 +34,6 @@ class ReportFolderTest {
                             "decisions.csv",
                             "interrupts.csv",
                             "tasks.csv",
-                            "run.gpx",
-                            "run.kml",
-                            "run.geojson",
                             "map.png");
         }
     }
