@@ -78,13 +78,13 @@ final class Decisions {
     }
 
     /** An interrupt was pressed without saying for whom. */
-    void openInterruptChoice(Mission m, Sent sent, String interrupt, List<String> candidates) {
+    void openInterruptChoice(Mission m, String interrupt, List<String> candidates) {
         Question question = new Question.ChooseProxies(candidates, 1, Integer.MAX_VALUE);
         add(new OpenDecision(
                 own(m, Decision.INTERRUPT + interrupt, "Whom is '" + interrupt + "' for?", question, Optional.empty()),
                 OpenDecision.Purpose.INTERRUPT_CHOICE,
                 m,
-                sent,
+                null,
                 null,
                 interrupt));
     }

@@ -117,7 +117,7 @@ final class Presses {
             refused(m.id, "Nobody is there for the interrupt '" + name + "'");
             return false;
         }
-        rules.decisions.openInterruptChoice(m, sent, name, candidates);
+        rules.decisions.openInterruptChoice(m, name, candidates);
         return true;
     }
 
