@@ -7,6 +7,7 @@ import org.sami.spn.value.NamedType;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.Direction;
+import org.sami.spn.vocabulary.EventFlag;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.MarkupType;
@@ -93,6 +94,9 @@ final class VocabularyPage {
             item((output ? "needs tokens: " : "names: ") + need);
         }
         event.fields().forEach(this::field);
+        if (event.flags().contains(EventFlag.FAILURE)) {
+            item("a failure: a plan that may get it as an answer draws what is to be done then");
+        }
         links("answered by", event.answers());
         if (!output) {
             links("answers", writer.causes(event));

@@ -12,7 +12,9 @@ public final class EventNames {
     static final String ENTERED_AREA = "ProxyEnteredArea";
     static final String LEFT_AREA = "ProxyLeftArea";
     static final String PANORAMA_TAKEN = "PanoramaTaken";
+    static final String PANORAMA_FAILED = "PanoramaFailed";
     static final String MEASUREMENT_TAKEN = "MeasurementTaken";
+    static final String MEASUREMENT_FAILED = "MeasurementFailed";
     static final String GAINS_SUCCEEDED = "SetGainsSucceeded";
     static final String GAINS_FAILED = "SetGainsFailed";
     static final String MULTIPLIER_SUCCEEDED = "SetVelocityMultiplierSucceeded";
@@ -42,7 +44,7 @@ public final class EventNames {
 
     /** What a plan is told of motion commands: none of it comes from a boat that has no command. */
     public static final Set<String> OF_COMMANDS =
-            Set.of(PATH_COMPLETED, PATH_FAILED, LIST_COMPLETED, BLOCK_DONE, PANORAMA_TAKEN);
+            Set.of(PATH_COMPLETED, PATH_FAILED, LIST_COMPLETED, BLOCK_DONE, PANORAMA_TAKEN, PANORAMA_FAILED);
 
     private EventNames() {}
 

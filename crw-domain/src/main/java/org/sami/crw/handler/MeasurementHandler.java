@@ -27,7 +27,8 @@ import org.sami.spn.value.TextValue;
  * Take Measurement: answers with the next reading of the sensor on each boat that entered, while it stands in the place. Sensors read at
  * their own rates; a sensor is named by the channel ({@code temperature}), the instrument ({@code ctd}) or both ({@code
  * ctd/temperature}). Of readings of several values the first is told. When nothing has come for a while the operator is told which
- * sensors there are, and the journal that the request failed. For the fleet's thread; what it hears of the engine it brings there.
+ * sensors there are, and the measurement has failed: for the plan where a transition waits for that, else for the journal, and the boat
+ * waits on. For the fleet's thread; what it hears of the engine it brings there.
  */
 final class MeasurementHandler implements ActivationHandler, BoatListener, HostListener {
     static final String TYPE = "TakeMeasurement";
@@ -66,12 +67,17 @@ final class MeasurementHandler implements ActivationHandler, BoatListener, HostL
 
     @Override
     public void onStatus(BoatStatus status) {
-        for (Wish wish : open) {
+        for (Wish wish : List.copyOf(open)) {
             if (wish.isOf(status.boatId()) && wish.isOverdue()) {
                 wish.told = true;
-                OperatorMessage overdue = wish.overdue(sensors.getOrDefault(status.boatId(), Set.of()));
+                String reason = wish.reason(sensors.getOrDefault(status.boatId(), Set.of()));
+                OperatorMessage overdue = wish.overdue(reason);
                 messages.tell(overdue);
-                wish.context.post(new Input.HandlerFailed(wish.activation.id(), overdue.text()));
+                if (wish.stands() && wish.fail(reason)) {
+                    open.remove(wish);
+                } else {
+                    wish.context.post(new Input.HandlerFailed(wish.activation.id(), overdue.text()));
+                }
             }
         }
     }
@@ -130,15 +136,30 @@ final class MeasurementHandler implements ActivationHandler, BoatListener, HostL
                             "location", reading.position()))));
         }
 
-        OperatorMessage overdue(Set<String> known) {
+        /** Says that the measurement failed; false where no transition waits for that. */
+        boolean fail(String reason) {
+            List<Input> failure = OptionalAnswer.of(
+                    addressee.answer(
+                            EventNames.MEASUREMENT_FAILED, activation, Map.of("reason", new TextValue(reason))),
+                    context);
+            if (!failure.isEmpty()) {
+                context.post(failure);
+            }
+            return !failure.isEmpty();
+        }
+
+        String reason(Set<String> known) {
             String has = known.isEmpty() ? "it has sent no reading at all" : "it has " + String.join(", ", known);
+            return "no reading in " + TOLD_AFTER_MS / 1000 + " s; " + has;
+        }
+
+        OperatorMessage overdue(String reason) {
             return new OperatorMessage(
                     context.nowMillis(),
                     activation.mission(),
                     OperatorMessage.Source.DOMAIN,
                     Priority.HIGH,
-                    addressee.boat() + " has not measured \"" + sensor + "\" for " + activation.place() + " in "
-                            + TOLD_AFTER_MS / 1000 + " s; " + has,
+                    addressee.boat() + " has not measured \"" + sensor + "\" for " + activation.place() + ": " + reason,
                     List.of(addressee.boat()),
                     "");
         }

@@ -33,7 +33,7 @@ final class PanoramaHandler implements ActivationHandler {
                                 PICTURES,
                                 activation.priority()),
                         Optional.empty(),
-                        Reply.NONE))
+                        Reply.PICTURES_IF_AWAITED))
                 .toList();
         motion.send(activation, context, moves);
     }

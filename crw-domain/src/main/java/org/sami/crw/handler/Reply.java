@@ -12,6 +12,8 @@ enum Reply {
     STOP_IF_AWAITED(EventNames.BLOCK_DONE, ""),
     /** Of a station, which is kept without an end, and need not be waited for. */
     STATION_IF_AWAITED("", EventNames.PATH_FAILED),
+    /** Of pictures all round, whose end has an event of its own; that they failed is told where it is waited for. */
+    PICTURES_IF_AWAITED("", EventNames.PANORAMA_FAILED),
     /** Of nothing: whoever asked has ended, or is told more than that it is done. */
     NONE("", "");
 

@@ -41,6 +41,7 @@ final class OperatorChapter {
         options(catalogue);
         places(catalogue);
         approval(catalogue);
+        approvalOfBoats(catalogue);
         variables(catalogue);
     }
 
@@ -209,6 +210,35 @@ final class OperatorChapter {
             scene.answer(new Answer.YesNo(false));
             scene.untilGeneric("no");
         });
+    }
+
+    private static void approvalOfBoats(Catalogue catalogue) {
+        catalogue.shows(
+                "OperatorApproveBoats", Seen.AS_A_DECISION, "the question is asked of the boats that entered", () -> {
+                    Scene scene = approveBoats();
+                    assertThat(scene.decision().prompt()).isEqualTo("Go on?");
+                    scene.assertRefused(new Answer.Option(0), "yes or no is expected");
+                });
+        catalogue.shows("YesOptionForBoats", Seen.IN_THE_MARKING, "the boats of the question move on", () -> {
+            Scene scene = approveBoats();
+            scene.answer(new Answer.YesNo(true));
+            scene.untilBoat("boat-1", "yes");
+            scene.untilBoat("boat-2", "yes");
+        });
+        catalogue.shows("NoOptionForBoats", Seen.IN_THE_MARKING, "the boats of the question move elsewhere", () -> {
+            Scene scene = approveBoats();
+            scene.answer(new Answer.YesNo(false));
+            scene.untilBoat("boat-2", "no");
+        });
+    }
+
+    private static Scene approveBoats() {
+        return new Scene(
+                new PlanSketch()
+                        .asks("ask", "OperatorApproveBoats", "question", new TextValue("Go on?"))
+                        .on("ask", "YesOptionForBoats", "yes")
+                        .on("ask", "NoOptionForBoats", "no"),
+                2);
     }
 
     private static void variables(Catalogue catalogue) {

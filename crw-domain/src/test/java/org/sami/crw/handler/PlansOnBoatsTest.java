@@ -68,7 +68,7 @@ class PlansOnBoatsTest {
         assertThat(world.desk.clicks().clicks()).isEqualTo(1 + boats + 1 + locations + 1 + 1);
         assertThat(world.desk.messages().messages())
                 .extracting(OperatorMessage::text)
-                .contains("All locations visited");
+                .contains("All boats have finished");
     }
 
     @Test

@@ -56,6 +56,26 @@ final class SurroundingsChapter {
                         "what the sensor read is in the variable",
                         () -> assertThat(measured().variable("@value")).isEqualTo(new RealValue(17.5)))
                 .shows(
+                        "MeasurementFailed",
+                        Seen.IN_THE_MARKING,
+                        "a boat without the sensor moves on, where a transition waits for that",
+                        () -> new Scene(
+                                        new PlanSketch()
+                                                .asks("measure", "TakeMeasurement", "sensor", new TextValue("salinity"))
+                                                .on("measure", "MeasurementFailed", "failed"),
+                                        1)
+                                .untilBoat("boat-1", "failed"))
+                .shows(
+                        "PanoramaFailed",
+                        Seen.IN_THE_MARKING,
+                        "a boat without a camera moves on, where a transition waits for that",
+                        () -> new Scene(
+                                        new PlanSketch()
+                                                .asks("look", "TakePanorama")
+                                                .on("look", "PanoramaFailed", "failed"),
+                                        1)
+                                .untilBoat("boat-1", "failed"))
+                .shows(
                         "TakePanorama",
                         Seen.ON_A_BOAT,
                         "the boat has turned all round and taken eight pictures",

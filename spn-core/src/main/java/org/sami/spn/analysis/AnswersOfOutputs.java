@@ -5,7 +5,6 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
 import org.sami.spn.finding.Finding;
-import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.vocabulary.DecisionType;
 import org.sami.spn.vocabulary.EventFlag;
 import org.sami.spn.vocabulary.EventRole;
@@ -24,12 +23,7 @@ final class AnswersOfOutputs implements PlanCheck {
                     || ANSWERED_BY_THE_MISSION.contains(output.type().role())) {
                 continue;
             }
-            List<String> awaited = plan.outTransitions(output.place()).stream()
-                    .flatMap(t -> t.inputs().stream())
-                    .map(InputEventSpec::type)
-                    .map(name ->
-                            plan.vocabulary().event(name).map(t -> t.name()).orElse(name))
-                    .toList();
+            Set<String> awaited = plan.awaitedAfter(output.place());
             if (output.type().answers().stream().noneMatch(awaited::contains)) {
                 report.accept(Finding.warning(
                         "W-UNANSWERED",
@@ -46,7 +40,7 @@ final class AnswersOfOutputs implements PlanCheck {
     }
 
     private static void checkBothAnswers(
-            PlacedOutput output, DecisionType decision, List<String> awaited, Consumer<Finding> report) {
+            PlacedOutput output, DecisionType decision, Set<String> awaited, Consumer<Finding> report) {
         for (String answer : List.of(decision.accepted(), decision.rejected())) {
             if (!answer.isEmpty() && !awaited.contains(answer)) {
                 report.accept(Finding.warning(

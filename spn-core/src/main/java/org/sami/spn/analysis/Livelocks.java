@@ -11,13 +11,15 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Action;
+import org.sami.spn.model.Match;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Transition;
 
 /**
  * A ring of transitions without input events can fire without end, and the engine then halts the mission (SEMANTICS, When a
- * transition is looked at). A ring that waits for a sub-mission, or that consumes tokens on its way, comes to rest. Rings
- * that share a transition are reported as one.
+ * transition is looked at). A ring that waits for a sub-mission, or that consumes tokens on its way, comes to rest; one that closes
+ * over an edge which asks only that tokens are absent is none, since who enters there keeps the transition from firing. Rings that
+ * share a transition are reported as one.
  */
 final class Livelocks implements PlanCheck {
     @Override
@@ -33,6 +35,7 @@ final class Livelocks implements PlanCheck {
         next.forEach((id, following) -> {
             for (Place place : plan.outPlaces(plan.transition(id).orElseThrow())) {
                 plan.outTransitions(place).stream()
+                        .filter(t -> !inhibited(plan, place, t))
                         .map(Transition::id)
                         .filter(next::containsKey)
                         .forEach(following::add);
@@ -48,6 +51,14 @@ final class Livelocks implements PlanCheck {
                 report(plan, id, ring, report);
             }
         }
+    }
+
+    /** Whether a transition asks of a place only that tokens are absent. */
+    private static boolean inhibited(PlanContext plan, Place place, Transition t) {
+        return plan.inEdges(t).stream()
+                .filter(e -> e.place().equals(place.id()))
+                .allMatch(e -> !e.requirements().isEmpty()
+                        && e.requirements().stream().allMatch(r -> r.match() == Match.ZERO));
     }
 
     /** Whether a transition waits for nothing from outside and uses nothing up. */

@@ -27,6 +27,7 @@ public final class PlanChecks {
             new TransitionsThatNeverFire(),
             new CausesOfInputs(),
             new AnswersOfOutputs(),
+            new FailuresOfOutputs(),
             new TokensForOutputs(),
             new RequirementsAndEvents(),
             new RelevantTokens(),
@@ -47,7 +48,10 @@ public final class PlanChecks {
             new NamedTasks(),
             new TaskFields(),
             new InterruptNames(),
-            new Autonomy());
+            new Autonomy(),
+            new FarLocations(),
+            new AvoidedAreas(),
+            new WaysBeyondRange());
 
     /** Checks whose findings do not follow from other faults of the document. */
     private static final List<PlanCheck> INDEPENDENT = List.of(new StartPlace());

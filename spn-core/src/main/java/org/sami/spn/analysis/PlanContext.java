@@ -3,10 +3,12 @@ package org.sami.spn.analysis;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.sami.spn.model.InEdge;
@@ -46,7 +48,7 @@ final class PlanContext {
         this.project = project;
         this.vocabulary = vocabulary;
         this.plan = plan;
-        this.pointer = "/plans/" + project.plans().indexOf(plan);
+        this.pointer = "/plans/" + indexOf(plan, project.plans());
         plan.places().forEach(p -> places.putIfAbsent(p.id(), p));
         plan.transitions().forEach(t -> transitions.putIfAbsent(t.id(), t));
         placeIndex = index(plan.places(), Place::id);
@@ -61,6 +63,17 @@ final class PlanContext {
         findEvents();
         inputsByTransition = inputs.stream()
                 .collect(Collectors.groupingBy(i -> i.transition().id()));
+    }
+
+    /** The plan's index, by identity: comparing whole plans would take long in a project of many alike. */
+    @SuppressWarnings("ReferenceEquality")
+    private static int indexOf(Plan plan, List<Plan> plans) {
+        for (int i = 0; i < plans.size(); i++) {
+            if (plans.get(i) == plan) {
+                return i;
+            }
+        }
+        throw new IllegalArgumentException("The project has no plan " + plan.id());
     }
 
     private static <T> Map<String, Integer> index(List<T> elements, Function<T, String> id) {
@@ -153,6 +166,14 @@ final class PlanContext {
                 .map(e -> transitions.get(e.transition()))
                 .filter(Objects::nonNull)
                 .toList();
+    }
+
+    /** The types of the input events for which the transitions after a place wait, by name. */
+    Set<String> awaitedAfter(Place place) {
+        return outTransitions(place).stream()
+                .flatMap(t -> inputsOf(t).stream())
+                .map(input -> input.type().name())
+                .collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
     Optional<Place> place(String id) {

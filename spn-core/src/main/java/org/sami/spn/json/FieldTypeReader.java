@@ -10,6 +10,7 @@ import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.FieldType;
+import org.sami.spn.vocabulary.GeographyMark;
 import org.sami.spn.vocabulary.MarkupType;
 import org.sami.spn.vocabulary.TaskClass;
 
@@ -44,8 +45,23 @@ final class FieldTypeReader {
             m.problem(Codes.BAD_VALUE, "required", "A field with a default is not required");
         }
         String help = m.text("help", "");
+        Optional<GeographyMark> mark = m.has("geography") ? m.word("geography", GeographyMark.class) : Optional.empty();
         m.done();
-        return type.map(t -> new FieldType(name, t, unit, required, defaultValue, help));
+        if (mark.isPresent() && type.isPresent() && !type.get().equals(type(mark.get()))) {
+            m.problem(
+                    Codes.BAD_VALUE,
+                    "geography",
+                    "The mark " + Words.of(mark.get()) + " is for fields of type " + TypeNames.of(type(mark.get())));
+        }
+        return type.map(t -> new FieldType(name, t, unit, required, defaultValue, help, mark));
+    }
+
+    private static ValueType type(GeographyMark mark) {
+        return switch (mark) {
+            case AVOID -> new ValueType.ListOf(ValueType.Simple.AREA);
+            case WITHIN, LANES -> ValueType.Simple.AREA;
+            case LANE_SPACING -> ValueType.Simple.REAL;
+        };
     }
 
     /** A type that must be there and whose names must be declared. */

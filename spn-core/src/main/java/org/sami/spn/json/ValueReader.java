@@ -220,7 +220,11 @@ final class ValueReader {
         try {
             return Optional.of(new GeoPoint(lat.get(), lon.get(), alt.get()));
         } catch (IllegalArgumentException e) {
-            problems.add(Codes.BAD_VALUE, pointer, e.getMessage());
+            boolean swapped = Math.abs(lat.get()) > 90 && Math.abs(lat.get()) <= 180 && Math.abs(lon.get()) <= 90;
+            problems.add(
+                    Codes.BAD_VALUE,
+                    pointer,
+                    e.getMessage() + (swapped ? "; are latitude and longitude swapped?" : ""));
             return Optional.empty();
         }
     }

@@ -11,6 +11,7 @@ import org.sami.spn.vocabulary.AutonomyAnswer;
 import org.sami.spn.vocabulary.DecisionForm;
 import org.sami.spn.vocabulary.DecisionType;
 import org.sami.spn.vocabulary.Direction;
+import org.sami.spn.vocabulary.EventFlag;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.Reserved;
@@ -40,6 +41,9 @@ final class VocabularyChecks {
             } else {
                 event.answers().forEach(answer -> checkAnswer(event, answer));
                 event.decision().ifPresent(decision -> checkDecision(event, decision));
+            }
+            if (event.direction() == Direction.OUTPUT && event.flags().contains(EventFlag.FAILURE)) {
+                report(Codes.BAD_VALUE, event, "the flag failure is for input events");
             }
             RoleRules.check(event).ifPresent(message -> report(Codes.BAD_VALUE, event, message));
         });

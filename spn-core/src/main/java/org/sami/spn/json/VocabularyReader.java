@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import org.sami.spn.value.NamedType;
 import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.Geography;
 import org.sami.spn.vocabulary.MarkupType;
 import org.sami.spn.vocabulary.TaskClass;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -55,6 +56,7 @@ public final class VocabularyReader {
             return Reading.nothing(problems);
         }
         String domain = readIndex(index);
+        Optional<Geography> geography = index.object("geography").flatMap(VocabularyReader::geography);
         readTypes();
         FieldTypeReader fields = new FieldTypeReader(types, problems);
         Names eventNames = new Names(problems);
@@ -65,7 +67,7 @@ public final class VocabularyReader {
             root.text(ProjectReader.SCHEMA, "");
             root.done();
         });
-        Vocabulary vocabulary = new Vocabulary(domain, List.copyOf(types.values()), events, markups, tasks);
+        Vocabulary vocabulary = new Vocabulary(domain, List.copyOf(types.values()), events, markups, tasks, geography);
         if (problems.none()) {
             new VocabularyChecks(vocabulary, eventNames, problems).check();
         }
@@ -84,6 +86,17 @@ public final class VocabularyReader {
         index.texts("files");
         index.texts("library");
         return index.text("domain");
+    }
+
+    private static Optional<Geography> geography(Members m) {
+        long farM = m.whole("farM");
+        long rangeM = m.whole("rangeM");
+        m.done();
+        if (farM < 1 || rangeM < 1) {
+            m.problem(Codes.BAD_VALUE, "", "\"farM\" and \"rangeM\" are whole metres from 1");
+            return Optional.empty();
+        }
+        return Optional.of(new Geography(farM, rangeM));
     }
 
     private void readTypes() {

@@ -9,5 +9,7 @@ public enum EventFlag {
     /** An input event that also comes without being asked for: it needs no output event before its transition. */
     NEWS,
     /** An output event that plans may send without waiting for its answers. */
-    ANSWER_OPTIONAL
+    ANSWER_OPTIONAL,
+    /** An input event that says that what was asked failed, or of a danger: a plan that asks is warned where it does not wait for it. */
+    FAILURE
 }

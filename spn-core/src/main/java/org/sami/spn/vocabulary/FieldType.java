@@ -12,14 +12,28 @@ import org.sami.spn.value.ValueType;
  * @param required whether an event specification must give it by some source
  * @param defaultValue used where the field is not required and not given
  * @param help a sentence for the plan's author
+ * @param geography what a geographic value here means to the checks of plans
  */
 public record FieldType(
-        String name, ValueType type, String unit, boolean required, Optional<Value> defaultValue, String help) {
+        String name,
+        ValueType type,
+        String unit,
+        boolean required,
+        Optional<Value> defaultValue,
+        String help,
+        Optional<GeographyMark> geography) {
     public FieldType {
         Objects.requireNonNull(name, "name");
         Objects.requireNonNull(type, "type");
         Objects.requireNonNull(unit, "unit");
         Objects.requireNonNull(defaultValue, "defaultValue");
         Objects.requireNonNull(help, "help");
+        Objects.requireNonNull(geography, "geography");
+    }
+
+    /** A field that means nothing special to the checks. */
+    public FieldType(
+            String name, ValueType type, String unit, boolean required, Optional<Value> defaultValue, String help) {
+        this(name, type, unit, required, defaultValue, help, Optional.empty());
     }
 }

@@ -19,6 +19,17 @@ public final class Vocabulary {
     private final Map<String, MarkupType> markups = new LinkedHashMap<>();
     private final Map<String, MarkupType> markupsByAlias = new LinkedHashMap<>();
     private final Map<String, TaskClass> taskClasses = new LinkedHashMap<>();
+    private final Optional<Geography> geography;
+
+    /** A vocabulary of a domain that says nothing of distances. */
+    public Vocabulary(
+            String domain,
+            List<NamedType> types,
+            List<EventType> events,
+            List<MarkupType> markups,
+            List<TaskClass> taskClasses) {
+        this(domain, types, events, markups, taskClasses, Optional.empty());
+    }
 
     /** A vocabulary; the reader has checked before that names are unique and references resolve. */
     public Vocabulary(
@@ -26,7 +37,9 @@ public final class Vocabulary {
             List<NamedType> types,
             List<EventType> events,
             List<MarkupType> markups,
-            List<TaskClass> taskClasses) {
+            List<TaskClass> taskClasses,
+            Optional<Geography> geography) {
+        this.geography = Objects.requireNonNull(geography, "geography");
         this.domain = Objects.requireNonNull(domain, "domain");
         types.forEach(t -> this.types.put(t.name(), t));
         for (EventType event : events) {
@@ -43,6 +56,11 @@ public final class Vocabulary {
     /** Id of the domain, such as {@code crw}. */
     public String domain() {
         return domain;
+    }
+
+    /** How far the domain's robots get; empty where it does not say. */
+    public Optional<Geography> geography() {
+        return geography;
     }
 
     /** Declared enumerations and records by name, in order of declaration. */

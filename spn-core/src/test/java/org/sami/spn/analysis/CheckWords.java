@@ -16,7 +16,8 @@ import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * The test vocabulary and, beside it, {@code Drive(speed)}, a command to proxies that {@code Driven} answers, naming them,
- * and {@code Work}, a request about tasks.
+ * {@code Fetch}, which can fail
+ * ({@code NotFetched}, and {@code BatteryOut}, which is news too), and {@code Work}, a request about tasks.
  */
 final class CheckWords {
     static final Vocabulary WORDS = build();
@@ -30,6 +31,18 @@ final class CheckWords {
         events.add(event(
                 "Drive", Direction.OUTPUT, List.of(speed), TokenNeed.PROXY, List.of("Driven"), EventFlag.COMMAND));
         events.add(event("Driven", Direction.INPUT, List.of(), TokenNeed.PROXY, List.of()));
+        events.add(event(
+                "Fetch", Direction.OUTPUT, List.of(), TokenNeed.PROXY, List.of("Fetched", "NotFetched", "BatteryOut")));
+        events.add(event("Fetched", Direction.INPUT, List.of(), TokenNeed.PROXY, List.of()));
+        events.add(event("NotFetched", Direction.INPUT, List.of(), TokenNeed.PROXY, List.of(), EventFlag.FAILURE));
+        events.add(event(
+                "BatteryOut",
+                Direction.INPUT,
+                List.of(),
+                TokenNeed.PROXY,
+                List.of(),
+                EventFlag.FAILURE,
+                EventFlag.NEWS));
         events.add(event("Work", Direction.OUTPUT, List.of(), TokenNeed.TASK, List.of()));
         return new Vocabulary(
                 base.domain(),

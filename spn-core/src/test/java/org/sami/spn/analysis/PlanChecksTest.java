@@ -87,6 +87,17 @@ class PlanChecksTest {
                 .out("pause", "rest", "take all relevant");
     }
 
+    /** Start, a request that can fail in two ways, and a transition that waits for its success. */
+    private static NetBuilder fetch() {
+        return endsWith(begin().output("go", "Fetch"), "fetched", "Fetched");
+    }
+
+    private static NetBuilder endsWith(NetBuilder net, String transition, String input) {
+        return net.transition(transition, input)
+                .in("go", transition, "relevant all")
+                .out(transition, "end", "take all relevant");
+    }
+
     private static NetBuilder passOn(NetBuilder net) {
         return net.in("go", "last", "any >= 1").out("last", "end", "take all any");
     }
@@ -226,6 +237,10 @@ class PlanChecksTest {
                         .transition("no", "No")
                         .in("go", "no", "always")
                         .out("no", "end", "always")));
+        cases.add(of(
+                "W-FAILURE-IGNORED",
+                fetch(),
+                endsWith(endsWith(fetch(), "failed", "NotFetched"), "empty", "BatteryOut")));
         cases.add(of("E-FIELD-MISSING", drive().output("start", "Drive"), drive()));
         cases.add(of(
                 "E-FIELD-TYPE",
@@ -395,6 +410,7 @@ class PlanChecksTest {
         assertThat(codes).hasSizeGreaterThan(LEAST_CODES);
         Set<String> tried = new TreeSet<>(cases().stream().map(Case::code).toList());
         tried.add(ONLY_WITH_A_PROGRAM);
+        tried.addAll(GeographyChecksTest.CODES);
         assertThat(tried).isEqualTo(codes);
         assertThat(documented).isEqualTo(codes);
     }
@@ -412,6 +428,42 @@ class PlanChecksTest {
                     assertThat(finding.isError()).isFalse();
                     assertThat(finding.message()).contains("Drive");
                 });
+    }
+
+    @Test
+    void eachFailureThatNothingAfterThePlaceWaitsForIsNamed() {
+        assertThat(PlanChecks.check(project(fetch().build()), CheckWords.WORDS))
+                .extracting(Finding::message)
+                .hasSize(2)
+                .anyMatch(message -> message.contains("Fetch at the place \"go\" ends with NotFetched"))
+                .anyMatch(message -> message.contains("BatteryOut"));
+    }
+
+    @Test
+    void failureThatIsNewsMayBeAwaitedElsewhere() {
+        NetBuilder net = endsWith(fetch(), "failed", "NotFetched")
+                .transition("empty", "BatteryOut")
+                .in("start", "empty", "generic >= 1")
+                .out("empty", "end", "take all any");
+
+        assertThat(PlanChecks.check(project(net.build()), CheckWords.WORDS))
+                .extracting(Finding::code)
+                .doesNotContain("W-FAILURE-IGNORED");
+    }
+
+    @Test
+    void ringThatClosesOverAnInhibitorIsNoLivelock() {
+        NetBuilder net = passOn(begin())
+                .places("stranded")
+                .out("first", "stranded", "take all proxy")
+                .transition("nobody")
+                .in("stranded", "nobody", "proxy >= 1")
+                .in("go", "nobody", "proxy = 0")
+                .out("nobody", "go", "take all proxy");
+
+        assertThat(PlanChecks.check(project(net.build()), CheckWords.WORDS))
+                .extracting(Finding::code)
+                .doesNotContain("W-LIVELOCK");
     }
 
     @Test

@@ -118,7 +118,7 @@ class CheckCommandTest {
                         .toString());
         Ran given = Ran.crw(
                 "check",
-                mistaken("{\"message\": {\"value\": \"All locations visited\"}}", "{\"message\": {\"value\": 7}}")
+                mistaken("{\"message\": {\"value\": \"All boats have finished\"}}", "{\"message\": {\"value\": 7}}")
                         .toString());
 
         assertThat(written.out()).contains("list<point>").contains("map<proxy,path>");
