@@ -34,7 +34,7 @@ import org.sami.boat.link.LinkException.Fault;
  */
 public final class LinkCodec {
     /**
-     * The version byte of the frames that this codec writes, and the only one that it reads. Version 1, of 2026, had no check
+     * The version byte of the frames that this codec writes, and the only one that it reads. Version 1 had no check
      * value and no terms.
      */
     public static final int VERSION = 2;

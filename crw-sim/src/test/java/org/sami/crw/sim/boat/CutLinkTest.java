@@ -66,7 +66,7 @@ class CutLinkTest {
             }
             base.submit("anna", Harbour.path("new", 1, 1000));
             if (message != StopMotors.class) {
-                Await.until("the cut", 10, () -> !relay.isArmed());
+                Await.until("the cut", 30, () -> !relay.isArmed());
                 Await.until(
                         "the base says which",
                         10,
@@ -74,11 +74,11 @@ class CutLinkTest {
                                 "anna",
                                 proxy -> proxy.heldListId().orElseThrow().equals(lastUploaded(harbour, oldList))));
             }
-            Await.until("the new list is started", 20, () -> isStarted(base, harbour));
+            Await.until("the new list is started", 30, () -> isStarted(base, harbour));
             assertThat(base.heldListId("anna")).contains(lastUploaded(harbour, oldList));
 
             base.ask("anna", proxy -> proxy.withdraw(1));
-            Await.until("it is cancelled", 20, () -> isCancelled(base, harbour, message == StopMotors.class));
+            Await.until("it is cancelled", 30, () -> isCancelled(base, harbour, message == StopMotors.class));
 
             assertThat(relay.isArmed()).isFalse();
             assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();

@@ -53,7 +53,7 @@ class MovedBoatTest {
                 "it has moved",
                 10,
                 () -> base.count("anna moved to port " + second.address().getPort()) == 1);
-        Await.until("it goes on", 10, () -> harbour.executedOf("anna", "start") == 2);
+        Await.until("it goes on", 30, () -> harbour.executedOf("anna", "start") == 2);
         assertThat(base.alarms).isEmpty();
         assertThat(harbour.executedOf("anna", "upload")).isEqualTo(1);
         first.setSwallows(false);
@@ -78,7 +78,7 @@ class MovedBoatTest {
                 "it has moved",
                 10,
                 () -> base.count("anna moved to port " + again.address().getPort()) == 1);
-        Await.until("the operator is asked", 10, () -> base.count("anna restarted") == 1);
+        Await.until("the operator is asked", 30, () -> base.count("anna restarted") == 1);
         base.awaitMode("anna", BoatMode.STOPPED);
         Await.holds("it rests", 1, () -> base.mode("anna").equals(Optional.of(BoatMode.STOPPED)));
         assertThat(base.alarms).isEmpty();
@@ -105,7 +105,7 @@ class MovedBoatTest {
                 () -> base.count("anna moved to port " + namesake.address().getPort()) == 1);
         relay.setSwallows(false);
 
-        Await.until("the first is there again", 15, () -> !base.alarms.isEmpty());
+        Await.until("the first is there again", 30, () -> !base.alarms.isEmpty());
         assertThat(base.alarms)
                 .singleElement()
                 .extracting(LinkAlarm::kind)
@@ -127,9 +127,9 @@ class MovedBoatTest {
         berta.close();
         BoatOnTcp namesake = harbour.boat("anna", port, logs.resolve("other"));
 
-        Await.until("an alarm", 20, () -> !base.alarms.isEmpty());
+        Await.until("an alarm", 30, () -> !base.alarms.isEmpty());
         long connections = base.links().get(1).connections();
-        Await.until("it is tried again", 20, () -> base.links().get(1).connections() > connections + 1);
+        Await.until("it is tried again", 30, () -> base.links().get(1).connections() > connections + 1);
         assertThat(base.alarms).singleElement().satisfies(alarm -> {
             assertThat(alarm.kind()).isEqualTo(LinkAlarm.Kind.TWO_BOATS_WITH_ONE_ID);
             assertThat(alarm.text()).contains("two boats are named anna").contains(":" + port + ";");
@@ -141,7 +141,7 @@ class MovedBoatTest {
 
         namesake.close();
         harbour.boat("berta", port, logs);
-        Await.until("berta is there again", 20, () -> base.count("berta restarted") == 1);
+        Await.until("berta is there again", 30, () -> base.count("berta restarted") == 1);
         assertThat(base.alarms).hasSize(1);
         assertThat(base.failures).isEmpty();
     }
@@ -157,8 +157,9 @@ class MovedBoatTest {
 
         assertThat(base.tcp.remove("anna").join()).isTrue();
         assertThat(base.tcp.remove("anna").join()).isFalse();
-        Await.until("it is stopped", 10, () -> harbour.executedOf("anna", "stop") == 1);
-        Await.until("no thread is left", 5, () -> Await.threads("removing-to-") == 0);
+        Await.until("it is stopped", 30, () -> harbour.executedOf("anna", "stop") == 1);
+        Await.until("no thread is left", 30, () -> Await.threads("removing-to-") == 0);
+        Await.until("its link is gone", 30, () -> base.count("anna LOST") == 1);
         assertThat(base.heard)
                 .contains(
                         "anna failed m1: the boat has been removed",
@@ -190,7 +191,7 @@ class MovedBoatTest {
                     () -> harbour.executedOf("anna", "start") == times
                             && base.ask("anna", BoatProxy::explain).shouldMove());
             assertThat(base.tcp.disconnect(boat.address()).join()).isTrue();
-            Await.until("it is stopped", 10, () -> harbour.executedOf("anna", "stop") == times);
+            Await.until("it is stopped", 30, () -> harbour.executedOf("anna", "stop") == times);
         }
 
         assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();

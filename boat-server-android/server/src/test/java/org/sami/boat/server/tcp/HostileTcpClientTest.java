@@ -128,7 +128,7 @@ class HostileTcpClientTest {
 
     /** A commander in a boat that may still have to learn that its last one has gone. */
     private Client commander() throws Exception {
-        Await.until("the last client is gone", 10, () -> bench.server.clientCount() == 0);
+        Await.until("the last client is gone", 30, () -> bench.server.clientCount() == 0);
         return bench.greet("base", Role.COMMANDER, 10);
     }
 
@@ -339,7 +339,7 @@ class HostileTcpClientTest {
         for (int i = 0; i < 10; i++) {
             bench.connect().send(declared);
         }
-        Await.until("all are connected", 10, () -> bench.server.clientCount() == 11);
+        Await.until("all are connected", 30, () -> bench.server.clientCount() == 11);
         for (int i = 0; i < 10; i++) {
             watching.await(Telemetry.class); // the bytes are there by now
         }
