@@ -13,7 +13,8 @@ import picocli.CommandLine;
 
 /**
  * Does a little of everything that commands do, so that a process that is told to archive its classes has loaded those that
- * commands need. The start script runs it, once for each Java.
+ * commands need. The start script runs it, once for each Java. The layout of nets in layers is not among it: JDK 17 breaks when it
+ * archives the lambdas of that library.
  */
 final class ClassArchive {
     private ClassArchive() {}
@@ -45,6 +46,8 @@ final class ClassArchive {
                 List.of("check", "--help"),
                 List.of("check", "clv"),
                 List.of("plans"),
+                List.of("test", "clv"),
+                List.of("draw", "clv", "--png", folder.resolve("clv.png").toString()),
                 List.of("events"),
                 run,
                 List.of("journal", journal));

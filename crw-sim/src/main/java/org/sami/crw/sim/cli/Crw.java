@@ -1,7 +1,9 @@
 package org.sami.crw.sim.cli;
 
+import java.util.Map;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
@@ -19,6 +21,7 @@ import picocli.CommandLine.Spec;
             CheckCommand.class,
             SchemaCommand.class,
             TestCommand.class,
+            DrawCommand.class,
             EventsCommand.class,
             MarkupsCommand.class,
             RunCommand.class,
@@ -30,6 +33,7 @@ import picocli.CommandLine.Spec;
             ImportLegacyCommand.class,
             LogCommand.class,
             ImportLocationsCommand.class,
+            CompletionCommand.class,
             CommandLine.HelpCommand.class
         },
         exitCodeListHeading = "%nExit codes:%n",
@@ -56,6 +60,9 @@ public final class Crw implements Runnable {
     @Spec
     private CommandSpec spec;
 
+    @Mixin
+    private GlobalOptions options = new GlobalOptions();
+
     @Override
     public void run() {
         throw new ParameterException(
@@ -65,7 +72,8 @@ public final class Crw implements Runnable {
 
     /** The command line, ready to be executed in any process. */
     public static CommandLine commandLine() {
-        CommandLine line = new CommandLine(new Crw());
+        Crw crw = new Crw();
+        CommandLine line = new CommandLine(crw);
         line.setCaseInsensitiveEnumValuesAllowed(true);
         line.registerConverter(int.class, WholeNumberConverter.INT);
         line.registerConverter(Integer.class, WholeNumberConverter.INT);
@@ -73,7 +81,23 @@ public final class Crw implements Runnable {
         line.registerConverter(long.class, WholeNumberConverter.LONG);
         line.setParameterExceptionHandler(Faults::onWrongUsage);
         line.setExecutionExceptionHandler(Faults::onException);
+        line.setExecutionStrategy(parsed -> crw.options.execute(line, parsed));
         return line;
+    }
+
+    /**
+     * Executes a command line with what the person's configuration file sets.
+     *
+     * @param environment of the process
+     * @return the exit code
+     */
+    static int execute(CommandLine line, Map<String, String> environment, String... args) {
+        try {
+            line.setDefaultValueProvider(Configuration.read(line, environment, args));
+        } catch (UsageFault fault) {
+            return Faults.onException(fault, line, null);
+        }
+        return line.execute(args);
     }
 
     /** Runs the command and ends the process with its exit code. */
@@ -82,7 +106,7 @@ public final class Crw implements Runnable {
         StandardStreams.speakUtf8();
         CommandLine line = commandLine();
         LogLines.install();
-        int code = line.execute(args);
+        int code = execute(line, System.getenv(), args);
         System.exit(Faults.checkOutput(line, System.out, code));
     }
 }

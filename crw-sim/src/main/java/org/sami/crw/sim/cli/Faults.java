@@ -19,6 +19,11 @@ final class Faults {
 
     private Faults() {}
 
+    /** Has faults be told with the calls that led to them, or no longer. */
+    static void trace(boolean on) {
+        System.setProperty(TRACE, String.valueOf(on));
+    }
+
     static boolean wantsTrace() {
         return Boolean.getBoolean(TRACE);
     }

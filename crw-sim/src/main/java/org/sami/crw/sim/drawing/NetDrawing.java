@@ -1,0 +1,105 @@
+package org.sami.crw.sim.drawing;
+
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import java.util.List;
+
+/**
+ * Where everything on the drawing of a net lies: x to the right, y downwards, in pixels at scale 1. No label covers a vertex or another
+ * label.
+ *
+ * @param title the plan's name
+ * @param labels of vertices and edges, in no order
+ */
+public record NetDrawing(String title, List<Vertex> vertices, List<Edge> edges, List<Label> labels) {
+    /** The radius of a place. */
+    public static final double PLACE_RADIUS = 24;
+
+    /** The width of a transition's bar. */
+    public static final double BAR_WIDTH = 11;
+
+    /** The height of a transition's bar. */
+    public static final double BAR_HEIGHT = 52;
+
+    /** What a vertex is. */
+    public enum Kind {
+        /** A circle. */
+        PLACE,
+        /** A bar. */
+        TRANSITION
+    }
+
+    /**
+     * A place or a transition.
+     *
+     * @param start whether the mission begins here
+     * @param end whether the mission ends here
+     * @param subMission whether it runs sub-missions
+     * @param recovery whether its author drew it in recovery mode (thesis, Figure 5.2)
+     */
+    public record Vertex(
+            String id, Kind kind, Point2D centre, boolean start, boolean end, boolean subMission, boolean recovery) {
+        /** The box around it. */
+        public Rectangle2D box() {
+            return boxOf(kind, centre);
+        }
+    }
+
+    /**
+     * A line from a vertex to another; an arrow is at its end.
+     *
+     * @param unconditional whether it has no condition, or lets nobody in
+     */
+    public record Edge(String id, List<Point2D> points, boolean unconditional, boolean recovery) {
+        public Edge {
+            points = List.copyOf(points);
+        }
+    }
+
+    /**
+     * A text with its box.
+     *
+     * @param of id of the vertex or edge that it speaks of
+     * @param onLine whether the box lies on the edge, which then is hidden behind it
+     */
+    public record Label(String of, TextBlock text, double x, double y, boolean onLine) {
+        /** What the text takes. */
+        public Rectangle2D box() {
+            return new Rectangle2D.Double(x, y, text.width(), text.height());
+        }
+    }
+
+    public NetDrawing {
+        vertices = List.copyOf(vertices);
+        edges = List.copyOf(edges);
+        labels = List.copyOf(labels);
+    }
+
+    /** The box of a vertex with that centre. */
+    static Rectangle2D boxOf(Kind kind, Point2D centre) {
+        double width = kind == Kind.PLACE ? 2 * PLACE_RADIUS : BAR_WIDTH;
+        double height = kind == Kind.PLACE ? 2 * PLACE_RADIUS : BAR_HEIGHT;
+        return new Rectangle2D.Double(centre.getX() - width / 2, centre.getY() - height / 2, width, height);
+    }
+
+    /** The box around all of it; a box at the origin where the plan is empty. */
+    public Rectangle2D bounds() {
+        Rectangle2D bounds = null;
+        for (Vertex vertex : vertices) {
+            bounds = union(bounds, vertex.box());
+        }
+        for (Label label : labels) {
+            bounds = union(bounds, label.box());
+        }
+        for (Edge edge : edges) {
+            for (Point2D point : edge.points()) {
+                bounds = union(bounds, new Rectangle2D.Double(point.getX(), point.getY(), 0, 0));
+            }
+        }
+        return bounds == null ? new Rectangle2D.Double() : bounds;
+    }
+
+    private static Rectangle2D union(Rectangle2D bounds, Rectangle2D box) {
+        return bounds == null ? box : bounds.createUnion(box);
+    }
+}

@@ -1,0 +1,145 @@
+package org.sami.crw.sim.drawing;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.awt.geom.Rectangle2D;
+import java.io.ByteArrayInputStream;
+import java.io.StringReader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.imageio.ImageIO;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.crw.sim.cli.Ran;
+import org.sami.crw.sim.drawing.NetDrawing.Kind;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.legacy.LegacyImport;
+import org.sami.spn.legacy.LegacyTableReader;
+import org.sami.spn.model.Plan;
+import org.sami.spn.vocabulary.Vocabulary;
+import org.w3c.dom.Document;
+import org.xml.sax.InputSource;
+
+class NetPictureTest {
+    private static final String CRW = "/org/sami/domain/crw";
+    private static final DomainLibrary LIBRARY =
+            DomainLibrary.fromClassPath(CRW).orThrow();
+    private static final Vocabulary VOCABULARY = LIBRARY.vocabulary();
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void noLabelOfAShippedPlanCoversAVertexOrAnotherLabel() {
+        LIBRARY.plans().forEach(NetPictureTest::assertNothingIsCovered);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"thesis", "crw"})
+    void noLabelOfAFieldPlanCoversAVertexOrAnotherLabel(String name) {
+        Path file = Path.of("../../shared/legacy-plans", name + ".json");
+        assumeTrue(Files.exists(file), "skipped: " + file + " is not here");
+        LegacyImport.Result imported = new LegacyImport(
+                        VOCABULARY,
+                        LegacyTableReader.fromClassPath(CRW + "/legacy.json", VOCABULARY)
+                                .orThrow())
+                .read(file);
+
+        imported.project().orElseThrow().plans().forEach(NetPictureTest::assertNothingIsCovered);
+    }
+
+    private static void assertNothingIsCovered(Plan plan) {
+        for (boolean anew : new boolean[] {false, true}) {
+            NetDrawing drawing = NetPicture.of(plan, VOCABULARY, anew).drawing();
+            List<Rectangle2D> boxes = new ArrayList<>();
+            drawing.vertices().forEach(vertex -> boxes.add(vertex.box()));
+            drawing.labels().forEach(label -> boxes.add(label.box()));
+            for (int i = 0; i < boxes.size(); i++) {
+                for (int j = i + 1; j < boxes.size(); j++) {
+                    assertThat(boxes.get(i).intersects(boxes.get(j)))
+                            .as("%s, anew %s: %s and %s", plan.id(), anew, boxes.get(i), boxes.get(j))
+                            .isFalse();
+                }
+            }
+            assertThat(drawing.vertices())
+                    .hasSize(plan.places().size() + plan.transitions().size());
+            assertThat(drawing.edges())
+                    .hasSize(plan.inEdges().size() + plan.outEdges().size());
+        }
+    }
+
+    @Test
+    void layersLeadFromTheStartToTheEnd() {
+        NetDrawing drawing = NetPicture.of(plan("clv"), VOCABULARY, true).drawing();
+
+        double least = drawing.vertices().stream()
+                .mapToDouble(v -> v.centre().getX())
+                .min()
+                .orElseThrow();
+        double most = drawing.vertices().stream()
+                .mapToDouble(v -> v.centre().getX())
+                .max()
+                .orElseThrow();
+        assertThat(drawing.vertices())
+                .filteredOn(NetDrawing.Vertex::start)
+                .allMatch(start -> start.kind() == Kind.PLACE && start.centre().getX() < least + 100);
+        assertThat(drawing.vertices())
+                .filteredOn(NetDrawing.Vertex::end)
+                .allMatch(end -> end.centre().getX() > most - 100);
+    }
+
+    @Test
+    void layoutOfTheFileIsKept() {
+        NetDrawing drawing = NetPicture.of(plan("clv"), VOCABULARY, false).drawing();
+
+        assertThat(centre(drawing, "select").getY())
+                .isEqualTo(centre(drawing, "finished").getY());
+        assertThat(centre(drawing, "end").getX())
+                .isEqualTo(centre(drawing, "finished").getX());
+        assertThat(centre(drawing, "rejected").getY())
+                .isLessThan(centre(drawing, "select").getY());
+    }
+
+    @Test
+    void commandWritesBothPicturesAndSaysWhatItReplaced() throws Exception {
+        Path svg = folder.resolve("new/clv.svg");
+        Path png = folder.resolve("clv.png");
+
+        Ran first = Ran.crw("draw", "clv", "--svg", svg.toString(), "--png", png.toString());
+        Ran second = Ran.crw("draw", "clv", "--svg", svg.toString(), "--layout");
+        Ran nowhere = Ran.crw("draw", "clv");
+
+        assertThat(first).isEqualTo(new Ran(0, "written to " + svg + "\nwritten to " + png + "\n", ""));
+        assertThat(second.out()).isEqualTo("replaced " + svg + "\n");
+        assertThat(nowhere.exitCode()).isEqualTo(2);
+        assertThat(ImageIO.read(new ByteArrayInputStream(Files.readAllBytes(png)))
+                        .getWidth())
+                .isGreaterThan(1000);
+        Document document = DocumentBuilderFactory.newInstance()
+                .newDocumentBuilder()
+                .parse(new InputSource(new StringReader(Files.readString(svg))));
+        assertThat(document.getElementsByTagName("circle").getLength()).isEqualTo(7);
+        assertThat(document.getElementsByTagName("text").item(0).getTextContent())
+                .isEqualTo("Cooperative Location Visit");
+        assertThat(document.getDocumentElement().getTextContent())
+                .contains("Take All Relevant", "→ Proxy Execute Path", "No Proxy");
+    }
+
+    private static Plan plan(String id) {
+        return LIBRARY.projectOf(id).orElseThrow().plan(id).orElseThrow();
+    }
+
+    private static java.awt.geom.Point2D centre(NetDrawing drawing, String id) {
+        return drawing.vertices().stream()
+                .filter(vertex -> vertex.id().equals(id))
+                .findFirst()
+                .orElseThrow()
+                .centre();
+    }
+}
