@@ -118,6 +118,11 @@ final class Computations implements HostListener {
         return threads.isPresent();
     }
 
+    /** Whether something is being computed for a mission; from any thread. */
+    boolean areUnderWay() {
+        return !running.isEmpty();
+    }
+
     /** Gives up all that is being computed: nobody waits for it any longer. */
     void close() {
         running.values().forEach(Running::giveUp);

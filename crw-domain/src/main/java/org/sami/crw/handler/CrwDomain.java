@@ -32,6 +32,7 @@ public final class CrwDomain implements AutoCloseable {
     private final List<Registration> registrations = new ArrayList<>();
     private final BoatListener boatListener;
     private final TaskQueues tasks;
+    private final Computations computations;
 
     private CrwDomain(
             EngineHost host,
@@ -44,7 +45,7 @@ public final class CrwDomain implements AutoCloseable {
         NewBoats newBoats = new NewBoats();
         WayQuestions ways = new WayQuestions(boats, fleet);
         MotionCommands motion = new MotionCommands(boats, messages, ways);
-        Computations computations = new Computations(fleet, messages, threads);
+        computations = new Computations(fleet, messages, threads);
         BoatSettings settings = new BoatSettings(boats, messages);
         AreaSubscriptions areas = new AreaSubscriptions(boats, fleet);
         MeasurementHandler measurements = new MeasurementHandler(messages, fleet);
@@ -185,6 +186,11 @@ public final class CrwDomain implements AutoCloseable {
     /** The tasks that boats have to do. */
     public TaskQueues tasks() {
         return tasks;
+    }
+
+    /** Whether a service computes for a mission now, so that commands or answers are to come; from any thread. */
+    public boolean isComputing() {
+        return computations.areUnderWay();
     }
 
     /** The output events that are handled here, by name. */

@@ -132,8 +132,11 @@ class ComputationsTest {
         Activation activation = exploring();
         assertThat(begun.await(60, TimeUnit.SECONDS)).isTrue();
 
+        assertThat(world.domain.isComputing()).isTrue();
         engine.open.clear();
         world.happens(engine, new Effect.ActivationEnded(activation.id()));
+        world.run(1);
+        assertThat(world.domain.isComputing()).isFalse();
 
         assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
         world.run(5);

@@ -185,9 +185,12 @@ final class MissionWatch {
         }
     }
 
-    /** As long as a mission wants something of a boat that can move, something can happen: a link or an operator comes back. */
+    /**
+     * As long as a mission wants something of a boat that can move, something can happen: a link or an operator comes back. So it can
+     * while a service still computes what boats are to do.
+     */
     private void stall() {
-        if (!station.desk().someoneIsWanted()) {
+        if (!station.isComputing() && !station.desk().someoneIsWanted()) {
             stall.look(now(), boats(), boat -> false).ifPresent(this::fail);
         }
     }

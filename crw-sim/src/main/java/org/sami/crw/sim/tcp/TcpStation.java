@@ -116,6 +116,11 @@ final class TcpStation implements AutoCloseable {
         return ear;
     }
 
+    /** Whether services compute what boats are to do; from any thread. */
+    boolean isComputing() {
+        return domain.isComputing();
+    }
+
     /** Looks after all boats. From any thread; done a little later. */
     void lookAfterBoats() {
         base.executor().execute(() -> watch.look(base.boats()));
