@@ -128,9 +128,9 @@ class LegacyImportTest {
         "AnyToken All -1 Take, take all any-token",
         "Generic Number 3 Add, add 3 generic",
         "AnyProxy Number 1 Consume, consume 1 any-proxy",
-        "RelevantToken Number 2 Take, take all relevant",
+        "RelevantToken Number 2 Take, take 2 relevant",
         "SubMissionToken All -1 Add, add all sub-mission-tokens",
-        "Generic All -1 Add, add 1 generic",
+        "Generic All -1 Add, add all generic",
         "None - 0, add all unconditional",
     })
     void outRequirementsAreSaidInThisLanguage(String words, String expected) {

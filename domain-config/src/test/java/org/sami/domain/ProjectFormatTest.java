@@ -304,9 +304,9 @@ class ProjectFormatTest {
                     /plans/0/inEdges/0/requirements/0/task            | "T1"                  | E-REQUIREMENT    | /plans/0/inEdges/0/requirements/0     | yes
                     /plans/0/inEdges/1/requirements/0/n               | 1                     | E-REQUIREMENT    | /plans/0/inEdges/1/requirements/0     | yes
                     /plans/0/inEdges/3/requirements/1/task            | REMOVE                | E-REQUIREMENT    | /plans/0/inEdges/3/requirements/1     | yes
-                    /plans/0/outEdges/0/requirements/0/n              | 1                     | E-REQUIREMENT    | /plans/0/outEdges/0/requirements/0    | yes
+                    /plans/0/outEdges/0/requirements/0/n              | 0                     | E-REQUIREMENT    | /plans/0/outEdges/0/requirements/0    | yes
                     /plans/0/outEdges/0/requirements/1/n              | "many"                | E-REQUIREMENT    | /plans/0/outEdges/0/requirements/1    | yes
-                    /plans/0/outEdges/2/requirements/0/n              | "all"                 | E-REQUIREMENT    | /plans/0/outEdges/2/requirements/0    | yes
+                    /plans/0/outEdges/2/requirements/0/n              | REMOVE                | E-REQUIREMENT    | /plans/0/outEdges/2/requirements/0    | yes
                     /plans/0/outEdges/0/requirements/1/action         | REMOVE                | E-REQUIREMENT    | /plans/0/outEdges/0/requirements/1    | yes
                     /plans/0/layout/p9                                | [1,2]                 | E-DANGLING       | /plans/0/layout/p9                    | no
                     /plans/0/layout/p1                                | [1]                   | E-WRONG-TYPE     | /plans/0/layout/p1                    | yes
@@ -334,6 +334,25 @@ class ProjectFormatTest {
         assertThat(Schemas.errors(schema, root).isEmpty())
                 .as("accepted by the schema")
                 .isEqualTo(schemaToo.equals("no"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "take, 2, relevant",
+        "consume, 1, relevant",
+        "add, 3, relevant",
+        "add, all, relevant",
+        "add, all, generic"
+    })
+    void everyQuantityOfAnOutRequirementIsReadAndWrittenBack(String action, String n, String kind) throws IOException {
+        String quantity = n.equals("all") ? "\"all\"" : n;
+        String requirement = "{\"action\": \"" + action + "\", \"n\": " + quantity + ", \"kind\": \"" + kind + "\"}";
+        String text = Files.readString(EVERYTHING)
+                .replace("{\"action\": \"take\", \"n\": \"all\", \"kind\": \"relevant\"}", requirement);
+
+        assertThat(writer.text(reader.read(text).orThrow())).isEqualTo(text).contains(requirement);
+        assertThat(Schemas.errors(Schemas.load("project-1.schema.json"), Schemas.MAPPER.readTree(text)))
+                .isEmpty();
     }
 
     @Test

@@ -41,6 +41,7 @@ public final class PlanChecks {
             new Inhibitors(),
             new EmptyPools(),
             new SubMissions(),
+            new SharedInstancesOver(),
             new SubMissionTokens(),
             new ReturnValues(),
             new CommandsAtTheEnd(),

@@ -7,6 +7,7 @@ import org.sami.spn.model.FieldSource;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
@@ -123,15 +124,23 @@ final class Activating {
                         .map(CompiledInput::text)
                         .orElse("");
             case APPLY_ALLOCATION -> rules.allocation.apply(sent);
+            case ABORT_MISSION -> {
+                rules.missionEnd.asked(m, Outcome.ABORTED);
+                rules.post(() -> rules.presses.abort(m));
+            }
+            case COMPLETE_MISSION -> {
+                rules.missionEnd.asked(m, Outcome.COMPLETED);
+                rules.post(() -> rules.presses.complete(m));
+            }
             default -> {
                 if (!ending) {
-                    actOngoing(sent, m);
+                    actOngoing(sent);
                 }
             }
         }
     }
 
-    private void actOngoing(Sent sent, Mission m) {
+    private void actOngoing(Sent sent) {
         switch (sent.output.role) {
             case TIMER, PROXY_TIMER -> rules.timers.start(sent);
             case GET_ALL_TOKENS ->
@@ -140,8 +149,6 @@ final class Activating {
                 List<TaskId> made = rules.allocation.generate(sent);
                 rules.post(() -> answer(sent, EventRole.TASKS_GENERATED, List.of(), made));
             }
-            case ABORT_MISSION -> rules.post(() -> rules.presses.abort(m));
-            case COMPLETE_MISSION -> rules.post(() -> rules.presses.complete(m));
             default -> {
                 if (sent.output.decision != null) {
                     rules.decisions.open(sent);

@@ -123,6 +123,19 @@ final class Awaiting {
                 && instances.stream().allMatch(instance -> instance.child == null);
     }
 
+    /** How the sub-mission on a place ended for which a transition waits in vain; empty where it can still complete or return. */
+    static Optional<String> endOf(PlaceState here) {
+        if (wasAborted(here)) {
+            return Optional.of("which was aborted");
+        }
+        for (SharedRun run : here == null ? new SharedRun[0] : here.shared) {
+            if (run.instance.child == null && run.returns.isEmpty()) {
+                return Optional.of("whose shared instance is over: nothing comes back from it any longer");
+            }
+        }
+        return Optional.empty();
+    }
+
     private static List<Instance> instances(PlaceState here) {
         List<Instance> instances = new ArrayList<>();
         here.instanceVisits().values().forEach(visit -> instances.addAll(visit.instances));

@@ -48,8 +48,15 @@ final class CompiledInput {
 
     static boolean isPress(EventRole role) {
         return switch (role) {
-            case INTERRUPT, GENERAL_INTERRUPT_RECEIVED, PROXY_INTERRUPT_RECEIVED, ABORT_RECEIVED, COMPLETE_RECEIVED ->
-                true;
+            case ABORT_RECEIVED, COMPLETE_RECEIVED -> true;
+            default -> isInterrupt(role);
+        };
+    }
+
+    /** Whether it is the press of a button. */
+    static boolean isInterrupt(EventRole role) {
+        return switch (role) {
+            case INTERRUPT, GENERAL_INTERRUPT_RECEIVED, PROXY_INTERRUPT_RECEIVED -> true;
             default -> false;
         };
     }

@@ -36,6 +36,8 @@ final class CompiledTransition {
     final boolean speaksOfRelevant;
     /** Whether an out requirement speaks of sub-mission tokens. */
     final boolean wantsSubTokens;
+    /** Whether an in requirement asks that no token of its kind is there. */
+    final boolean wantsNone;
     /** Whether an input event checks the return value of a sub-mission. */
     final boolean checksReturns;
     /** Whether an out requirement takes or consumes all tokens of any kind. */
@@ -52,6 +54,7 @@ final class CompiledTransition {
         this.waitsForAll = transition.waitFor() == WaitFor.ALL && inputs.length > 0;
         this.watched = waitsForAll ? watchedPlaces() : new CompiledPlace[0];
         this.mustHaveRelevant = anyIn(r -> r.kind() == TokenKind.RELEVANT && wantsTokens(r));
+        this.wantsNone = anyIn(CompiledTransition::wantsNone);
         this.speaksOfRelevant =
                 anyIn(r -> r.kind() == TokenKind.RELEVANT) || anyOut(r -> r.kind() == TokenKind.RELEVANT);
         this.wantsSubTokens = anyOut(r -> r.kind() == TokenKind.SUB_MISSION_TOKENS);
@@ -119,8 +122,16 @@ final class CompiledTransition {
         return relevant.length > 0 ? relevant : inPlaces;
     }
 
-    private static boolean wantsTokens(InRequirement r) {
+    static boolean wantsTokens(InRequirement r) {
         return r.match() == Match.ALL || ((r.match() == Match.AT_LEAST || r.match() == Match.EXACTLY) && r.n() > 0);
+    }
+
+    /** Whether a requirement asks that no token of its kind is there. */
+    static boolean wantsNone(InRequirement r) {
+        return r.kind() != TokenKind.UNCONDITIONAL
+                && (r.match() == Match.ZERO
+                        || (r.match() == Match.LESS_THAN && r.n() <= 1)
+                        || (r.match() == Match.EXACTLY && r.n() == 0));
     }
 
     private boolean anyIn(java.util.function.Predicate<InRequirement> test) {

@@ -173,6 +173,39 @@ final class Enabling {
         };
     }
 
+    /**
+     * Whether a transition asks only that a token is not in one of its in places: an answer about it there is for the
+     * transitions that could take it (SEMANTICS, Input events).
+     *
+     * @param named whether the occurrence names the token, so that it is a relevant one
+     */
+    boolean wantsAbsence(CompiledTransition t, CompiledPlace place, Token token, boolean named) {
+        boolean wantsNone = false;
+        for (int i = 0; t.wantsNone && i < t.ins.length; i++) {
+            if (t.ins[i].place() == place) {
+                for (InRequirement r : t.ins[i].requirements()) {
+                    if (r.kind() == TokenKind.UNCONDITIONAL
+                            || (CompiledTransition.wantsTokens(r) && speaksOf(r, token, named))) {
+                        return false;
+                    }
+                    wantsNone |= CompiledTransition.wantsNone(r) && speaksOf(r, token, named);
+                }
+            }
+        }
+        return wantsNone;
+    }
+
+    private boolean speaksOf(InRequirement r, Token token, boolean named) {
+        return switch (r.kind()) {
+            case GENERIC -> token instanceof Token.Generic;
+            case ANY_PROXY -> token instanceof Token.Proxy;
+            case ANY_TASK -> token instanceof Token.Task;
+            case TASK -> isTask(r.task()).test(token);
+            case RELEVANT -> named;
+            case ANY_TOKEN, UNCONDITIONAL, SUB_MISSION_TOKENS -> true;
+        };
+    }
+
     /** Whether a requirement counts a token that is removed from its place (occasion d). */
     boolean counts(InRequirement r, Entry e) {
         if (r.match() != Match.AT_LEAST && r.match() != Match.EXACTLY) {

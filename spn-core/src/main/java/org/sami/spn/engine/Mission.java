@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
@@ -21,6 +22,9 @@ final class Mission {
     final int depth;
     MissionView.Status status = MissionView.Status.WAITING;
     boolean ended;
+    /** What was asked of it and is its outcome, however it ends: aborted or completed; null while neither was. */
+    Outcome asked;
+
     final PlaceState[] places;
     final TransitionState[] transitions;
     Map<String, Value> variables = Map.of();

@@ -18,21 +18,32 @@ final class MissionEnd {
         rules.emit(new Effect.CommandsWithdrawn(m.id, List.of()));
     }
 
+    /** An abort or a completion was asked of a mission: that is its outcome, however it ends. An abort is the stronger. */
+    void asked(Mission m, Outcome outcome) {
+        if (m.asked != Outcome.ABORTED) {
+            m.asked = outcome;
+        }
+    }
+
+    private static Outcome outcome(Mission m, Outcome otherwise) {
+        return m.asked == null || otherwise == Outcome.ABORTED ? otherwise : m.asked;
+    }
+
     /** The firing that entered an end place is complete. */
     void ended(Mission m) {
-        if (m.instance != null) {
-            rules.subMissions.collect(m);
-        }
-        endTree(m, Outcome.ENDED, false);
-        tellParent(m, Outcome.ENDED);
+        end(m, outcome(m, Outcome.ENDED), false);
     }
 
     /** Ends a mission from outside, with all its descendants. */
     void stop(Mission m, Outcome outcome) {
-        if (m.instance != null && outcome == Outcome.COMPLETED) {
+        end(m, outcome(m, outcome), true);
+    }
+
+    private void end(Mission m, Outcome outcome, boolean withdraw) {
+        if (m.instance != null && outcome != Outcome.ABORTED) {
             rules.subMissions.collect(m);
         }
-        endTree(m, outcome, true);
+        endTree(m, outcome, withdraw);
         tellParent(m, outcome);
     }
 
@@ -51,10 +62,11 @@ final class MissionEnd {
         }
     }
 
-    private void endTree(Mission m, Outcome outcome, boolean withdraw) {
+    private void endTree(Mission m, Outcome ofAncestor, boolean withdraw) {
         if (m.ended) {
             return;
         }
+        Outcome outcome = outcome(m, ofAncestor);
         for (Mission child : List.copyOf(m.children.values())) {
             endTree(child, outcome, true);
         }

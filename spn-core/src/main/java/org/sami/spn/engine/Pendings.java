@@ -226,12 +226,18 @@ final class Pendings {
     private boolean stands(Name n, TransitionState t) {
         Visit visit = n.pending.visit();
         for (Token token : n.tokens) {
+            if (visit != null && rules.enabling.wantsAbsence(t.transition, visit.place.place, token, true)) {
+                continue;
+            }
             if (visit != null && !visit.ended && visit.has(token)) {
                 return true;
             }
             for (CompiledPlace place : t.transition.inPlaces) {
                 PlaceState state = t.mission.places[place.index];
-                if (state != null && (visit == null || state != visit.place) && state.find(token) != null) {
+                if (state != null
+                        && (visit == null || state != visit.place)
+                        && state.find(token) != null
+                        && !rules.enabling.wantsAbsence(t.transition, place, token, true)) {
                     return true;
                 }
             }

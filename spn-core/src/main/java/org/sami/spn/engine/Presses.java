@@ -136,11 +136,17 @@ final class Presses {
                 : EventRole.GENERAL_INTERRUPT_RECEIVED;
         String type = rules.activating.answerType(sent, role);
         Map<String, Value> values = Map.of(Reserved.INTERRUPT_NAME, new TextValue(nameOf(sent)));
-        if (!rules.routing.route(Occurrence.answer(type, sent.activation, proxies, List.of(), values))) {
-            refused(
-                    sent.activation.mission(),
-                    "Nobody is there for the interrupt '" + nameOf(sent) + "'" + whereabouts(sent.mission(), proxies));
-        }
+        rules.routing.route(Occurrence.answer(type, sent.activation, proxies, List.of(), values));
+    }
+
+    /** No transition can take a press: it is not kept, and the operator is told. */
+    void untaken(Occurrence press) {
+        Value name = press.values().get(Reserved.INTERRUPT_NAME);
+        Mission m = rules.state.missions.get(press.mission());
+        refused(
+                press.mission(),
+                "Nobody is there for the interrupt '" + (name == null ? press.type() : CompiledInput.text(name)) + "'"
+                        + (m == null ? "" : whereabouts(m, press.proxies())));
     }
 
     /** Where the named robots stand instead, in words. */
@@ -208,8 +214,9 @@ final class Presses {
         }
     }
 
-    /** Aborts a mission: a transition of it may intercept, else it ends with all its descendants. */
+    /** Aborts a mission: a transition of it may intercept, else it ends with all its descendants; its outcome is decided. */
     void abort(Mission m) {
+        rules.missionEnd.asked(m, Outcome.ABORTED);
         if (!m.ended && !intercepted(m, EventRole.ABORT_RECEIVED)) {
             rules.missionEnd.stop(m, Outcome.ABORTED);
         }
@@ -217,6 +224,7 @@ final class Presses {
 
     /** Completes a mission, likewise. */
     void complete(Mission m) {
+        rules.missionEnd.asked(m, Outcome.COMPLETED);
         if (!m.ended && !intercepted(m, EventRole.COMPLETE_RECEIVED)) {
             rules.missionEnd.stop(m, Outcome.COMPLETED);
         }

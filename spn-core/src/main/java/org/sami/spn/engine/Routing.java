@@ -117,7 +117,7 @@ final class Routing {
         TransitionState state = m.transition(t.index);
         List<Token> names = Pendings.names(o, input.role);
         Pending p = rules.pendings.make(state, input, o, names, sent, null);
-        if (sent != null && !answers(p, sent)) {
+        if (sent != null && !answers(t, p, sent)) {
             return;
         }
         if (t.mustHaveRelevant && (single || p.names.length > 0) && !anyHere(m, t, p)) {
@@ -166,7 +166,7 @@ final class Routing {
     }
 
     /** Whether somebody it names is still in the visit or in another in place; or the visit goes on, where it names others. */
-    private static boolean answers(Pending p, Sent sent) {
+    private boolean answers(CompiledTransition t, Pending p, Sent sent) {
         for (Name n : p.names) {
             if (n.stood) {
                 return true;
@@ -182,15 +182,30 @@ final class Routing {
                 }
             }
         }
-        return true;
+        return concerns(t, sent.visit);
     }
 
-    private static boolean anyHere(Mission m, CompiledTransition t, Pending p) {
+    /** Whether somebody, or nobody, is in a visit whose absence is not all that a transition asks for. */
+    private boolean concerns(CompiledTransition t, Visit visit) {
+        if (visit.byNobody || !t.wantsNone) {
+            return true;
+        }
+        for (Entry e = visit.first; e != null; e = e.nextOfVisit) {
+            if (!rules.enabling.wantsAbsence(t, visit.place.place, e.token, false)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean anyHere(Mission m, CompiledTransition t, Pending p) {
         for (Name n : p.names) {
             for (Token token : n.tokens) {
                 for (CompiledPlace place : t.inPlaces) {
                     PlaceState state = m.places[place.index];
-                    if (state != null && state.find(token) != null) {
+                    if (state != null
+                            && state.find(token) != null
+                            && !rules.enabling.wantsAbsence(t, place, token, true)) {
                         return true;
                     }
                 }
@@ -206,7 +221,9 @@ final class Routing {
             return;
         }
         long mission = o.mission() != Ids.NONE || sent == null ? o.mission() : sent.activation.mission();
-        if (fate.namesNobody) {
+        if (type != null && CompiledInput.isInterrupt(type.role())) {
+            rules.presses.untaken(o);
+        } else if (fate.namesNobody) {
             rules.note(
                     NoteKind.NAMES_NOBODY, mission, o.type() + " names nobody though robots or tasks were asked for");
         } else if (o.activation() != Ids.NONE && (sent == null || !sent.open)) {

@@ -73,11 +73,7 @@ final class Selection {
             return;
         }
         if (adds && r.kind() == TokenKind.RELEVANT) {
-            for (Name n : relevant.names) {
-                if (!added.contains(n.token)) {
-                    make(n.token, out, result, added);
-                }
-            }
+            addRelevant(r, relevant, out, result, added);
             return;
         }
         if (r.kind() == TokenKind.SUB_MISSION_TOKENS) {
@@ -86,7 +82,7 @@ final class Selection {
         }
         picked.clear();
         if (r.kind() == TokenKind.RELEVANT) {
-            pickRelevant(t, relevant, scope, result);
+            pickRelevant(t, r, relevant, scope, result);
         } else {
             pick(t, r, scope, result);
         }
@@ -155,7 +151,25 @@ final class Selection {
         };
     }
 
-    private void pickRelevant(TransitionState t, Relevant relevant, Scope scope, Selected result) {
+    /** Makes a token for each of the first names, wherever that token stands. */
+    private static void addRelevant(
+            OutRequirement r, Relevant relevant, CompiledTransition.Out out, Selected result, List<Token> added) {
+        int wanted = r.takesAll() ? Integer.MAX_VALUE : r.n();
+        List<Token> chosen = new ArrayList<>();
+        for (Name n : relevant.names) {
+            if (chosen.size() < wanted && !chosen.contains(n.token)) {
+                chosen.add(n.token);
+                if (!added.contains(n.token)) {
+                    make(n.token, out, result, added);
+                }
+            }
+        }
+        if (!r.takesAll() && chosen.size() < wanted) {
+            result.shortOf.add(chosen.size() + " of " + wanted + " relevant tokens");
+        }
+    }
+
+    private void pickRelevant(TransitionState t, OutRequirement r, Relevant relevant, Scope scope, Selected result) {
         CompiledPlace[] places = t.transition.inPlaces;
         for (Token token : relevant.tokens) {
             for (CompiledPlace place : places) {
@@ -171,6 +185,10 @@ final class Selection {
         }
         if (picked.isEmpty()) {
             result.shortOf.add("none of the relevant tokens");
+        } else if (!r.takesAll() && picked.size() < r.n()) {
+            result.shortOf.add(picked.size() + " of " + r.n() + " relevant tokens");
+        } else if (!r.takesAll() && picked.size() > r.n()) {
+            picked.subList(r.n(), picked.size()).clear();
         }
     }
 

@@ -45,7 +45,8 @@ final class SharedInstances {
     /** Tokens, or nobody, that entered the parent's place join the start place. */
     void join(SharedRun run, Visit v) {
         Mission child = run.instance.child;
-        if (child == null) {
+        if (child == null || child.status == MissionView.Status.HALTED) {
+            tellThatItIsOver(run.instance, v);
             return;
         }
         run.instance.starting.addAll(v.entered);
@@ -55,6 +56,19 @@ final class SharedInstances {
             child.addWaiting(tokens);
         } else if (child.runs()) {
             rules.missionStart.enter(child, tokens);
+        }
+    }
+
+    private void tellThatItIsOver(Instance instance, Visit v) {
+        if (!v.byNobody) {
+            PlaceState place = v.place;
+            rules.note(
+                    NoteKind.NOT_RETURNED,
+                    place.mission.id,
+                    "'" + place.place + "' was entered by " + SubMissions.words(v.entered)
+                            + " when its shared sub-mission '"
+                            + place.place.shared.get(instance.specIndex).plan()
+                            + "' was over: nothing comes back from it; an interrupt or an abort takes them out");
         }
     }
 

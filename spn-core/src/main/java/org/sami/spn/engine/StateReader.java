@@ -9,6 +9,7 @@ import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
@@ -61,6 +62,9 @@ final class StateReader {
         }
         for (int i = in.integer(); i > 0; i--) {
             timer();
+        }
+        for (int i = version > 2 ? in.integer() : 0; i > 0; i--) {
+            state.missions.get(in.number()).asked = Outcome.valueOf(in.text());
         }
         return state;
     }

@@ -44,6 +44,13 @@ final class StateWriter {
             out.token(t.token() == null ? Token.GENERIC : t.token());
             out.number(t.decision() == null ? Ids.NONE : t.decision().decision.id());
         }
+        List<Mission> asked =
+                s.missions.values().stream().filter(m -> m.asked != null).toList();
+        out.integer(asked.size());
+        for (Mission m : asked) {
+            out.number(m.id);
+            out.text(m.asked.name());
+        }
         return out.bytes();
     }
 

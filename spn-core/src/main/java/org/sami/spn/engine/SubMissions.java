@@ -221,6 +221,11 @@ final class SubMissions {
                     Occurrence o = new Occurrence(input.spec.type(), m.id, Ids.NONE, robots, tasks, Map.of());
                     TransitionState state = m.transition(t.index);
                     List<Token> names = Pendings.names(o, input.role);
+                    if (!names.isEmpty()
+                            && names.stream()
+                                    .allMatch(n -> rules.enabling.wantsAbsence(t, instance.place.place, n, true))) {
+                        continue;
+                    }
                     rules.pendings.add(state, rules.pendings.make(state, input, o, names, null, instance.visit));
                     received = true;
                 }

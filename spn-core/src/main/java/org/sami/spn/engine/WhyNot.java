@@ -2,6 +2,7 @@ package org.sami.spn.engine;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.protocol.Token;
@@ -56,10 +57,10 @@ final class WhyNot {
         List<String> subMissions = new ArrayList<>();
         for (CompiledPlace place : t.transition.inPlaces) {
             if (scope.reach != Scope.Reach.ALL && !rules.enabling.isReady(t, place, scope)) {
-                boolean aborted = Awaiting.wasAborted(t.mission.places[place.index]);
-                reasons.add("It waits for the sub-mission on '" + place + "', which "
-                        + (aborted ? "was aborted." : "is not complete."));
-                if (!aborted) {
+                Optional<String> over = Awaiting.endOf(t.mission.places[place.index]);
+                String how = over.orElse("which is not complete");
+                reasons.add("It waits for the sub-mission on '" + place + "', " + how + ".");
+                if (over.isEmpty()) {
                     subMissions.add(place.id());
                 }
             }

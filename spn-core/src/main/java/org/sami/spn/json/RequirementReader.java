@@ -98,12 +98,6 @@ final class RequirementReader {
         if (n < OutRequirement.ALL) {
             return Optional.of("\"n\" is missing or no quantity: write a number from 1, or \"all\"");
         }
-        if (kind == TokenKind.GENERIC && action.get() == Action.ADD && n == OutRequirement.ALL) {
-            return Optional.of("Adding generic tokens needs a number: it makes new ones");
-        }
-        if (kind == TokenKind.RELEVANT && n != OutRequirement.ALL) {
-            return Optional.of("Relevant tokens are taken, consumed or added all together: write \"n\": \"all\"");
-        }
         return taskNonsense(kind, task);
     }
 }

@@ -125,26 +125,18 @@ final class RequirementConverter {
         }
         Action action = action(edge, r);
         TokenKind kind = kind(r.kind());
-        int n = quantity(edge, r, kind);
+        int n = quantity(edge, r);
         if (n == 0) {
             warn(edge, r, "it moves 0 tokens, which is nothing; it is left out");
             explained.add(CountedKind.OUT_REQUIREMENTS, 1);
             return Optional.empty();
         }
-        if (kind == TokenKind.GENERIC && action == Action.ADD && n == OutRequirement.ALL) {
-            warn(edge, r, "adding generic tokens needs a number; it is written as add 1");
-            n = 1;
-        }
         return Optional.of(new OutRequirement(kind, n, action, task(r)));
     }
 
-    private int quantity(LegacyPlan.Edge edge, LegacyPlan.Requirement r, TokenKind kind) {
+    private int quantity(LegacyPlan.Edge edge, LegacyPlan.Requirement r) {
         Quantity match = r.match().orElse(Quantity.ALL);
         if (match == Quantity.ALL) {
-            return OutRequirement.ALL;
-        }
-        if (kind == TokenKind.RELEVANT) {
-            warn(edge, r, "relevant tokens move all together; it is written as all");
             return OutRequirement.ALL;
         }
         if (match != Quantity.NUMBER) {

@@ -10,7 +10,7 @@ public enum NoteKind {
     NAMES_NOBODY,
     /** Fewer tokens were there than an out requirement asked for (thesis 4.1.3, "attempts to remove"). */
     SHORT_OF_TOKENS,
-    /** A starting token did not come back from a sub-mission. */
+    /** A starting token did not come back from a sub-mission, or cannot: it entered when the static instance was over. */
     NOT_RETURNED,
     /** An interrupt found nothing to take. */
     INTERRUPT_REFUSED,

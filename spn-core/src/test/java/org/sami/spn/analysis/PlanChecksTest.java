@@ -124,6 +124,20 @@ class PlanChecksTest {
         return new Case(code, project(bad.build(), child().build()), project(good.build(), child().build()));
     }
 
+    /** A place with a shared sub-mission that robots enter by an event, and whose end place may end the instance. */
+    private static Project sharing(String event, boolean ends) {
+        NetBuilder child =
+                new NetBuilder("child").start("a").in("a", "t", "any >= 1").out("t", "b", "take all any");
+        Plan parent = new NetBuilder("plan")
+                .start("start")
+                .shared("together", "child")
+                .transition("enter", event)
+                .in("start", "enter", "proxy >= 1")
+                .out("enter", "together", "take all proxy")
+                .build();
+        return project(parent, (ends ? child.endShared("b") : child.end("b")).build());
+    }
+
     private static MarkupSpec initiative(String trigger, boolean timeout) {
         Map<String, Value> options = new LinkedHashMap<>();
         options.put("trigger", new EnumValue("Trigger", trigger));
@@ -367,6 +381,8 @@ class PlanChecksTest {
                 "W-SUB-MISSION-ENDLESS",
                 project(parent().build(), new NetBuilder("child").start("a").build()),
                 project(parent().build(), child().build())));
+        cases.add(new Case("W-SHARED-OVER", sharing("News", true), sharing("News", false)));
+        cases.add(new Case("W-SHARED-OVER", sharing("News", true), sharing("TimerExpired", true)));
         cases.add(withChild("W-SHARED-AT-START", parent().shared("start", "child"), parent()));
         cases.add(of(
                 "E-NO-SUB-MISSION", begin().in("go", "last", "any >= 1").out("last", "end", "take all sub"), drive()));

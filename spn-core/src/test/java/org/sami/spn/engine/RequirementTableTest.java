@@ -159,7 +159,16 @@ class RequirementTableTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"take, '', C A B", "consume, '', ''", "add, C A B, A B C"})
+    @CsvSource({
+        "take all, '', C A B",
+        "consume all, '', ''",
+        "add all, C A B, A B C",
+        "take 1, A B, C",
+        "take 2, B, C A",
+        "take 4, '', C A B",
+        "consume 2, B, ''",
+        "add 2, C A B, A B"
+    })
     void relevantTokensGoInTheOrderOfThePoolAndAreMadeInTheOrderOfTheNames(String action, String left, String moved) {
         Session s = new Session(new NetBuilder("net")
                 .start("s")
@@ -173,7 +182,7 @@ class RequirementTableTest {
                 .transition("t", "Done")
                 .in("q", "t", "always")
                 .in("p", "t", "always")
-                .out("t", "x", action + " all relevant")
+                .out("t", "x", action + " relevant")
                 .build());
         s.join("A", "B", "C");
         long m = s.start("net");

@@ -278,6 +278,35 @@ class ReturnRulesTest {
     }
 
     @Test
+    void theReturnValueOfAVisitThatHasEndedIsNotChecked() {
+        for (boolean before : new boolean[] {true, false}) {
+            // "out" takes the robot for a task in the start place; "ok" would answer to the value of its instance.
+            NetBuilder net = parent(false)
+                    .task("T", "Measure", Map.of())
+                    .transition("out")
+                    .in("sub", "out", "proxy >= 1")
+                    .in(before ? "s" : "work", "out", "task >= 1")
+                    .out("out", "d", "take all sub")
+                    .input("ok", "CheckReturn", value("good"), Map.of())
+                    .in("sub", "ok", "always")
+                    .in("gate", "ok", "generic >= 1")
+                    .out("ok", "x", "take 1 generic")
+                    .transition("task", "Other")
+                    .in("s", "task", "always")
+                    .out("task", "work", "take all task");
+            Session s = sent(net, "A");
+            long m = s.idOf("parent");
+            answer(s, "Done", 0, "A");
+            s.news("Other");
+            assertThat(s.marking(m, "d")).isEqualTo("A");
+
+            s.press("Open");
+
+            assertThat(s.marking(m, "gate")).as("the visit has ended").isEqualTo("generic");
+        }
+    }
+
+    @Test
     void returnsSurviveASnapshot() {
         NetBuilder net = gated(gated(parent(true), "out", "good", "d"), "too", "good", "e")
                 .input("failed", "CheckReturn", value("bad"), Map.of())

@@ -148,6 +148,26 @@ class SubMissionRulesTest {
     }
 
     @Test
+    void anInterruptThatFindsNoMarkedPlaceIsRefusedAndTold() {
+        Session s = new Session(new NetBuilder("net")
+                .start("s")
+                .places("work")
+                .input("pull", "Interrupt", Map.of("interruptName", new TextValue("Stop")), Map.of())
+                .in("work", "pull", "relevant >= 1")
+                .out("pull", "y", "take all relevant")
+                .build());
+        long m = s.join("A").start("net");
+
+        s.press("Stop", "A");
+
+        assertThat(s.last()).singleElement().isInstanceOfSatisfying(Effect.Noted.class, note -> {
+            assertThat(note.kind()).isEqualTo(NoteKind.INTERRUPT_REFUSED);
+            assertThat(note.mission()).isEqualTo(m);
+            assertThat(note.message()).contains("'Stop'").contains("A");
+        });
+    }
+
+    @Test
     void aNamedInterruptWithoutInPlaceIsAButtonWhileItsMissionRuns() {
         Session s = new Session(new NetBuilder("net")
                 .start("s")
@@ -366,6 +386,41 @@ class SubMissionRulesTest {
         s.answer("Done", s.activations("c").get(1), "B");
 
         assertThat(s.marking(m)).isEqualTo(Map.of("s", "generic", "y", "A", "x", "B"));
+    }
+
+    @Test
+    void whoEntersWhenTheSharedInstanceIsOverIsReportedAndToldWhy() {
+        Plan child = new NetBuilder("child")
+                .start("c")
+                .endShared("last")
+                .input("stop", "Interrupt", Map.of("interruptName", new TextValue("Stop")), Map.of())
+                .in("c", "stop", "always")
+                .out("stop", "last", "take all proxy")
+                .build();
+        Plan parent = new NetBuilder("parent")
+                .start("s")
+                .shared("sub", "child")
+                .transition("send", "News")
+                .in("s", "send", "relevant all")
+                .out("send", "sub", "take all relevant")
+                .transition("back")
+                .in("sub", "back", "always")
+                .out("back", "x", "take all sub")
+                .build();
+        Session s = new Session(parent, child);
+        long m = s.join("A", "B").start("parent");
+        s.news("News", "A");
+        s.press("Stop");
+        assertThat(s.marking(m, "x")).isEqualTo("A");
+        assertThat(s.notes()).isEmpty();
+
+        s.news("News", "B");
+
+        assertThat(s.notes()).containsExactly(NoteKind.NOT_RETURNED);
+        assertThat(s.last().toString()).contains("'sub' was entered by B").contains("'child'");
+        assertThat(s.view().whyNotEnabled(m, "back").reasons())
+                .containsExactly("It waits for the sub-mission on 'sub', whose shared instance is over: "
+                        + "nothing comes back from it any longer.");
     }
 
     @Test

@@ -116,7 +116,39 @@ final class Attention {
         boolean namesNoneAsked = p.names().stream()
                 .flatMap(name -> enabling.tokensOf(name, p).stream())
                 .noneMatch(asked::contains);
-        return namesNoneAsked && !visit.ended;
+        boolean concerned = visit.byNobody
+                || m.tokensIn(visit.place).stream()
+                        .anyMatch(c ->
+                                c.visit == visit && !asksOnlyForAbsence(m, p.transition, visit.place, c.token, false));
+        return namesNoneAsked && !visit.ended && concerned;
+    }
+
+    /** "An in edge that asks only for zero of a kind does not count here for tokens of that kind". */
+    boolean asksOnlyForAbsence(Mission m, Transition t, Place place, Token token, boolean isNamed) {
+        Set<Token> relevant = isNamed ? Set.of(token) : Set.of();
+        List<InRequirement> ofItsKind = m.inEdges(t).stream()
+                .filter(edge -> edge.place().equals(place.id()))
+                .flatMap(edge -> edge.requirements().stream())
+                .filter(r ->
+                        r.kind() == TokenKind.UNCONDITIONAL || enabling.isOfKind(r.kind(), r.task(), token, relevant))
+                .toList();
+        return ofItsKind.stream().anyMatch(Attention::forbidsAny)
+                && ofItsKind.stream().noneMatch(Attention::asksForSome);
+    }
+
+    private static boolean forbidsAny(InRequirement r) {
+        return switch (r.match()) {
+            case ZERO -> true;
+            case LESS_THAN -> r.n() < 2;
+            case EXACTLY -> r.n() < 1;
+            case AT_LEAST, ALL -> false;
+        };
+    }
+
+    private static boolean asksForSome(InRequirement r) {
+        return r.kind() == TokenKind.UNCONDITIONAL
+                || r.match() == Match.ALL
+                || (r.n() > 0 && (r.match() == Match.AT_LEAST || r.match() == Match.EXACTLY));
     }
 
     /** Whoever entered it has since ended a later visit to the same place: what was asked first is over for good. */
@@ -134,11 +166,14 @@ final class Attention {
     /** "A named token is still in that visit, or a named token now stands in another in place of t". */
     private boolean standsForIt(Mission m, Pending p, Visit visit, Token name) {
         for (Token token : enabling.tokensOf(name, p)) {
+            if (asksOnlyForAbsence(m, p.transition, visit.place, token, true)) {
+                continue; // this answer is for those who could take it
+            }
             if (!visit.ended && m.standsInVisit(token, visit)) {
                 return true;
             }
             for (Place other : World.others(m.inPlaces(p.transition), visit.place)) {
-                if (m.stands(token, other)) {
+                if (m.stands(token, other) && !asksOnlyForAbsence(m, p.transition, other, token, true)) {
                     return true;
                 }
             }
@@ -158,7 +193,9 @@ final class Attention {
                 || joinsWithAny
                 || ofTheMission
                 || enabling.relevant(List.of(p)).stream()
-                        .anyMatch(token -> m.inPlaces(p.transition).stream().anyMatch(place -> m.stands(token, place)));
+                        .anyMatch(token -> m.inPlaces(p.transition).stream()
+                                .anyMatch(place -> m.stands(token, place)
+                                        && !asksOnlyForAbsence(m, p.transition, place, token, true)));
     }
 
     private static boolean mustHaveRelevant(InRequirement r) {

@@ -134,9 +134,10 @@ final class Firing {
                 }
                 List<Selected> selected = selected(m, t, used, requirement);
                 Map<Instance, List<Token>> usedHere = new LinkedHashMap<>();
-                if (!requirement.takesAll()
-                        && requirement.kind() != TokenKind.RELEVANT
-                        && selected.size() < requirement.n()) {
+                boolean noneNamed = requirement.kind() == TokenKind.RELEVANT
+                        && requirement.action() != Action.ADD
+                        && selected.isEmpty();
+                if (noneNamed || (!requirement.takesAll() && selected.size() < requirement.n())) {
                     world.note(NoteKind.SHORT_OF_TOKENS, m.id, t.id());
                 }
                 if (requirement.action() != Action.ADD) {
@@ -195,6 +196,7 @@ final class Firing {
             return used.stream()
                     .flatMap(p -> p.names().stream())
                     .distinct()
+                    .limit(r.takesAll() ? Integer.MAX_VALUE : r.n())
                     .map(name -> new Selected(name, Optional.empty(), Optional.empty()))
                     .toList();
         }
@@ -211,9 +213,8 @@ final class Firing {
                 .filter(copy -> enabling.isOfKind(r.kind(), r.task(), copy.token, relevant))
                 .map(copy -> new Selected(copy.token, Optional.of(copy), Optional.empty()))
                 .toList();
-        // "All and relevant take every copy"; "n takes the oldest"
-        boolean every = r.takesAll() || r.kind() == TokenKind.RELEVANT;
-        return every ? all : all.subList(0, Math.min(r.n(), all.size()));
+        // "All takes every copy"; "n takes the oldest"
+        return r.takesAll() ? all : all.subList(0, Math.min(r.n(), all.size()));
     }
 
     // ---- SEMANTICS, Sub-missions: their tokens

@@ -49,6 +49,9 @@ final class Mission {
     Optional<Value> returnValue = Optional.empty();
     /** Its firing into an end place has withdrawn its commands already. */
     boolean commandsWithdrawn;
+
+    boolean abortAsked;
+    boolean completionAsked;
     /** Firings since the last input; a chain that is too long is a livelock. */
     int chain;
 

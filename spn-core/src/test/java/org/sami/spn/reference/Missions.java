@@ -186,9 +186,7 @@ final class Missions {
         for (SubMissionSpec spec : visit.place.subMissions()) {
             if (spec.shared()) {
                 // "Entering tokens join its start place"
-                visit.mission.statics.stream()
-                        .filter(i -> i.spec.equals(spec) && i.child.status != Mission.Status.ENDED)
-                        .forEach(i -> join(i, tokens));
+                visit.mission.statics.stream().filter(i -> i.spec.equals(spec)).forEach(i -> join(i, tokens));
             } else {
                 // "Dynamic: one instance per visit, with the entering tokens"
                 Instance instance = new Instance(spec, visit.mission, visit.place, Optional.of(visit));
@@ -203,11 +201,16 @@ final class Missions {
     }
 
     private void join(Instance shared, List<Token> tokens) {
-        shared.joined.addAll(tokens);
-        if (shared.child.reacts()) {
-            places.enter(shared.child, shared.child.plan.startPlace().orElseThrow(), named(shared, tokens));
-        } else if (shared.child.status == Mission.Status.WAITING) {
-            shared.child.starting.add(named(shared, tokens));
+        Mission child = shared.child;
+        if (child.reacts()) {
+            shared.joined.addAll(tokens);
+            places.enter(child, child.plan.startPlace().orElseThrow(), named(shared, tokens));
+        } else if (child.status == Mission.Status.WAITING) {
+            shared.joined.addAll(tokens);
+            child.starting.add(named(shared, tokens));
+        } else if (!tokens.isEmpty()) {
+            // "A boat that enters when the shared instance is over is reported"
+            world.note(NoteKind.NOT_RETURNED, shared.parent.id, shared.place.id());
         }
     }
 
@@ -218,10 +221,11 @@ final class Missions {
     // ---- Ending
 
     /** A mission is over: with it timers, pending occurrences, decisions and sub-missions. */
-    void end(Mission m, Outcome outcome) {
+    void end(Mission m, Outcome way) {
         if (m.status == Mission.Status.ENDED) {
             return;
         }
+        Outcome outcome = outcomeOf(m, way);
         m.status = Mission.Status.ENDED;
         world.allocation.keySet().removeIf(task -> task.mission() == m.id);
         // "All descendants end the same way"
@@ -244,6 +248,14 @@ final class Missions {
         }
         world.effects.add(new Effect.MissionEnded(m.id, outcome));
         m.asChild.ifPresent(instance -> tellParent(instance, outcome, inEndPlaces));
+    }
+
+    /** "Once an abort (a completion) was asked of a mission, its outcome is aborted (completed) however it ends". */
+    private static Outcome outcomeOf(Mission m, Outcome way) {
+        if (m.abortAsked || way == Outcome.ABORTED) {
+            return Outcome.ABORTED;
+        }
+        return m.completionAsked ? Outcome.COMPLETED : way;
     }
 
     private void endChild(Instance instance, Outcome outcome) {
@@ -359,7 +371,11 @@ final class Missions {
         boolean wanted = false;
         for (Transition t : m.outTransitions(instance.place)) {
             for (InputEventSpec event : t.inputs()) {
-                if (world.eventType(event.type()).role() == EventRole.SUB_MISSION_ABORTED) {
+                boolean onlyKeptAway = !(proxies.isEmpty() && tasks.isEmpty())
+                        && starting.stream()
+                                .filter(token -> !(token instanceof Token.Generic))
+                                .allMatch(token -> attention.asksOnlyForAbsence(m, t, instance.place, token, true));
+                if (world.eventType(event.type()).role() == EventRole.SUB_MISSION_ABORTED && !onlyKeptAway) {
                     Occurrence o = new Occurrence(event.type(), m.id, Ids.NONE, proxies, tasks, Map.of());
                     Pending pending = new Pending(t, event, o);
                     pending.ofAborted = true;

@@ -254,6 +254,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
 
     @Override
     public void abort(Mission m) {
+        m.abortAsked = true;
         if (!intercepted(m, EventRole.ABORT_RECEIVED)) {
             missions.end(m, Outcome.ABORTED);
         }
@@ -261,6 +262,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
 
     @Override
     public void complete(Mission m) {
+        m.completionAsked = true;
         if (!intercepted(m, EventRole.COMPLETE_RECEIVED)) {
             missions.end(m, Outcome.COMPLETED);
         }

@@ -61,6 +61,9 @@ final class Roles {
         } else if (type.role() == EventRole.APPLY_ALLOCATION) {
             activation.value("tasks").ifPresent(this::apply);
         }
+        // "An output event Abort Mission on an end place makes the outcome aborted"
+        m.abortAsked |= type.role() == EventRole.ABORT_MISSION;
+        m.completionAsked |= type.role() == EventRole.COMPLETE_MISSION;
         if (missionEnds) {
             return;
         }
