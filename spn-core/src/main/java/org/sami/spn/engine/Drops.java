@@ -53,7 +53,7 @@ final class Drops {
             waiting.removeIf(token::equals);
         }
         takeOut(m, token);
-        rules.work.addWithdrawn();
+        rules.work.addDropped();
         if (m.ended) {
             return;
         }

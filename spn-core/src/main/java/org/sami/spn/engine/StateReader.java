@@ -13,6 +13,7 @@ import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.EventRole;
 
 /** Reads what {@link StateWriter} wrote. */
 final class StateReader {
@@ -65,6 +66,9 @@ final class StateReader {
         }
         for (int i = version > 2 ? in.integer() : 0; i > 0; i--) {
             state.missions.get(in.number()).asked = Outcome.valueOf(in.text());
+        }
+        if (version < 3) {
+            tellUnusedReturns();
         }
         return state;
     }
@@ -229,7 +233,7 @@ final class StateReader {
         Occurrence occurrence = in.occurrence();
         Sent answered = sent.get(in.number());
         Visit bound = visits.get(in.number());
-        Return told = version > 2 ? told(t.mission) : toldBefore(t, input, bound);
+        Return told = version > 2 ? told(t.mission) : toldBefore(input, bound);
         Pending p =
                 told == null ? new Pending(occurrence, input, answered, bound) : new Pending(occurrence, input, told);
         p.names = new Name[in.integer()];
@@ -241,7 +245,9 @@ final class StateReader {
             p.names[i] = n;
             p.namesLeft += n.struck ? 0 : 1;
         }
-        t.add(p);
+        if (version > 2 || input.role != EventRole.CHECK_RETURN || told != null) {
+            t.add(p);
+        }
     }
 
     private Return told(Mission m) {
@@ -259,25 +265,26 @@ final class StateReader {
         return returnsOfVisits.computeIfAbsent(instance, i -> new Return(i, List.of(), i.returnValue));
     }
 
-    /** Before version 3 an occurrence did not say of which return it tells: it is the oldest of that value. */
-    private Return toldBefore(TransitionState t, CompiledInput input, Visit bound) {
-        if (bound != null) {
-            return bound.instances.stream()
-                    .filter(i -> input.checks(i.returnValue))
-                    .findFirst()
-                    .map(this::returnOf)
-                    .orElse(null);
-        }
-        for (CompiledPlace place : t.transition.inPlaces) {
-            for (SharedRun run : t.mission.place(place.index).shared) {
-                for (Return r : run.returns) {
-                    if (input.checks(r.value)) {
-                        return r;
-                    }
+    /** Before version 3 an occurrence that told the value of a visit's instance said only of which visit. */
+    private Return toldBefore(CompiledInput input, Visit bound) {
+        return bound == null
+                ? null
+                : bound.instances.stream()
+                        .filter(i -> input.checks(i.returnValue))
+                        .findFirst()
+                        .map(this::returnOf)
+                        .orElse(null);
+    }
+
+    /** Before version 3 the value of a static return replaced the one before it: all unused returns are told anew. */
+    private void tellUnusedReturns() {
+        for (Mission m : state.missions.values()) {
+            for (PlaceState place : m.places) {
+                for (SharedRun run : place == null ? new SharedRun[0] : place.shared) {
+                    run.returns.forEach(state.rules().pendings::tell);
                 }
             }
         }
-        return null;
     }
 
     private void decision() {

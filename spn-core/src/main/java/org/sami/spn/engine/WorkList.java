@@ -2,6 +2,7 @@ package org.sami.spn.engine;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 
 /**
@@ -49,6 +50,12 @@ final class WorkList {
     void addWithdrawn() {
         withdrawnFrom.forEach(this::left);
         withdrawnFrom.clear();
+    }
+
+    /** Those whom a dropped robot left, mission by mission in the order of their ids. */
+    void addDropped() {
+        withdrawnFrom.sort(Comparator.comparingLong(place -> place.mission.id));
+        addWithdrawn();
     }
 
     private void addIfWaiting(Mission mission, CompiledTransition t) {
