@@ -33,6 +33,17 @@ final class Palette {
         return COLORS.get(boat % COLORS.size());
     }
 
+    /** The rim of an area; its filling is the same, nearly transparent. */
+    static Color area(MapArea.Kind kind) {
+        return switch (kind) {
+            case EXPLORED -> new Color(0x56B4E9);
+            case UNCOVERED -> new Color(0xE69F00);
+            case AVOIDED -> new Color(0xB2182B);
+            case LIMIT -> new Color(0x4D4D4D);
+            case OTHER -> new Color(0x7B6FA0);
+        };
+    }
+
     /** The line of a boat's track. */
     static Stroke line(int boat) {
         return dashed(2.4f, DASHES[boat / COLORS.size() % DASHES.length]);

@@ -11,8 +11,8 @@ import java.util.Optional;
 
 /**
  * Writes a report's files into a folder: {@code report.json}, {@code boats.csv}, {@code locations.csv},
- * {@code firings.csv}, {@code tracks.csv}, {@code readings.csv}, {@code decisions.csv}, {@code interrupts.csv}, {@code tasks.csv} and
- * {@code map.png}. Files of those names are replaced; each appears whole or not at all.
+ * {@code firings.csv}, {@code tracks.csv}, {@code readings.csv}, {@code decisions.csv}, {@code interrupts.csv}, {@code tasks.csv},
+ * {@code run.gpx}, {@code run.kml}, {@code run.geojson} and {@code map.png}. Files of those names are replaced; each appears whole or not at all.
  */
 public final class ReportFolder {
     private static final List<String> FILES = List.of(
@@ -25,6 +25,9 @@ public final class ReportFolder {
             "decisions.csv",
             "interrupts.csv",
             "tasks.csv",
+            "run.gpx",
+            "run.kml",
+            "run.geojson",
             "map.png");
 
     private final Path folder;
@@ -57,6 +60,9 @@ public final class ReportFolder {
         text("decisions.csv", ReportTables.decisions(report).toString());
         text("interrupts.csv", ReportTables.interrupts(report).toString());
         text("tasks.csv", ReportTables.tasks(report).toString());
+        text("run.gpx", GpxFile.text(report));
+        text("run.kml", KmlFile.text(report));
+        text("run.geojson", GeoJsonFile.text(report));
         bytes("map.png", new MapPicture(report).png());
     }
 

@@ -10,6 +10,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.util.Optional;
 
 /** The report as one JSON object. Its members are described in docs/command-line.md; programs rely on them. */
 public final class ReportJson {
@@ -55,6 +56,9 @@ public final class ReportJson {
         ArrayNode problems = json.putArray("problems");
         report.problems().forEach(problem -> problems.add(problem.message()));
         json.set("waitsFor", waits(report));
+        json.set("closestApproach", approach(report.map().closest().ever()));
+        json.set("closestUnderWay", approach(report.map().closest().underWay()));
+        json.set("explorations", explorations(report));
         json.set("boats", boats(report));
         json.set("locations", locations(report));
         json.set("interrupts", interrupts(report));
@@ -77,6 +81,30 @@ public final class ReportJson {
                 report.origin().map(from -> from.startedAt().toString()).orElse(null));
         json.put("timeZone", report.origin().map(from -> from.zone().getId()).orElse(null));
         json.put("version", report.origin().map(RunOrigin::version).orElse(null));
+    }
+
+    private static JsonNode approach(Optional<Approach> approach) {
+        return approach.<JsonNode>map(near -> {
+                    ObjectNode node = NODES.objectNode();
+                    node.putArray("boats").add(near.boat()).add(near.other());
+                    return node.put("at", seconds(near.atMillis()))
+                            .put("distanceM", decimal(near.distanceM(), 2))
+                            .put("latDeg", decimal(near.where().latDeg(), 7))
+                            .put("lonDeg", decimal(near.where().lonDeg(), 7));
+                })
+                .orElse(NODES.nullNode());
+    }
+
+    private static ArrayNode explorations(RunReport report) {
+        ArrayNode array = NODES.arrayNode();
+        for (Exploration exploration : report.map().explorations()) {
+            array.addObject()
+                    .put("askedAt", seconds(exploration.askedAtMillis()))
+                    .put("spacingM", decimal(exploration.spacingM(), 2))
+                    .put("areaM2", decimal(exploration.areaM2(), 1))
+                    .put("uncoveredM2", decimal(exploration.uncoveredM2(), 1));
+        }
+        return array;
     }
 
     private static ObjectNode position(MapPoint point) {

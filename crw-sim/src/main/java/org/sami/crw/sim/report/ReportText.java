@@ -8,6 +8,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 
@@ -54,6 +55,13 @@ public final class ReportText {
                 report.locationsVisited(),
                 report.locations().size());
         line(text, "  %-20s%.0f m", "distance", report.distanceM());
+        report.map().closest().ever().ifPresent(ever -> line(text, "  %-20s%s", "closest approach", words(ever)));
+        report.map()
+                .closest()
+                .underWay()
+                .filter(underWay -> !report.map().closest().ever().equals(Optional.of(underWay)))
+                .ifPresent(underWay -> line(text, "  %-20s%s", "  under way", words(underWay)));
+        report.map().explorations().forEach(explored -> line(text, "  %-20s%s", "explored", words(explored)));
         line(text, "  %-20s%d", "firings", result.firings());
         long answered =
                 report.decisions().stream().filter(DecisionResult::answered).count();
@@ -69,6 +77,28 @@ public final class ReportText {
         report.origin().ifPresent(from -> line(text, "  %-20scrw %s", "program", from.version()));
         line(text, "  %-20s%s", "plan hash", header.planHash());
         line(text, "  %-20s%s", "run hash", result.runHash());
+    }
+
+    /** Who came how near, when and where. */
+    static String words(Approach approach) {
+        return String.format(
+                Locale.ROOT,
+                "%.1f m, %s and %s at %.1f s, %s",
+                approach.distanceM(),
+                approach.boat(),
+                approach.other(),
+                approach.atMillis() / 1000.0,
+                degrees(approach.where()));
+    }
+
+    /** How much of an area was explored. */
+    static String words(Exploration exploration) {
+        return String.format(
+                Locale.ROOT,
+                "%.2f %% of %.0f m², %.0f m² left",
+                100 * (1 - exploration.uncoveredM2() / Math.max(1e-9, exploration.areaM2())),
+                exploration.areaM2(),
+                exploration.uncoveredM2());
     }
 
     /** When a run began, in UTC and, where that is another time, in the time zone of its machine. */

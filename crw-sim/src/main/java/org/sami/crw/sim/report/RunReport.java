@@ -9,6 +9,7 @@ import java.util.Optional;
  *
  * @param waits where the mission stood and what it waited for; empty where it is over
  * @param origin when it began, and who tells of it; empty where nobody wrote that down
+ * @param map the areas and points of its plan, and how near boats came to one another
  */
 public record RunReport(
         RunHeader header,
@@ -22,9 +23,11 @@ public record RunReport(
         List<ReadingResult> readings,
         List<TaskResult> tasks,
         List<Wait> waits,
-        Optional<RunOrigin> origin) {
+        Optional<RunOrigin> origin,
+        RunMap map) {
     public RunReport {
         Objects.requireNonNull(origin, "origin");
+        Objects.requireNonNull(map, "map");
         Objects.requireNonNull(header, "header");
         Objects.requireNonNull(result, "result");
         boats = List.copyOf(boats);
@@ -60,40 +63,41 @@ public record RunReport(
                 List.of(),
                 List.of(),
                 List.of(),
-                Optional.empty());
+                Optional.empty(),
+                RunMap.of(boats));
     }
 
     /** The same with what the boats measured. */
     public RunReport withReadings(List<ReadingResult> measured) {
-        return new RunReport(
-                header,
-                result,
-                boats,
-                locations,
-                decisions,
-                firings,
-                interrupts,
-                notes,
-                measured,
-                tasks,
-                waits,
-                origin);
+        return with(measured, tasks, waits, origin, map);
     }
 
     /** The same with what became of the tasks. */
     public RunReport withTasks(List<TaskResult> told) {
-        return new RunReport(
-                header, result, boats, locations, decisions, firings, interrupts, notes, readings, told, waits, origin);
+        return with(readings, told, waits, origin, map);
     }
 
     /** The same with where the mission stands. */
     public RunReport withWaits(List<Wait> told) {
-        return new RunReport(
-                header, result, boats, locations, decisions, firings, interrupts, notes, readings, tasks, told, origin);
+        return with(readings, tasks, told, origin, map);
     }
 
     /** The same with when it began and which program tells of it. */
     public RunReport withOrigin(RunOrigin from) {
+        return with(readings, tasks, waits, Optional.of(from), map);
+    }
+
+    /** The same with the areas and points of its plan. */
+    public RunReport withMap(RunMap of) {
+        return with(readings, tasks, waits, origin, of);
+    }
+
+    private RunReport with(
+            List<ReadingResult> newReadings,
+            List<TaskResult> newTasks,
+            List<Wait> newWaits,
+            Optional<RunOrigin> newOrigin,
+            RunMap newMap) {
         return new RunReport(
                 header,
                 result,
@@ -103,10 +107,11 @@ public record RunReport(
                 firings,
                 interrupts,
                 notes,
-                readings,
-                tasks,
-                waits,
-                Optional.of(from));
+                newReadings,
+                newTasks,
+                newWaits,
+                newOrigin,
+                newMap);
     }
 
     /** What went wrong that no plan heard of, oldest first. */

@@ -12,6 +12,7 @@ import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.fleet.SimulatedBoat;
+import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.LinkResult;
 import org.sami.crw.sim.report.LinkResult.Uploads;
 import org.sami.crw.sim.report.NoteResult;
@@ -52,6 +53,7 @@ public final class InProcessRun {
     private final RunRecorder recorder;
     private final VisitRecorder visits = new VisitRecorder();
     private final TrackRecorder tracks = new TrackRecorder();
+    private final PlanMap map;
     private final StallWatch stall;
     private Optional<String> fault = Optional.empty();
     private boolean started;
@@ -94,6 +96,8 @@ public final class InProcessRun {
         base.host().addListener(operator);
         base.host().addListener(new LocationListener(visits, water.plane()));
         base.host().addListener(interrupts);
+        map = new PlanMap(water.plane());
+        base.host().addListener(map);
         operator.connect(base.host());
         interrupts.connect(base.host());
         stall = new StallWatch(base.host(), plan, operator, interrupts, recorder);
@@ -110,14 +114,16 @@ public final class InProcessRun {
         RunOutcome outcome = loop(pacer, observer);
         double wallSeconds = (System.nanoTime() - wallStart) / 1e9;
         List<BoatState> boats = water.boats();
+        List<BoatResult> results = tracks.results(now(), boats, this::link);
         return new ReportBuilder(plan, settings, recorder, journal.resumedFrom(), water.plane())
                 .build(
                         new ReportBuilder.End(outcome, fault.orElse(""), now(), wallSeconds),
                         boats,
-                        tracks.results(now(), boats, this::link),
+                        results,
                         visits.locations(),
                         interrupts.results(),
                         messages())
+                .withMap(map.map(results, visits.locations()))
                 .withReadings(base.readings().readings())
                 .withWaits(outcome.isOver() ? List.of() : ask(view -> Waits.of(plan, view)));
     }
@@ -125,6 +131,7 @@ public final class InProcessRun {
     private List<NoteResult> messages() {
         List<NoteResult> all = new ArrayList<>(base.messages());
         all.addAll(operator.notes());
+        all.addAll(tracks.notes(now()));
         return all;
     }
 

@@ -72,7 +72,7 @@ final class EarlierRun implements SessionNotes.Reader {
     void takeUp(LocalFrame plane, TrackRecorder tracks, VisitRecorder recorder) {
         for (Pose pose : poses) {
             desk.restored(pose.boat, pose.told, pose.distanceM);
-            tracks.look(pose.atMillis, desk.state(pose.boat, plane));
+            desk.state(pose.boat, plane).forEach(boat -> tracks.add(new TrackRecorder.Noted(pose.atMillis, boat)));
         }
         for (Visit visit : visits) {
             recorder.visited(visit.location.latDeg(), visit.location.lonDeg(), visit.atMillis, visit.boat);

@@ -2,6 +2,7 @@ package org.sami.crw.sim.tcp;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -11,6 +12,7 @@ import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.OperatorDefaults;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.sim.clock.CatchUpScheduler;
+import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.RunOutcome;
@@ -20,6 +22,7 @@ import org.sami.crw.sim.run.InterruptStation;
 import org.sami.crw.sim.run.LocationListener;
 import org.sami.crw.sim.run.OperatorStation;
 import org.sami.crw.sim.run.PlanInterrupts;
+import org.sami.crw.sim.run.PlanMap;
 import org.sami.crw.sim.run.PlannedInterrupt;
 import org.sami.crw.sim.run.ReportBuilder;
 import org.sami.crw.sim.run.RunPlan;
@@ -57,6 +60,8 @@ final class MissionWatch {
     private final TrackRecorder tracks = new TrackRecorder();
     private final StallWatch stall;
     private final LocationListener locations;
+    private final PlanMap map;
+    private Map<String, BoatDesk.Told> toldBefore = Map.of(); // a track period ago, by boat
     private Optional<String> fault = Optional.empty();
     private boolean started;
     private volatile boolean stopAsked;
@@ -91,6 +96,7 @@ final class MissionWatch {
         interrupts = new InterruptStation(planned(plan, settings, area), clock);
         recorder = new RunRecorder(plan.project());
         locations = new LocationListener(visits, plane);
+        map = new PlanMap(plane);
         stall = new StallWatch(station.host(), plan, operator, interrupts, recorder);
         progress = progress();
     }
@@ -120,7 +126,7 @@ final class MissionWatch {
     }
 
     private List<HostListener> listeners() {
-        return List.of(recorder, operator, locations, interrupts);
+        return List.of(recorder, operator, locations, interrupts, map);
     }
 
     /** Whether the mission began in an earlier process. */
@@ -178,11 +184,17 @@ final class MissionWatch {
     private void track() {
         station.lookAfterBoats();
         long at = now();
-        for (BoatState noted : tracks.look(at, boats())) {
-            station.desk()
-                    .last(noted.id())
-                    .ifPresent(told -> station.notes().pose(at, noted.id(), told, noted.distanceM()));
+        Map<String, BoatDesk.Told> now = new HashMap<>();
+        List<BoatState> boats = boats();
+        boats.forEach(boat -> station.desk().last(boat.id()).ifPresent(told -> now.put(boat.id(), told)));
+        for (TrackRecorder.Noted noted : tracks.look(at, boats)) {
+            BoatState boat = noted.boat();
+            BoatDesk.Told told = (noted.atMillis() < at ? toldBefore : now).get(boat.id());
+            if (told != null) {
+                station.notes().pose(noted.atMillis(), boat.id(), told, boat.distanceM());
+            }
         }
+        toldBefore = now;
     }
 
     /**
@@ -281,14 +293,16 @@ final class MissionWatch {
                                 .map(boat ->
                                         "; " + station.desk().link(boat.id()).why())
                                 .collect(Collectors.joining());
+        List<BoatResult> results = tracks.results(atMillis, boats, station.desk()::link);
         return new ReportBuilder(plan, settings, recorder, journal.resumedFrom(), plane)
                 .build(
                         new ReportBuilder.End(outcome, why, atMillis, wallSeconds),
                         boats,
-                        tracks.results(atMillis, boats, station.desk()::link),
+                        results,
                         visits.locations(),
                         interrupts.results(),
                         told(atMillis))
+                .withMap(map.map(results, visits.locations()))
                 .withReadings(station.readings())
                 .withWaits(outcome.isOver() ? List.of() : station.host().ask(view -> Waits.of(plan, view)));
     }
@@ -298,6 +312,7 @@ final class MissionWatch {
         told.addAll(station.missingReadings(atMillis));
         told.addAll(operator.notes());
         station.notes().problem().ifPresent(told::add);
+        told.addAll(tracks.notes(atMillis));
         return told;
     }
 }

@@ -34,6 +34,9 @@ class ReportFolderTest {
                             "decisions.csv",
                             "interrupts.csv",
                             "tasks.csv",
+                            "run.gpx",
+                            "run.kml",
+                            "run.geojson",
                             "map.png");
         }
     }

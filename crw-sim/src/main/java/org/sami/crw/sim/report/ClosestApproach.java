@@ -1,0 +1,55 @@
+package org.sami.crw.sim.report;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * How near boats came to one another in a run, by their tracks: every two of them at equal times, as long as both were there. Between two
+ * points a boat goes on a straight line at a steady speed.
+ *
+ * @param ever the nearest of all; empty for fewer than two boats
+ * @param underWay the nearest from the moment on at which both of the two had left where they began, by {@link #LEFT_M}: boats mostly
+ *     lie side by side at the start. Empty where no two had
+ */
+public record ClosestApproach(Optional<Approach> ever, Optional<Approach> underWay) {
+    /** A boat that is so far from its first point has left it, in metres. */
+    public static final double LEFT_M = 10;
+
+    public ClosestApproach {
+        Objects.requireNonNull(ever, "ever");
+        Objects.requireNonNull(underWay, "underWay");
+    }
+
+    /** Looks through the tracks of all boats. */
+    public static ClosestApproach of(List<BoatResult> boats) {
+        Optional<Approach> ever = Optional.empty();
+        Optional<Approach> underWay = Optional.empty();
+        List<Long> left = boats.stream().map(boat -> leftAt(boat.track())).toList();
+        for (int i = 0; i < boats.size(); i++) {
+            for (int j = i + 1; j < boats.size(); j++) {
+                PairOfTracks pair = new PairOfTracks(boats.get(i), boats.get(j));
+                ever = nearer(ever, pair.nearest(0));
+                underWay = nearer(underWay, pair.nearest(Math.max(left.get(i), left.get(j))));
+            }
+        }
+        return new ClosestApproach(ever, underWay);
+    }
+
+    private static Optional<Approach> nearer(Optional<Approach> known, Optional<Approach> other) {
+        boolean isNearer = other.isPresent()
+                && (known.isEmpty() || other.get().distanceM() < known.get().distanceM());
+        return isNearer ? other : known;
+    }
+
+    /** When a boat had left its first point; never is the end of all time. */
+    private static long leftAt(List<TrackPoint> track) {
+        for (TrackPoint point : track) {
+            TrackPoint first = track.get(0);
+            if (Math.hypot(point.eastM() - first.eastM(), point.northM() - first.northM()) >= LEFT_M) {
+                return point.atMillis();
+            }
+        }
+        return Long.MAX_VALUE;
+    }
+}

@@ -1,0 +1,49 @@
+package org.sami.crw.sim.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/** What the things on a run's map are called in the files that other programs draw. */
+final class MapNames {
+    private MapNames() {}
+
+    static String run(RunReport report) {
+        return String.format(
+                Locale.ROOT,
+                "plan %s, seed %d, %s after %s",
+                report.header().plan(),
+                report.header().seed(),
+                report.result().outcome().word(),
+                ReportText.duration(report.result().simulatedMillis()));
+    }
+
+    static String of(LocationResult location) {
+        return location.visited()
+                ? String.format(
+                        Locale.ROOT,
+                        "visited by %s at %.1f s",
+                        location.visitedBy(),
+                        location.visitedAtMillis().getAsLong() / 1000.0)
+                : "not visited";
+    }
+
+    static String of(MapSpot spot) {
+        return spot.kind().words() + (spot.boat().isEmpty() ? "" : " of " + spot.boat());
+    }
+
+    static String of(BoatResult boat) {
+        return String.format(Locale.ROOT, "%.0f m, battery %.0f %%", boat.distanceM(), boat.batteryPercent());
+    }
+
+    static MapPoint point(LocationResult location) {
+        return new MapPoint(location.latDeg(), location.lonDeg(), location.eastM(), location.northM());
+    }
+
+    /** The areas of the plan, and then what was left uncovered. */
+    static List<MapArea> areas(RunReport report) {
+        List<MapArea> areas = new ArrayList<>(report.map().areas());
+        report.map().explorations().forEach(exploration -> areas.addAll(exploration.uncovered()));
+        return areas;
+    }
+}

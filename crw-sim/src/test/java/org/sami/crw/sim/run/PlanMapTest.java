@@ -1,0 +1,126 @@
+package org.sami.crw.sim.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.OptionalLong;
+import org.junit.jupiter.api.Test;
+import org.sami.crw.sim.report.Exploration;
+import org.sami.crw.sim.report.MapArea;
+import org.sami.crw.sim.report.MapSpot;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.spn.json.ProjectReader;
+import org.sami.spn.json.ProjectWriter;
+import org.sami.spn.model.Project;
+
+/** What plans of the library leave on the map of their runs. */
+class PlanMapTest {
+    /** 20 m by 20 m, 30 m north-east of the centre. */
+    private static final String AVOIDED = """
+        "avoid": {"value": [{"outline": [
+         {"lat": 45.70018, "lon": 10.72026}, {"lat": 45.70018, "lon": 10.72052},
+         {"lat": 45.70036, "lon": 10.72052}, {"lat": 45.70036, "lon": 10.72026}]}]},\
+        """;
+
+    @Test
+    void anAreaThatWasExploredIsCoveredByTheTracks() {
+        RunPlan plan = Runs.plan("explore-area");
+
+        RunReport report = Runs.run(plan, settings(plan, 7_200_000));
+
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
+        Exploration explored = report.map().explorations().get(0);
+        assertThat(report.map().explorations()).hasSize(1);
+        assertThat(explored.areaM2()).isCloseTo(200 * 200, within(10.0));
+        assertThat(explored.uncoveredM2() / explored.areaM2()).isLessThan(0.03);
+        assertThat(report.map().areas()).singleElement().satisfies(area -> {
+            assertThat(area.kind()).isEqualTo(MapArea.Kind.EXPLORED);
+            assertThat(area.outline())
+                    .hasSize(4)
+                    .allSatisfy(p -> assertThat(Math.abs(p.eastM())).isCloseTo(100, within(0.1)));
+        });
+    }
+
+    @Test
+    void whatWasNotExploredWhenTheRunStoppedIsOnTheMap() {
+        RunPlan plan = Runs.plan("explore-area");
+
+        Exploration half =
+                Runs.run(plan, settings(plan, 120_000)).map().explorations().get(0);
+
+        assertThat(half.uncoveredM2()).isBetween(0.2 * half.areaM2(), 0.99 * half.areaM2());
+        assertThat(half.uncovered()).isNotEmpty().allMatch(piece -> piece.kind() == MapArea.Kind.UNCOVERED);
+        assertThat(half.uncovered().stream().mapToDouble(PlanMapTest::areaM2).sum())
+                .isCloseTo(half.uncoveredM2(), within(20.0));
+    }
+
+    @Test
+    void whatIsToBeAvoidedIsOnTheMapAndNotToBeExplored() {
+        RunPlan library = Runs.plan("explore-area");
+        String text = new ProjectWriter(library.vocabulary()).text(library.project());
+        String avoiding = text.replaceFirst("(\"area\": \\{\\s*\"variable\": \"@area\"\\s*},?)", AVOIDED + "$1");
+        assertThat(avoiding).isNotEqualTo(text);
+        Project project = new ProjectReader(library.vocabulary()).read(avoiding).orThrow();
+        RunPlan plan = new RunPlan(
+                library.vocabulary(), project, project.plan("explore-area").orElseThrow());
+
+        RunReport report = Runs.run(plan, settings(plan, 60_000));
+
+        assertThat(report.map().areas())
+                .extracting(MapArea::kind)
+                .containsExactlyInAnyOrder(MapArea.Kind.EXPLORED, MapArea.Kind.AVOIDED);
+        assertThat(report.map().explorations().get(0).areaM2()).isCloseTo(200 * 200 - 20 * 20, within(15.0));
+    }
+
+    @Test
+    void placesWhereBoatsGatherAreOnTheMap() {
+        RunPlan plan = Runs.plan("station-keep");
+
+        RunReport report = Runs.run(plan, Runs.settings(plan, 3, 1, 1));
+
+        List<MapSpot> assembly = report.map().spots().stream()
+                .filter(spot -> spot.kind() == MapSpot.Kind.ASSEMBLY)
+                .toList();
+        assertThat(assembly).extracting(MapSpot::boat).containsExactlyInAnyOrder("boat1", "boat2", "boat3");
+        assertThat(report.map().spots())
+                .filteredOn(spot -> spot.kind() == MapSpot.Kind.PLAN)
+                .hasSize(1);
+    }
+
+    @Test
+    void locationsAreNotDrawnTwice() {
+        RunPlan plan = Runs.plan("clv");
+
+        assertThat(Runs.run(plan, Runs.settings(plan, 3, 5, 1)).map().spots()).isEmpty();
+    }
+
+    private static double areaM2(MapArea area) {
+        double holes = area.holes().stream().mapToDouble(PlanMapTest::ringM2).sum();
+        return ringM2(area.outline()) - holes;
+    }
+
+    private static double ringM2(List<org.sami.crw.sim.report.MapPoint> ring) {
+        double twice = 0;
+        for (int i = 0; i < ring.size(); i++) {
+            var a = ring.get(i);
+            var b = ring.get((i + 1) % ring.size());
+            twice += a.eastM() * b.northM() - b.eastM() * a.northM();
+        }
+        return Math.abs(twice) / 2;
+    }
+
+    private static RunSettings settings(RunPlan plan, long stopMillis) {
+        RunSettings usual = Runs.settings(plan, 2, 1, 1);
+        return new RunSettings(
+                usual.plan(),
+                usual.mission(),
+                new RunSettings.Fleet(2, 1, 200, 1),
+                usual.speed(),
+                OptionalLong.of(stopMillis),
+                usual.parameters(),
+                usual.answerAfterMillis(),
+                usual.answers());
+    }
+}
