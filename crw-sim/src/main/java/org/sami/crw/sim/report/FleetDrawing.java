@@ -6,17 +6,20 @@ import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.Shape;
-import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 
-/** Tracks, locations, starts and ends on the map. */
+/** Tracks, locations, points of the plan, starts and ends on the map. */
 final class FleetDrawing {
     /** Discs have room for numbers up to here; beyond, locations are dots (locations.csv has the numbers). */
     private static final int NUMBERED_LOCATIONS = 150;
 
+    private static final double BOAT_RADIUS = 12;
     private static final int NAMED_BOATS = 30;
     private static final int NAMED_AT_START = 6;
 
@@ -25,6 +28,7 @@ final class FleetDrawing {
     private final MapScale scale;
     private final LabelSpace labels;
     private final double locationRadius;
+    private final Map<Integer, Point2D> ends = new HashMap<>(); // where each boat's sign stands
 
     FleetDrawing(RunReport report, Rectangle frame, MapScale scale) {
         this.report = report;
@@ -32,7 +36,7 @@ final class FleetDrawing {
         this.scale = scale;
         this.labels = new LabelSpace(frame);
         int locations = report.locations().size();
-        locationRadius = locations <= 60 ? Signs.LOCATION_RADIUS : locations <= NUMBERED_LOCATIONS ? 10 : 4;
+        locationRadius = locations <= NUMBERED_LOCATIONS ? Signs.LOCATION_RADIUS : 4;
     }
 
     void draw(Graphics2D g) {
@@ -42,13 +46,18 @@ final class FleetDrawing {
         for (int i = 0; i < boats.size(); i++) {
             track(g, i, boats.get(i).track());
         }
+        report.map().spots().forEach(spot -> spot(g, spot));
+        report.locations().forEach(location -> labels.take(at(location), 2));
         report.locations().forEach(location -> location(g, location));
+        report.map().closest().underWay().ifPresent(near -> labels.take(at(near.where()), 14));
         for (int i = 0; i < boats.size(); i++) {
             ends(g, i, boats.get(i).track());
         }
         for (int i = 0; i < boats.size() && boats.size() <= NAMED_BOATS; i++) {
             name(g, i, boats.get(i));
         }
+        report.header().place().quay().ifPresent(quay -> quay(g, at(quay)));
+        report.map().closest().underWay().ifPresent(near -> Signs.approach(g, at(near.where())));
         g.setClip(before);
     }
 
@@ -70,12 +79,38 @@ final class FleetDrawing {
         g.draw(line);
     }
 
+    private void spot(Graphics2D g, MapSpot spot) {
+        if (spot.kind() == MapSpot.Kind.ASSEMBLY) {
+            Signs.assembly(g, at(spot.at()), Palette.color(boatIndex(spot.boat())));
+        } else {
+            Signs.planPoint(g, at(spot.at()));
+        }
+        labels.take(at(spot.at()), 9);
+    }
+
+    /** A disc that would cover another stands beside its location, with a line to it. */
     private void location(Graphics2D g, LocationResult location) {
-        Point2D at = scale.at(location.eastM(), location.northM());
-        int boat = boatIndex(location.visitedBy());
-        labels.take(at, locationRadius + 3);
-        String number = report.locations().size() <= NUMBERED_LOCATIONS ? String.valueOf(location.number()) : "";
-        Signs.location(g, at, number, location.visited() ? Palette.color(boat) : null, locationRadius);
+        Point2D at = at(location);
+        boolean numbered = report.locations().size() <= NUMBERED_LOCATIONS;
+        Color visitor = location.visited() ? Palette.color(boatIndex(location.visitedBy())) : null;
+        Point2D disc = numbered ? labels.disc(at, locationRadius) : at;
+        if (disc.distance(at) > 1) {
+            g.setColor(Palette.INK);
+            g.setStroke(Palette.dashed(1.2f));
+            g.draw(new Line2D.Double(at, disc));
+            Signs.location(g, at, "", visitor, 4);
+        }
+        Signs.location(g, disc, numbered ? String.valueOf(location.number()) : "", visitor, locationRadius);
+    }
+
+    /** The quay's sign stands beside the boats that begin there. */
+    private void quay(Graphics2D g, Point2D at) {
+        Rectangle2D box = labels.place(at, 20, 20);
+        Point2D sign = new Point2D.Double(box.getCenterX(), box.getCenterY());
+        g.setColor(Palette.INK);
+        g.setStroke(Palette.dashed(1.2f));
+        g.draw(new Line2D.Double(at, sign));
+        Signs.quay(g, sign);
     }
 
     private int boatIndex(String id) {
@@ -90,21 +125,11 @@ final class FleetDrawing {
         Color color = Palette.color(boat);
         TrackPoint last = track.get(track.size() - 1);
         Signs.start(g, at(track.get(0)), color);
-        Point2D end = beside(at(last), bearing(track));
+        // a boat mostly ends on its last location: its sign stands ahead, so that both can be seen
+        Point2D end = labels.ahead(at(last), BOAT_RADIUS, bearing(track));
+        ends.put(boat, end);
         Signs.boat(g, end, bearing(track), color);
         labels.take(at(track.get(0)), 9);
-        labels.take(end, 12);
-    }
-
-    /** A boat mostly ends on its last location; its sign is moved ahead so that both can be seen. */
-    private Point2D beside(Point2D end, double bearingRad) {
-        boolean covers = report.locations().stream()
-                .anyMatch(l -> scale.at(l.eastM(), l.northM()).distance(end) < 2 * locationRadius);
-        return covers
-                ? new Point2D.Double(
-                        end.getX() + 2 * locationRadius * Math.sin(bearingRad),
-                        end.getY() - 2 * locationRadius * Math.cos(bearingRad))
-                : end;
     }
 
     /** The name stands at the start, for boats mostly end where there is little room; that of many at the end. */
@@ -115,12 +140,35 @@ final class FleetDrawing {
         g.setFont(MapPicture.font(Font.BOLD, 14));
         FontMetrics metrics = g.getFontMetrics();
         double width = metrics.stringWidth(result.id()) + 8.0;
-        int named = report.boats().size() <= NAMED_AT_START ? 0 : result.track().size() - 1;
-        Rectangle2D box = labels.place(at(result.track().get(named)), width, metrics.getHeight());
+        boolean atStart = report.boats().size() <= NAMED_AT_START;
+        Point2D sign = atStart ? at(result.track().get(0)) : ends.get(boat);
+        Rectangle2D box = labels.place(sign, width, metrics.getHeight());
+        if (!atStart) {
+            line(g, sign, box, Palette.color(boat).darker());
+        }
         g.setColor(new Color(255, 255, 255, 200));
         g.fill(box);
         g.setColor(Palette.color(boat).darker());
         g.drawString(result.id(), (float) box.getX() + 4, (float) (box.getMaxY() - metrics.getDescent()));
+    }
+
+    /** From the rim of a sign to its name, if that stands apart. */
+    private static void line(Graphics2D g, Point2D sign, Rectangle2D box, Color color) {
+        double east = box.getCenterX() - sign.getX();
+        double south = box.getCenterY() - sign.getY();
+        double part = Math.min(1, BOAT_RADIUS / Math.max(1, Math.hypot(east, south)));
+        g.setColor(color);
+        g.setStroke(Palette.dashed(1));
+        g.draw(new Line2D.Double(
+                sign.getX() + part * east, sign.getY() + part * south, box.getCenterX(), box.getCenterY()));
+    }
+
+    private Point2D at(LocationResult location) {
+        return scale.at(location.eastM(), location.northM());
+    }
+
+    private Point2D at(MapPoint point) {
+        return scale.at(point.eastM(), point.northM());
     }
 
     private Point2D at(TrackPoint point) {
@@ -138,77 +186,5 @@ final class FleetDrawing {
             }
         }
         return 0;
-    }
-
-    /** The signs of the map; the legend shows the same. */
-    static final class Signs {
-        static final double LOCATION_RADIUS = 12;
-
-        private Signs() {}
-
-        /** A numbered location: filled with the visitor's colour and ticked, or empty with a dashed rim. */
-        static void location(Graphics2D g, Point2D at, String number, Color visitor, double radius) {
-            Shape disc = circle(at, radius);
-            g.setColor(visitor == null ? Palette.PAPER : visitor);
-            g.fill(disc);
-            g.setColor(Palette.INK);
-            g.setStroke(visitor == null ? Palette.dashed(1.8f, 4, 3) : Palette.dashed(1.2f));
-            g.draw(disc);
-            g.setColor(visitor == null ? Palette.INK : Palette.textOn(visitor));
-            g.setFont(MapPicture.font(Font.BOLD, number.length() > 2 || radius < LOCATION_RADIUS ? 10 : 13));
-            FontMetrics metrics = g.getFontMetrics();
-            g.drawString(number, (float) (at.getX() - metrics.stringWidth(number) / 2.0), (float)
-                    (at.getY() + (metrics.getAscent() - metrics.getDescent()) / 2.0));
-            if (visitor != null && !number.isEmpty()) {
-                tick(g, new Point2D.Double(at.getX() + radius - 2, at.getY() - radius + 2));
-            }
-        }
-
-        private static void tick(Graphics2D g, Point2D at) {
-            g.setColor(Palette.PAPER);
-            g.fill(circle(at, 7));
-            g.setColor(Palette.INK);
-            g.setStroke(Palette.dashed(1));
-            g.draw(circle(at, 7));
-            Path2D tick = new Path2D.Double();
-            tick.moveTo(at.getX() - 3.4, at.getY());
-            tick.lineTo(at.getX() - 1, at.getY() + 3);
-            tick.lineTo(at.getX() + 3.6, at.getY() - 3.2);
-            g.setStroke(Palette.dashed(2));
-            g.draw(tick);
-        }
-
-        /** Where a boat started: a square. */
-        static void start(Graphics2D g, Point2D at, Color color) {
-            Rectangle2D square = new Rectangle2D.Double(at.getX() - 6, at.getY() - 6, 12, 12);
-            g.setColor(color);
-            g.fill(square);
-            g.setColor(Palette.INK);
-            g.setStroke(Palette.dashed(1.4f));
-            g.draw(square);
-        }
-
-        /** Where a boat is at the end: an arrowhead in the direction of its way. */
-        static void boat(Graphics2D g, Point2D at, double bearingRad, Color color) {
-            Path2D hull = new Path2D.Double();
-            hull.moveTo(0, -13);
-            hull.lineTo(8, 9);
-            hull.lineTo(0, 4);
-            hull.lineTo(-8, 9);
-            hull.closePath();
-            Graphics2D turned = (Graphics2D) g.create();
-            turned.translate(at.getX(), at.getY());
-            turned.rotate(bearingRad);
-            turned.setColor(color);
-            turned.fill(hull);
-            turned.setColor(Palette.INK);
-            turned.setStroke(Palette.dashed(1.6f));
-            turned.draw(hull);
-            turned.dispose();
-        }
-
-        private static Shape circle(Point2D at, double radius) {
-            return new Ellipse2D.Double(at.getX() - radius, at.getY() - radius, 2 * radius, 2 * radius);
-        }
     }
 }

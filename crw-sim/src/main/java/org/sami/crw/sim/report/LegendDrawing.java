@@ -5,11 +5,19 @@ import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Locale;
 
 /** The panel beside the map: who is who, what the signs mean, how the run came out. */
 final class LegendDrawing {
+    /** Headings, gaps and the lines below "Run". */
+    private static final int RUN_HEIGHT = 3 * 32 + 2 * 18 + 18 + 9 * 24;
+
+    private static final int SIGN_HEIGHT = 31;
+    private static final int TWO_LINES = 42;
+    private static final int ONE_LINE = 20;
+
     private final RunReport report;
     private final Rectangle frame;
     private int y;
@@ -23,10 +31,10 @@ final class LegendDrawing {
         y = frame.y + 18;
         heading(g, "Boats");
         boats(g);
-        y += 22;
+        y += 18;
         heading(g, "Signs");
         signs(g);
-        y += 22;
+        y += 18;
         heading(g, "Run");
         run(g);
     }
@@ -38,58 +46,115 @@ final class LegendDrawing {
         g.setColor(Palette.GRID);
         g.setStroke(Palette.dashed(1.5f));
         g.draw(new Line2D.Double(frame.x, y + 8, frame.getMaxX(), y + 8));
-        y += 34;
+        y += 32;
     }
 
     private void boats(Graphics2D g) {
         List<BoatResult> boats = report.boats();
-        int shown = Math.min(boats.size(), 16);
-        int step = shown > 8 ? 24 : 42;
+        int room = frame.height - RUN_HEIGHT - SIGN_HEIGHT * signCount();
+        int step = boats.size() * TWO_LINES <= room ? TWO_LINES : ONE_LINE;
+        int shown = boats.size() * step <= room ? boats.size() : Math.max(1, room / step - 1);
         for (int i = 0; i < shown; i++) {
             BoatResult boat = boats.get(i);
             g.setColor(Palette.color(i));
             g.setStroke(Palette.line(i));
             g.draw(new Line2D.Double(frame.x + 2, y - 5, frame.x + 54, y - 5));
             g.setColor(Palette.INK);
-            g.setFont(MapPicture.font(Font.BOLD, 15));
-            g.drawString(boat.id(), frame.x + 68, y);
-            g.setFont(MapPicture.font(Font.PLAIN, 15));
             String travelled =
                     String.format(Locale.ROOT, "%.0f m · battery %.0f %%", boat.distanceM(), boat.batteryPercent());
-            if (step > 24) {
-                g.drawString(travelled + " · " + visits(boat), frame.x + 68, y + 18);
-            } else {
-                g.drawString(travelled, frame.x + 168, y);
-            }
+            boolean twoLines = step == TWO_LINES;
+            words(g, Font.BOLD, boat.id(), 68, y, twoLines ? frame.width - 68 : 96);
+            words(
+                    g,
+                    Font.PLAIN,
+                    twoLines ? travelled + visits(boat) : travelled,
+                    twoLines ? 68 : 168,
+                    y + (twoLines ? 18 : 0),
+                    400);
             y += step;
         }
         if (shown < boats.size()) {
-            g.setFont(MapPicture.font(Font.ITALIC, 15));
-            g.drawString("and " + (boats.size() - shown) + " more (boats.csv)", frame.x + 68, y);
-            y += 24;
+            words(g, Font.ITALIC, "and " + (boats.size() - shown) + " more (boats.csv)", 68, y, 400);
+            y += ONE_LINE;
         }
     }
 
     private String visits(BoatResult boat) {
+        if (report.locations().isEmpty()) {
+            return "";
+        }
         long visits = report.locations().stream()
                 .filter(location -> location.visitedBy().equals(boat.id()))
                 .count();
-        return visits + (visits == 1 ? " location" : " locations");
+        return " · " + visits + (visits == 1 ? " location" : " locations");
     }
 
+    /** Those that are on the map. */
     private void signs(Graphics2D g) {
-        FleetDrawing.Signs.location(g, sign(), "1", Palette.color(0), FleetDrawing.Signs.LOCATION_RADIUS);
-        text(g, "location, visited, in its visitor's colour");
-        FleetDrawing.Signs.location(g, sign(), "2", null, FleetDrawing.Signs.LOCATION_RADIUS);
-        text(g, "location, not visited");
-        FleetDrawing.Signs.start(g, sign(), Palette.color(0));
+        if (report.locations().stream().anyMatch(LocationResult::visited)) {
+            Signs.location(g, sign(), "1", Palette.color(0), Signs.LOCATION_RADIUS);
+            text(g, "location, visited, in its visitor's colour");
+        }
+        if (!report.locations().stream().allMatch(LocationResult::visited)) {
+            Signs.location(g, sign(), "2", null, Signs.LOCATION_RADIUS);
+            text(g, "location, not visited");
+        }
+        if (!report.locations().isEmpty()) {
+            g.setColor(Palette.FAINT_INK);
+            g.setStroke(Palette.dashed(1.2f, 6, 6));
+            g.draw(new Rectangle2D.Double(frame.x + 8, y - 17, 24, 24));
+            text(g, "square in which locations are drawn");
+        }
+        Signs.start(g, sign(), Palette.color(0));
         text(g, "start of a boat");
-        FleetDrawing.Signs.boat(g, sign(), 0, Palette.color(0));
+        Signs.boat(g, sign(), 0, Palette.color(0));
         text(g, "boat at the end of the run");
-        g.setColor(Palette.FAINT_INK);
-        g.setStroke(Palette.dashed(1.2f, 6, 6));
-        g.draw(new java.awt.geom.Rectangle2D.Double(frame.x + 8, y - 17, 24, 24));
-        text(g, "area of the locations");
+        if (report.header().place().quay().isPresent()) {
+            Signs.quay(g, sign());
+            text(g, "quay");
+        }
+        if (has(MapSpot.Kind.PLAN)) {
+            Signs.planPoint(g, sign());
+            text(g, MapSpot.Kind.PLAN.words());
+        }
+        if (has(MapSpot.Kind.ASSEMBLY)) {
+            Signs.assembly(g, sign(), Palette.color(0));
+            text(g, "assembly place, in its boat's colour");
+        }
+        if (report.map().closest().underWay().isPresent()) {
+            Signs.approach(g, sign());
+            text(g, "closest approach under way");
+        }
+        for (MapArea.Kind kind : kinds()) {
+            AreaDrawing.area(g, kind, new Rectangle2D.Double(frame.x + 6, y - 16, 28, 22));
+            text(g, kind.words());
+        }
+    }
+
+    private int signCount() {
+        boolean visited = report.locations().stream().anyMatch(LocationResult::visited);
+        boolean unvisited = !report.locations().stream().allMatch(LocationResult::visited);
+        return (visited ? 1 : 0)
+                + (unvisited ? 1 : 0)
+                + (report.locations().isEmpty() ? 0 : 1)
+                + 2
+                + (report.header().place().quay().isPresent() ? 1 : 0)
+                + (has(MapSpot.Kind.PLAN) ? 1 : 0)
+                + (has(MapSpot.Kind.ASSEMBLY) ? 1 : 0)
+                + (report.map().closest().underWay().isPresent() ? 1 : 0)
+                + kinds().size();
+    }
+
+    private boolean has(MapSpot.Kind kind) {
+        return report.map().spots().stream().anyMatch(spot -> spot.kind() == kind);
+    }
+
+    private List<MapArea.Kind> kinds() {
+        return MapNames.areas(report).stream()
+                .map(MapArea::kind)
+                .distinct()
+                .sorted()
+                .toList();
     }
 
     private Point2D sign() {
@@ -98,9 +163,13 @@ final class LegendDrawing {
 
     private void text(Graphics2D g, String text) {
         g.setColor(Palette.INK);
-        g.setFont(MapPicture.font(Font.PLAIN, 15));
-        g.drawString(text, frame.x + 48, y);
-        y += 36;
+        words(g, Font.PLAIN, text, 48, y, frame.width - 48);
+        y += SIGN_HEIGHT;
+    }
+
+    private void words(Graphics2D g, int style, String text, int x, int atY, int width) {
+        g.setFont(MapPicture.font(style, 15));
+        g.drawString(DrawnText.fitting(text, g.getFontMetrics(), Math.min(width, frame.width - x)), frame.x + x, atY);
     }
 
     private void run(Graphics2D g) {
@@ -108,17 +177,22 @@ final class LegendDrawing {
         pair(g, "outcome", result.outcome().word());
         pair(g, "simulated time", ReportText.duration(result.simulatedMillis()));
         pair(g, "distance", String.format(Locale.ROOT, "%.0f m", report.distanceM()));
+        report.map().closest().underWay().ifPresent(near -> {
+            String when = ReportText.duration(near.atMillis());
+            pair(g, "closest approach", String.format(Locale.ROOT, "%.1f m at %s", near.distanceM(), when));
+            pair(g, "", near.boat() + " and " + near.other());
+        });
         pair(g, "operator's clicks", String.valueOf(result.clicks()));
         pair(g, "firings", String.valueOf(result.firings()));
-        pair(g, "seed", String.valueOf(report.header().seed()));
+        pair(g, "plan hash", report.header().planHash().substring(0, 16));
+        report.origin().ifPresent(origin -> pair(g, "program", "crw " + origin.version()));
     }
 
     private void pair(Graphics2D g, String name, String value) {
-        g.setFont(MapPicture.font(Font.PLAIN, 15));
         g.setColor(Palette.FAINT_INK);
-        g.drawString(name, frame.x, y);
+        words(g, Font.PLAIN, name, 0, y, 145);
         g.setColor(Palette.INK);
-        g.drawString(value, frame.x + 168, y);
-        y += 25;
+        words(g, Font.PLAIN, value, 148, y, frame.width - 148);
+        y += 24;
     }
 }

@@ -20,7 +20,7 @@ final class MapScale {
         this.pixelsPerMetre = pixelsPerMetre;
     }
 
-    /** The scale at which everything of a report is inside a frame with some room around it. */
+    /** The scale at which everything that happened is inside a frame with some room around it, however large the area is. */
     static MapScale fitting(RunReport report, Rectangle frame) {
         return fitting(points(report), frame);
     }
@@ -45,9 +45,15 @@ final class MapScale {
         Stream<Point2D> tracks = report.boats().stream()
                 .flatMap(b -> b.track().stream())
                 .map(t -> new Point2D.Double(t.eastM(), t.northM()));
-        double half = report.header().areaM() / 2;
-        Stream<Point2D> area = Stream.of(new Point2D.Double(-half, -half), new Point2D.Double(half, half));
-        return Stream.concat(area, Stream.concat(locations, tracks));
+        Stream<MapPoint> areas = report.map().areas().stream()
+                .filter(area -> area.kind() == MapArea.Kind.EXPLORED || area.kind() == MapArea.Kind.AVOIDED)
+                .flatMap(area -> area.outline().stream());
+        Stream<MapPoint> spots = report.map().spots().stream().map(MapSpot::at);
+        Stream<Point2D> plan = Stream.concat(areas, spots).map(p -> new Point2D.Double(p.eastM(), p.northM()));
+        Stream<Point2D> happened = Stream.concat(plan, Stream.concat(locations, tracks));
+        Stream<Point2D> quay =
+                report.header().place().quay().stream().map(p -> new Point2D.Double(p.eastM(), p.northM()));
+        return Stream.concat(happened, report.boats().isEmpty() ? Stream.of(new Point2D.Double()) : quay);
     }
 
     Point2D at(double eastM, double northM) {

@@ -124,9 +124,8 @@ public final class TrackPicture {
         for (int i = 0; i < tracks.size(); i++) {
             List<Point2D> points = tracks.get(i).points();
             Point2D last = points.get(points.size() - 1);
-            FleetDrawing.Signs.start(
-                    g, scale.at(points.get(0).getX(), points.get(0).getY()), Palette.color(i));
-            FleetDrawing.Signs.boat(g, scale.at(last.getX(), last.getY()), bearing(points), Palette.color(i));
+            Signs.start(g, scale.at(points.get(0).getX(), points.get(0).getY()), Palette.color(i));
+            Signs.boat(g, scale.at(last.getX(), last.getY()), bearing(points), Palette.color(i));
         }
     }
 
@@ -182,10 +181,10 @@ public final class TrackPicture {
             y += 24;
         }
         y = heading(g, "Signs", y + 22);
-        FleetDrawing.Signs.start(g, new Point2D.Double(LEGEND.x + 20.0, y - 5.0), Palette.color(0));
+        Signs.start(g, new Point2D.Double(LEGEND.x + 20.0, y - 5.0), Palette.color(0));
         said(g, Font.PLAIN, "start", LEGEND.x + 48, y);
         y += 36;
-        FleetDrawing.Signs.boat(g, new Point2D.Double(LEGEND.x + 20.0, y - 5.0), 0, Palette.color(0));
+        Signs.boat(g, new Point2D.Double(LEGEND.x + 20.0, y - 5.0), 0, Palette.color(0));
         said(g, Font.PLAIN, "end", LEGEND.x + 48, y);
         y += 36;
         if (!dots.isEmpty()) {

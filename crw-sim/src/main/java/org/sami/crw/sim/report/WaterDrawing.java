@@ -4,31 +4,20 @@ import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
-import java.awt.Shape;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 
-/** The map without boats: water, grid with metres along the edges, the area's square, scale bar, north arrow. */
+/** The map without boats: water, grid with metres along the edges, scale bar, north arrow. */
 final class WaterDrawing {
     private final Rectangle frame;
     private final MapScale scale;
-    private final double areaM;
     private final String axes;
 
-    WaterDrawing(Rectangle frame, MapScale scale, double areaM) {
-        this(frame, scale, areaM, "metres east and north of the area's centre");
-    }
-
-    /** Without an area. */
+    /** Of metres; the words say of what. */
     WaterDrawing(Rectangle frame, MapScale scale, String axes) {
-        this(frame, scale, 0, axes);
-    }
-
-    private WaterDrawing(Rectangle frame, MapScale scale, double areaM, String axes) {
         this.frame = frame;
         this.scale = scale;
-        this.areaM = areaM;
         this.axes = axes;
     }
 
@@ -36,9 +25,6 @@ final class WaterDrawing {
         g.setColor(Palette.WATER);
         g.fill(frame);
         grid(g);
-        if (areaM > 0) {
-            area(g);
-        }
         g.setColor(Palette.FAINT_INK);
         g.setStroke(Palette.dashed(1.2f));
         g.draw(frame);
@@ -72,16 +58,6 @@ final class WaterDrawing {
 
     private static String metres(double value) {
         return String.valueOf(Math.round(value));
-    }
-
-    private void area(Graphics2D g) {
-        Shape before = g.getClip();
-        g.clip(frame);
-        g.setColor(Palette.FAINT_INK);
-        g.setStroke(Palette.dashed(1.2f, 6, 6));
-        double side = scale.pixels(areaM);
-        g.draw(new Rectangle2D.Double(scale.x(-areaM / 2), scale.y(areaM / 2), side, side));
-        g.setClip(before);
     }
 
     private void scaleBar(Graphics2D g) {
