@@ -215,7 +215,7 @@ class ImportLegacyCommandTest {
         assertThat(connect.path("waitsFor")).isEmpty();
         JsonNode stay = json.path("plans").get(1);
         assertThat(stay.path("outcome").asText()).isEqualTo("running");
-        assertThat(stay.path("simulatedSeconds").asDouble()).isEqualTo(1800);
+        assertThat(stay.path("simulatedSeconds").asDouble()).isEqualTo(3600);
         assertThat(stay.path("firings").asInt()).isPositive(); // random interrupts
         assertThat(stay.path("messages").asInt()).isEqualTo(stay.path("firings").asInt());
         assertThat(stay.at("/waitsFor/0/place").asText()).isEqualTo("Idle");
