@@ -46,7 +46,7 @@ final class Allocation {
                                 + "': no such robot is known");
             } else {
                 TaskState owned = state.owned();
-                if (!owned.proxy().isEmpty()) {
+                if (!owned.proxy().isEmpty() && !tasks.contains(owned)) {
                     before.putIfAbsent(owned.id, owned.proxy());
                 }
                 owned.allocate(robot.orElse(""));

@@ -15,6 +15,11 @@ class DifferentialTest {
     private static final long FIRST_SEED = Long.getLong("spn.firstSeed", 1);
     private static final long SEEDS = Long.getLong("spn.seeds", 2400);
 
+    /** How often a build exercises each rule at least, and the sessions that takes. */
+    private static final long LEAST = 40;
+
+    private static final long ENOUGH_SEEDS = 2400;
+
     private static Subject engine(org.sami.spn.model.Project project) {
         return new EngineSubject(TestVocabulary.TEST, project, Scenario.LIVELOCK_LIMIT);
     }
@@ -22,12 +27,16 @@ class DifferentialTest {
     @Test
     void engineAndInterpreterAgreeOnRandomPlans() {
         List<String> disagreements = new ArrayList<>();
+        Coverage coverage = new Coverage();
         for (long seed = FIRST_SEED; seed < FIRST_SEED + SEEDS && disagreements.size() < 3; seed++) {
-            Differential.explore(seed, Scenario.LENGTH, DifferentialTest::engine)
+            Differential.explore(seed, Scenario.LENGTH, DifferentialTest::engine, coverage)
                     .ifPresent(d -> disagreements.add(shrunk(d)));
         }
 
         assertThat(disagreements).as("Disagreements").isEmpty();
+        assertThat(coverage.below(SEEDS < ENOUGH_SEEDS ? 0 : LEAST))
+                .as("Rules that the sessions exercised less than %d times", LEAST)
+                .isEmpty();
     }
 
     @Test

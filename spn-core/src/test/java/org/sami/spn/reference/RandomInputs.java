@@ -53,6 +53,10 @@ final class RandomInputs {
         seen.saw(effects);
     }
 
+    Seen seen() {
+        return seen;
+    }
+
     Scenario.Timed next(Subject subject) {
         sent++;
         Input input = input(subject);

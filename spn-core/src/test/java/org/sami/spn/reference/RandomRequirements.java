@@ -6,7 +6,7 @@ import java.util.List;
 /** Random requirements, in the words of {@link org.sami.spn.testing.Requirements}. */
 final class RandomRequirements {
     private static final String[] KINDS = {"proxy", "proxy", "proxy", "any", "any", "generic"};
-    private static final String[] KINDS_OF_TASKS = {"task", "task:T1", "task:Measure"};
+    private static final String[] KINDS_OF_TASKS = {"task", "task", "task:T1", "task:Measure"};
     private static final String[] RELEVANT = {
         "relevant all", "relevant all", "relevant all", "relevant all", "relevant >= 1", "relevant >= 1",
         "relevant >= 1", "relevant >= 2", "relevant == 1", "relevant < 2", "relevant < 3", "relevant = 0"
@@ -31,7 +31,7 @@ final class RandomRequirements {
     }
 
     String kind() {
-        return dice.pick(dice.chance(hasTasks ? 35 : 3) ? KINDS_OF_TASKS : KINDS);
+        return dice.pick(dice.chance(hasTasks ? 45 : 3) ? KINDS_OF_TASKS : KINDS);
     }
 
     // ---- Of in edges
@@ -43,7 +43,7 @@ final class RandomRequirements {
 
     /** One that is met where nobody of that kind stands. */
     String inhibiting(String kind) {
-        return kind + dice.pick(" = 0", " = 0", " < 1", " < 2", " == 0");
+        return kind + dice.pick(" = 0", " = 0", " = 0", " < 1", " < 2", " == 0");
     }
 
     String relevant() {
@@ -71,7 +71,8 @@ final class RandomRequirements {
     /** One that moves, removes or copies tokens of that kind. */
     String moving(String kind) {
         String quantity = dice.pick("all", "all", "1", "1", "2");
-        return dice.pick("take ", "take ", "take ", "take ", "consume ", "add ", "add ") + quantity + " " + kind;
+        return dice.pick("take ", "take ", "take ", "take ", "consume ", "consume ", "add ", "add ") + quantity + " "
+                + kind;
     }
 
     String movingRelevant() {

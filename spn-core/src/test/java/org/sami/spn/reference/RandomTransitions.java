@@ -90,14 +90,14 @@ final class RandomTransitions {
     private void silent(int from) {
         String place = Sketch.name(from);
         String kind = isPlain ? dice.pick("proxy", "any") : requirements.kind();
-        String other = dice.chance(isPlain ? 5 : 35) ? anInnerPlace() : place;
+        String other = dice.chance(isPlain ? 5 : 50) ? anInnerPlace() : place;
         String t = other.equals(place) ? transition(place) : transition(place, other);
         net.in(place, t, dice.chance(15) ? "always" : wanting(kind));
         if (!other.equals(place)) {
             net.in(
                     other,
                     t,
-                    dice.chance(60) ? requirements.inhibiting(requirements.kind()) : requirements.wanting(kind));
+                    dice.chance(80) ? requirements.inhibiting(requirements.kind()) : requirements.wanting(kind));
         }
         out(t, forward(from), requirements.moving(kind));
         if (dice.chance(25)) {
@@ -109,7 +109,7 @@ final class RandomTransitions {
     private void onEvent(int from, String event) {
         String place = Sketch.name(from);
         boolean isButton = event.endsWith("InterruptReceived");
-        String other = dice.chance(isButton ? 85 : isPlain ? 5 : 25) ? anInnerPlace() : place;
+        String other = dice.chance(isButton ? 85 : isPlain ? 5 : 35) ? anInnerPlace() : place;
         boolean hasOther = !other.equals(place);
         String t = hasOther ? transition(place, other) : transition(place);
         boolean isNamed = !NAME_NOBODY.contains(event) && !event.equals("GeneralInterruptReceived");
@@ -127,7 +127,9 @@ final class RandomTransitions {
             net.in(
                     other,
                     t,
-                    isButton ? wanting(moved) : dice.pick("always", wanting(moved), requirements.inhibiting("any")));
+                    isButton
+                            ? wanting(moved)
+                            : dice.pick("always", wanting(moved), requirements.inhibiting(requirements.kind())));
         }
         moveOn(t, from, moved, List.of("GotAll", "Chosen", "Yes", "Picked").contains(event));
     }

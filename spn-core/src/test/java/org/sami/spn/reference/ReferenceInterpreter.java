@@ -412,7 +412,8 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         Token.Proxy boat = new Token.Proxy(proxy);
         List<Mission> concerned = world.missions.stream()
                 .filter(m -> m.status != Mission.Status.ENDED)
-                .filter(m -> root == Ids.NONE || m.root().id == root)
+                .filter(m -> root == Ids.NONE
+                        || world.mission(root).map(of -> of.root() == m.root()).orElse(false))
                 .toList();
         Map<Mission, List<Place>> left = new LinkedHashMap<>();
         for (Mission m : concerned) {

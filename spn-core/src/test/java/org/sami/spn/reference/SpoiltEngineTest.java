@@ -66,7 +66,78 @@ class SpoiltEngineTest {
                         "an edge adds a token at each requirement",
                         "Selection.java",
                         "e.addedBy = edge;",
-                        "e.addedBy = 0;"));
+                        "e.addedBy = 0;"),
+                arguments(
+                        "commands are not withdrawn at an end place",
+                        "Firing.java",
+                        "rules.missionEnd.lastWords(m);",
+                        ";"),
+                arguments(
+                        "a robot that is pulled stays in grandchildren",
+                        "Drops.java",
+                        "rules.leaving.left(e, before, true);",
+                        "rules.leaving.left(e, before, false);"),
+                arguments(
+                        "who is put back into a place stands in its static instance twice",
+                        "SharedInstances.java",
+                        "(oldest != null && oldest.order <= before)",
+                        "oldest != null"),
+                arguments(
+                        "who returned from a static instance is still expected back",
+                        "SharedInstances.java",
+                        "tokens.forEach(instance.starting::remove);",
+                        ";"),
+                arguments(
+                        "tokens that enter while parameters are asked are lost",
+                        "SharedInstances.java",
+                        "child.addWaiting(tokens);",
+                        ";"),
+                arguments(
+                        "a child writes its own variable where its parent declares it",
+                        "Variables.java",
+                        "if (declaration != null) {",
+                        "if (declaration != null && m == mission) {"),
+                arguments(
+                        "a child's own tasks return",
+                        "SubMissions.java",
+                        "own.original == null ? null : new Token.Task(own.original.id)",
+                        "own.original == null ? token : new Token.Task(own.original.id)"),
+                arguments(
+                        "autonomy's answer counts as the operator's",
+                        "Decisions.java",
+                        "take(open, automatic.get(), Answerer.AUTONOMY);",
+                        "take(open, automatic.get(), Answerer.OPERATOR);"),
+                arguments(
+                        "a robot's timer goes on when it leaves",
+                        "Timers.java",
+                        "sent.timers.removeIf(t -> t.token().equals(token) && rules.state.timers.remove(t));",
+                        ";"),
+                arguments(
+                        "an aborted child counts as finished",
+                        "MissionEnd.java",
+                        "if (outcome == Outcome.ABORTED) {",
+                        "if (outcome == Outcome.HALTED) {"),
+                arguments("a dropped robot keeps its tasks", "Allocation.java", "task.allocate(\"\");", ";"),
+                arguments(
+                        "interrupts leave commands in force",
+                        "Firing.java",
+                        "if (!robots.isEmpty()) {",
+                        "if (robots.isEmpty()) {"),
+                arguments(
+                        "a return value is told to nobody",
+                        "SubMissions.java",
+                        "if (input.checks(r.value)) {",
+                        "if (!input.checks(r.value)) {"),
+                arguments(
+                        "the value of a return that was used is checked",
+                        "SharedInstances.java",
+                        "rules.pendings.over(r);",
+                        ";"),
+                arguments(
+                        "a mapped task keeps its parent's name",
+                        "SubMissions.java",
+                        "if (own.original != null && own.original.id.equals(task.task())) {",
+                        "if (own.original == null && own.id.equals(task.task())) {"));
     }
 
     @ParameterizedTest(name = "{0}")

@@ -1,0 +1,225 @@
+package org.sami.spn.reference;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.sami.spn.model.Action;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.model.Match;
+import org.sami.spn.model.OutEdge;
+import org.sami.spn.model.OutRequirement;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.model.Transition;
+import org.sami.spn.model.WaitFor;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Outcome;
+import org.sami.spn.testing.TestVocabulary;
+import org.sami.spn.vocabulary.EventRole;
+
+/** How often sessions exercised each rule of the language, as far as effects show it. */
+final class Coverage {
+    private static final List<EventRole> USED = List.of(
+            EventRole.NONE,
+            EventRole.TIMER_EXPIRED,
+            EventRole.PROXY_TIMER_EXPIRED,
+            EventRole.TOKENS_RETURNED,
+            EventRole.INTERRUPT,
+            EventRole.GENERAL_INTERRUPT_RECEIVED,
+            EventRole.PROXY_INTERRUPT_RECEIVED,
+            EventRole.ABORT_RECEIVED,
+            EventRole.COMPLETE_RECEIVED,
+            EventRole.SUB_MISSION_ABORTED,
+            EventRole.CHECK_RETURN);
+    private static final List<NoteKind> NOTES = List.of(
+            NoteKind.DISCARDED,
+            NoteKind.LATE,
+            NoteKind.NAMES_NOBODY,
+            NoteKind.SHORT_OF_TOKENS,
+            NoteKind.NOT_RETURNED,
+            NoteKind.INTERRUPT_REFUSED,
+            NoteKind.LIVELOCK,
+            NoteKind.REJECTED_INPUT,
+            NoteKind.NO_AUTOMATIC_ANSWER);
+    private static final List<String> OTHERS = List.of(
+            "firing without event",
+            "firing with several events",
+            "firing that waited for all",
+            "firing in a child",
+            "firing in a grandchild",
+            "firing out of a place with a dynamic sub-mission",
+            "firing out of a place with a static sub-mission",
+            "firing out of a place with its own order",
+            "commands withdrawn from all",
+            "commands withdrawn from some",
+            "decision answered by OPERATOR",
+            "decision answered by AUTONOMY",
+            "decision closed without answer",
+            "task allocated",
+            "task released",
+            "task moved to another robot",
+            "variable of a mission written",
+            "global variable written",
+            "dynamic sub-mission started",
+            "static sub-mission started",
+            "sub-mission with mapped tasks started",
+            "sub-mission with mapped variables started",
+            "entry by nobody activates",
+            "visit ends");
+
+    private final Map<String, Long> counts = new LinkedHashMap<>();
+
+    Coverage() {
+        for (TokenKind kind : TokenKind.values()) {
+            for (Match match : Match.values()) {
+                boolean all = kind == TokenKind.RELEVANT || kind == TokenKind.UNCONDITIONAL;
+                if (kind != TokenKind.SUB_MISSION_TOKENS
+                        && (match == Match.ALL ? all : kind != TokenKind.UNCONDITIONAL)) {
+                    counts.put(word(kind, match), 0L);
+                }
+            }
+            for (Action action : Action.values()) {
+                if (kind != TokenKind.UNCONDITIONAL || action == Action.ADD) {
+                    counts.put(word(kind, action, true), 0L);
+                }
+                if (kind != TokenKind.UNCONDITIONAL) {
+                    counts.put(word(kind, action, false), 0L);
+                }
+            }
+        }
+        USED.forEach(role -> counts.put("event used " + role, 0L));
+        NOTES.forEach(kind -> counts.put("note " + kind, 0L));
+        for (Outcome outcome : Outcome.values()) {
+            counts.put("mission " + outcome, 0L);
+        }
+        OTHERS.forEach(rule -> counts.put(rule, 0L));
+    }
+
+    /** Counts what the effects of one input show. */
+    void saw(Seen seen, List<Effect> effects) {
+        for (Effect effect : effects) {
+            if (effect instanceof Effect.Fired f) {
+                fired(seen, f);
+            } else if (effect instanceof Effect.MissionStarted m && m.parent() != Ids.NONE) {
+                started(seen.plans.get(m.parent()), m);
+            } else if (effect instanceof Effect.VariableWritten w) {
+                count(w.mission() == Ids.NONE ? "global variable written" : "variable of a mission written");
+            } else if (effect instanceof Effect.TasksAllocated a) {
+                a.robots()
+                        .forEach((task, robot) -> count(
+                                robot.isEmpty()
+                                        ? "task released"
+                                        : a.before().containsKey(task)
+                                                ? "task moved to another robot"
+                                                : "task allocated"));
+            } else {
+                sawSimple(effect);
+            }
+        }
+    }
+
+    private void sawSimple(Effect effect) {
+        if (effect instanceof Effect.Noted n) {
+            count("note " + n.kind());
+        } else if (effect instanceof Effect.MissionEnded m) {
+            count("mission " + m.outcome());
+        } else if (effect instanceof Effect.CommandsWithdrawn w) {
+            count("commands withdrawn from " + (w.proxies().isEmpty() ? "all" : "some"));
+        } else if (effect instanceof Effect.DecisionClosed d) {
+            count(d.by().map(by -> "decision answered by " + by).orElse("decision closed without answer"));
+        } else if (effect instanceof Effect.Activated a
+                && a.activation().tokens().isEmpty()) {
+            count("entry by nobody activates");
+        } else if (effect instanceof Effect.ActivationEnded) {
+            count("visit ends");
+        }
+    }
+
+    private void started(Plan parent, Effect.MissionStarted child) {
+        parent.places().stream()
+                .flatMap(p -> p.subMissions().stream())
+                .filter(s -> s.plan().equals(child.plan()))
+                .findFirst()
+                .ifPresent(s -> {
+                    count((s.shared() ? "static" : "dynamic") + " sub-mission started");
+                    if (!s.tasks().isEmpty()) {
+                        count("sub-mission with mapped tasks started");
+                    }
+                    if (!s.variables().isEmpty()) {
+                        count("sub-mission with mapped variables started");
+                    }
+                });
+    }
+
+    private void fired(Seen seen, Effect.Fired f) {
+        Plan plan = seen.plans.get(f.mission());
+        Transition t = plan.transition(f.transition()).orElseThrow();
+        for (InEdge edge : plan.inEdgesOf(t.id())) {
+            for (InRequirement r : edge.requirements()) {
+                count(word(r.kind(), r.match()));
+            }
+            plan.place(edge.place()).ifPresent(place -> {
+                place.subMissions().stream()
+                        .findFirst()
+                        .ifPresent(s -> count("firing out of a place with a " + (s.shared() ? "static" : "dynamic")
+                                + " sub-mission"));
+                if (!place.transitionOrder().isEmpty()) {
+                    count("firing out of a place with its own order");
+                }
+            });
+        }
+        for (OutEdge edge : plan.outEdgesOf(t.id())) {
+            for (OutRequirement r : edge.requirements()) {
+                count(word(r.kind(), r.action(), r.takesAll()));
+            }
+        }
+        for (InputEventSpec event : t.inputs()) {
+            count("event used "
+                    + TestVocabulary.TEST.event(event.type()).orElseThrow().role());
+        }
+        firedBy(seen, f, t);
+    }
+
+    private void firedBy(Seen seen, Effect.Fired f, Transition t) {
+        if (t.inputs().isEmpty()) {
+            count("firing without event");
+        } else if (t.inputs().size() > 1) {
+            count("firing with several events");
+        }
+        if (t.waitFor() == WaitFor.ALL) {
+            count("firing that waited for all");
+        }
+        if (!seen.isRoot(f.mission())) {
+            count(seen.isRoot(seen.parents.get(f.mission())) ? "firing in a child" : "firing in a grandchild");
+        }
+    }
+
+    private void count(String rule) {
+        counts.merge(rule, 1L, Long::sum);
+    }
+
+    /** A table of the rules that were exercised less often than that; empty where none was. */
+    List<String> below(long least) {
+        return counts.entrySet().stream()
+                .filter(e -> e.getValue() < least)
+                .map(e -> "%6d  %s".formatted(e.getValue(), e.getKey()))
+                .toList();
+    }
+
+    private static String word(TokenKind kind, Match match) {
+        return "in: " + word(kind) + " " + word(match);
+    }
+
+    private static String word(TokenKind kind, Action action, boolean all) {
+        return "out: " + word(action) + (all ? " all " : " n ") + word(kind);
+    }
+
+    private static String word(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT).replace('_', ' ');
+    }
+}
