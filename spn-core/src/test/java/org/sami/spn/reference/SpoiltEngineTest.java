@@ -18,11 +18,6 @@ class SpoiltEngineTest {
     static Stream<Arguments> rules() {
         return Stream.of(
                 arguments(
-                        "the loser of a conflict fires too",
-                        "Firing.java",
-                        "rules.enabling.isEnabled(t, Relevant.NOBODY, Scope.FREE) && mayFire(t)",
-                        "mayFire(t)"),
-                arguments(
                         "less than inhibits the wrong way",
                         "Enabling.java",
                         "case LESS_THAN -> n < r.n();",
