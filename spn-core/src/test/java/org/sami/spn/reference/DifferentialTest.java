@@ -13,12 +13,12 @@ import org.sami.spn.testing.TestVocabulary;
  */
 class DifferentialTest {
     private static final long FIRST_SEED = Long.getLong("spn.firstSeed", 1);
-    private static final long SEEDS = Long.getLong("spn.seeds", 2400);
+    private static final long SEEDS = Long.getLong("spn.seeds", 3000);
 
     /** How often a build exercises each rule at least, and the sessions that takes. */
-    private static final long LEAST = 40;
+    private static final long LEAST = 200;
 
-    private static final long ENOUGH_SEEDS = 2400;
+    private static final long ENOUGH_SEEDS = 3000;
 
     private static Subject engine(org.sami.spn.model.Project project) {
         return new EngineSubject(TestVocabulary.TEST, project, Scenario.LIVELOCK_LIMIT);
