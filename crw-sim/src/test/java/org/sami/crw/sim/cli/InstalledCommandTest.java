@@ -1,12 +1,17 @@
 package org.sami.crw.sim.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.IntNode;
 import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -76,6 +81,22 @@ class InstalledCommandTest {
     }
 
     @Test
+    void archiveThatDoesNotFitIsPassedOverWithoutAWordInTheOutput() throws Exception {
+        Path install = copyOfTheInstall();
+        try (Stream<Path> files = Files.list(install.resolve("lib"))) {
+            for (Path jar :
+                    files.filter(file -> file.toString().endsWith(".jar")).toList()) {
+                Files.setLastModifiedTime(jar, FileTime.from(Instant.EPOCH));
+            }
+        }
+
+        Ran ran = crw(install, Map.of(), "check", "clv", "--json");
+
+        assertThat(ran.err()).isEmpty();
+        assertThat(new ObjectMapper().readTree(ran.out()).path("errors")).isEqualTo(IntNode.valueOf(0));
+    }
+
+    @Test
     void namesOutsideAsciiAreReadAndPrintedWithoutALocale() throws Exception {
         Path project = Files.createDirectories(folder.resolve("\u00dcbung")).resolve("pl\u00e4n.json");
         Files.writeString(
@@ -109,6 +130,27 @@ class InstalledCommandTest {
 
         assertThat(ran.err()).contains(System.getProperty("java.version"));
         assertThat(ran.out()).startsWith("crw ");
+    }
+
+    @Test
+    void bashThatLoadedTheScriptCompletesCommandsAndTheirOptions() throws Exception {
+        assumeTrue(Files.isExecutable(Path.of("/bin/bash")), "there is no /bin/bash here");
+        Path script = Files.writeString(
+                folder.resolve("completion.bash"),
+                crw(INSTALLED, Map.of(), "completion", "bash").out());
+
+        assertThat(completed(script, "che")).containsExactly("check");
+        assertThat(completed(script, "check", "--js")).containsExactly("--json");
+    }
+
+    /** What bash offers for the last of the words after {@code crw}, by the function that the script registered; compopt works only at a prompt. */
+    private List<String> completed(Path script, String... words) throws Exception {
+        String function = "$(complete -p crw | sed 's/.*-F \\([^ ]*\\).*/\\1/')";
+        String commands = "compopt() { :; }; source " + script + "; COMP_WORDS=(crw " + String.join(" ", words)
+                + "); COMP_CWORD=" + words.length + "; " + function + "; printf '%s\\n' \"${COMPREPLY[@]}\"";
+        Ran ran = run(List.of("/bin/bash", "--norc", "-c", commands), Map.of());
+        assertThat(ran.err()).isEmpty();
+        return ran.out().lines().map(String::strip).toList();
     }
 
     private long classesFromArchive(Path install) throws Exception {
