@@ -82,6 +82,20 @@ class ProjectFormatTest {
     }
 
     @Test
+    void schemaThatAPlanFileNamesIsKept(@TempDir Path folder) throws IOException {
+        writer.write(reader.read(EVERYTHING).orThrow(), folder);
+        Path child = folder.resolve("plans/child.json");
+        String text = Files.readString(child)
+                .replaceFirst("\\{", "{\n  \"\\$schema\": \"../project-1.schema.json#/\\$defs/plan\",");
+        Files.writeString(child, text);
+
+        Project project = reader.read(folder).orThrow();
+        writer.write(project, folder);
+
+        assertThat(child).hasContent(text);
+    }
+
+    @Test
     void everyFindingOfAFileHasItsPlaceAndElement(@TempDir Path folder) throws IOException {
         JsonNode root = tree();
         edit(root, "/plans/0/places/0/outputs/0/type", "\"Dance\"");

@@ -45,7 +45,10 @@ record PlanFiles(String file, VocabularyFiles.Source beside, SourceTexts sources
                         return node;
                     })
                     .flatMap(node -> Members.of(node, name + "#", problems))
-                    .ifPresent(members -> plans.put(name, members));
+                    .ifPresent(members -> {
+                        members.text(ProjectReader.SCHEMA, ""); // for editors, as in the project's document
+                        plans.put(name, members);
+                    });
             problems.addAll(inFile.findings(), "");
         }
         return plans;

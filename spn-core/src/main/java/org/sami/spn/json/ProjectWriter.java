@@ -1,5 +1,6 @@
 package org.sami.spn.json;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -11,6 +12,7 @@ import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.model.ImportOrigin;
 import org.sami.spn.model.MissionTreeNode;
@@ -64,9 +66,23 @@ public final class ProjectWriter {
         for (Plan plan : project.plans()) {
             String name = fileName(plan.id(), taken);
             files.addObject().put("file", name);
-            AtomicFile.write(path.resolve(name), CanonicalJson.print(planNode(project, plan)));
+            Path file = path.resolve(name);
+            AtomicFile.write(file, CanonicalJson.print(withSchemaOf(file, planNode(project, plan))));
         }
         AtomicFile.write(path.resolve("project.json"), CanonicalJson.print(root));
+    }
+
+    /** A plan does not hold the JSON Schema that its file names for editors: it is taken over from the file that is replaced. */
+    private static ObjectNode withSchemaOf(Path file, ObjectNode plan) throws IOException {
+        Optional<JsonNode> before = Files.exists(file)
+                ? VocabularyFiles.Texts.read(file).flatMap(text -> JsonText.parse(text, new Problems()))
+                : Optional.empty();
+        return before.map(node -> node.get(ProjectReader.SCHEMA))
+                .filter(JsonNode::isTextual)
+                .map(schema -> NODES.objectNode()
+                        .<ObjectNode>set(ProjectReader.SCHEMA, schema)
+                        .<ObjectNode>setAll(plan))
+                .orElse(plan);
     }
 
     /** A name that is safe on every file system, also on those that do not tell capital letters from small ones. */
