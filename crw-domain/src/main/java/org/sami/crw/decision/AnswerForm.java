@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.finding.Suggestions;
 import org.sami.spn.json.Reading;
 import org.sami.spn.json.ValueJson;
 import org.sami.spn.value.Value;
@@ -121,8 +122,10 @@ final class AnswerForm {
             String at = pointer + "/" + given.getKey();
             Optional<FieldType> field = type.field(given.getKey());
             if (field.isEmpty()) {
-                findings.add(
-                        Finding.error("E-UNKNOWN-FIELD", at, type.name() + " has no field \"" + given.getKey() + "\""));
+                String meant = Suggestions.meant(
+                        type.fields().stream().map(FieldType::name).toList(), given.getKey());
+                findings.add(Finding.error(
+                        "E-UNKNOWN-FIELD", at, type.name() + " has no field \"" + given.getKey() + "\"" + meant));
                 continue;
             }
             Reading<Value> reading =

@@ -1,5 +1,6 @@
 package org.sami.crw.decision;
 
+import com.fasterxml.jackson.core.JsonLocation;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.DeserializationFeature;
@@ -10,7 +11,10 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
 import org.sami.spn.finding.Finding;
+import org.sami.spn.finding.SourceLocation;
+import org.sami.spn.finding.Suggestions;
 import org.sami.spn.json.Reading;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.vocabulary.DecisionType;
@@ -42,7 +46,7 @@ public final class AnswersFileReader {
 
     /** Reads the text of a file. */
     public static Reading<AnswersFile> read(String text, Vocabulary vocabulary) {
-        return new AnswersFileReader(vocabulary).read(text);
+        return new AnswersFileReader(vocabulary).read(text).locatedIn("", text);
     }
 
     private Reading<AnswersFile> read(String text) {
@@ -51,11 +55,11 @@ public final class AnswersFileReader {
             List<AnswerRule> rules = top == null || !top.isObject() ? noObject("") : rules(top);
             return new Reading<>(findings.isEmpty() ? Optional.of(new AnswersFile(rules)) : Optional.empty(), findings);
         } catch (JsonProcessingException e) {
-            String place = e.getLocation() == null
-                    ? ""
-                    : "Line " + e.getLocation().getLineNr() + ", column "
-                            + e.getLocation().getColumnNr() + ": ";
-            Finding syntax = Finding.error("E-SYNTAX", "", place + e.getOriginalMessage());
+            Finding syntax = Finding.error("E-SYNTAX", "", e.getOriginalMessage());
+            JsonLocation at = e.getLocation();
+            if (at != null && at.getLineNr() > 0 && at.getColumnNr() > 0) {
+                syntax = syntax.at(new SourceLocation("", at.getLineNr(), at.getColumnNr()));
+            }
             return new Reading<>(Optional.empty(), List.of(syntax));
         }
     }
@@ -126,7 +130,8 @@ public final class AnswersFileReader {
             return;
         }
         if (type.isEmpty()) {
-            add("E-UNKNOWN-EVENT", pointer + "/event", "There is no event \"" + event + "\"");
+            String meant = Suggestions.meant(questions(), event);
+            add("E-UNKNOWN-EVENT", pointer + "/event", "There is no event \"" + event + "\"" + meant);
             return;
         }
         Optional<DecisionType> decision = type.get().decision();
@@ -135,6 +140,14 @@ public final class AnswersFileReader {
             return;
         }
         AnswerForm.check(answer, pointer + "/answer", decision.get(), vocabulary, findings);
+    }
+
+    /** The names, and the other names, of the events that ask the operator something. */
+    private List<String> questions() {
+        return vocabulary.events().values().stream()
+                .filter(type -> type.decision().isPresent())
+                .flatMap(type -> Stream.concat(Stream.of(type.name()), type.aliases().stream()))
+                .toList();
     }
 
     private OptionalInt nth(JsonNode node, String pointer) {
@@ -160,7 +173,10 @@ public final class AnswersFileReader {
     private void refuseUnknown(JsonNode node, String pointer, List<String> known) {
         node.fieldNames().forEachRemaining(name -> {
             if (!known.contains(name)) {
-                add("E-UNKNOWN-MEMBER", pointer + "/" + name, "\"" + name + "\" is none of " + known);
+                add(
+                        "E-UNKNOWN-MEMBER",
+                        pointer + "/" + name,
+                        "\"" + name + "\" is none of " + known + Suggestions.meant(known, name));
             }
         });
     }

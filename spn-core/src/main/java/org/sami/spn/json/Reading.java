@@ -23,6 +23,18 @@ public record Reading<T>(Optional<T> result, List<Finding> findings) {
     }
 
     /**
+     * The same with the places of the findings in the text that was read.
+     *
+     * @param file whence the text came; empty where whoever shows the findings knows
+     * @param text in which their pointers, and the lines that a parser named, lie
+     */
+    public Reading<T> locatedIn(String file, String text) {
+        SourceTexts sources = new SourceTexts();
+        sources.add("", file, text);
+        return new Reading<>(result, sources.locate(findings));
+    }
+
+    /**
      * The result of a document that is known to be good, such as one that ships with the program.
      *
      * @throws IllegalStateException naming the findings, where there is none

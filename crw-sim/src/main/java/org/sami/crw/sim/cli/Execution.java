@@ -102,18 +102,14 @@ final class Execution {
     /**
      * Runs a mission from its start.
      *
+     * @param settings whose answers have no faults
      * @param journal its journal's file; null for none
      * @return the exit code
      */
     int runNew(PlanSource source, Plan plan, RunSettings settings, Path journal) throws IOException {
         Project project = source.project().orElseThrow();
         RunPlan runPlan = new RunPlan(library.vocabulary(), project, plan);
-        Reading<AnswersFile> answers = answers(settings, library.vocabulary());
-        if (answers.hasErrors()) {
-            FindingsText.print(err, "--answers", answers.findings());
-            err.flush();
-            return ExitCode.FINDINGS;
-        }
+        AnswersFile answers = answers(settings, library.vocabulary()).orThrow();
         checkSettings(runPlan, settings);
         output.prepare(err);
         RunRecord record = new RunRecord(
@@ -124,8 +120,8 @@ final class Execution {
                 Optional.of(new RunRecord.Start(clock.instant(), clock.getZone())));
         checkJournal(journal);
         return settings.isConnected()
-                ? runConnected(runPlan, record, answers.orThrow(), journal)
-                : runInProcess(runPlan, record, answers.orThrow(), journal);
+                ? runConnected(runPlan, record, answers, journal)
+                : runInProcess(runPlan, record, answers, journal);
     }
 
     private static void checkJournal(Path journal) {
@@ -223,7 +219,8 @@ final class Execution {
         }
     }
 
-    private static Reading<AnswersFile> answers(RunSettings settings, Vocabulary vocabulary) {
+    /** What the simulated operator is told to answer; findings where the text of the answers file has faults. */
+    static Reading<AnswersFile> answers(RunSettings settings, Vocabulary vocabulary) {
         return settings.answers().isEmpty()
                 ? new Reading<>(Optional.of(AnswersFile.EMPTY), List.of())
                 : AnswersFileReader.read(settings.answers(), vocabulary);

@@ -4,9 +4,11 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.sim.run.RunSettings;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.Reading;
 import org.sami.spn.model.Plan;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -87,6 +89,12 @@ final class RunCommand implements Callable<Integer> {
             return ExitCode.FINDINGS;
         }
         RunSettings settings = options.settings(plan.id(), plan.title());
+        Reading<AnswersFile> answers = Execution.answers(settings, library.vocabulary());
+        if (answers.hasErrors()) {
+            FindingsText.print(err, options.answersFile(), answers.findings());
+            err.flush();
+            return ExitCode.FINDINGS;
+        }
         return new Execution(spec.commandLine(), library, output, options.connectWithinMillis())
                 .runNew(source, plan, settings, journal);
     }

@@ -221,6 +221,11 @@ final class RunOptions {
         return value == Math.rint(value) ? String.valueOf((long) value) : String.valueOf(value);
     }
 
+    /** The answers file as it was named; the option's name where there is none. */
+    String answersFile() {
+        return answers == null ? "--answers" : answers.toString();
+    }
+
     private String answersText() {
         if (answers == null) {
             return "";

@@ -8,6 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -105,16 +106,29 @@ class UsageTest {
         assertThat(file).hasContent("not a journal");
     }
 
-    @Test
-    void answersFileWithFaultsIsAFinding() throws Exception {
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '~',
+            value = {
+                "\"OperatorAprove\", \"answer\": {\"yes\": true}|2:22|/rules/0/event|is OperatorApprove meant?",
+                "\"OperatorCreateLocations\", \"answer\": {\"values\": {\"location\": []}}|2:83|/rules/0/answer/values/location|is locations meant?",
+                "\"OperatorApprove\", \"answr\": {\"yes\": true}|2:50|/rules/0/answr|is answer meant?",
+                "\"OperatorApprove\", \"answer\": {\"yes\": true,}|2:64|the top|Unexpected",
+            })
+    void faultOfAnAnswersFileHasItsPlaceAndWhatWasProbablyMeant(String rule, String at, String pointer, String words)
+            throws Exception {
         Path answers = Files.writeString(
                 folder.resolve("answers.json"),
-                "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [{\"event\": \"NoSuchEvent\", \"answer\": {}}]}");
+                "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [\n           {\"event\": " + rule + "}]}");
 
         Ran ran = Ran.crw("run", "clv", "--answers", answers.toString());
 
         assertThat(ran.exitCode()).isEqualTo(1);
-        assertThat(ran.err()).contains("/rules/0").contains("NoSuchEvent");
+        assertThat(ran.err())
+                .contains(answers + ":" + at + ": error E-")
+                .contains(" at " + pointer)
+                .contains(words);
     }
 
     @ParameterizedTest
