@@ -45,6 +45,13 @@ final class NewCommand implements Callable<Integer> {
     @Option(names = "--replace", description = "Replace a file that is there already.")
     private boolean replace;
 
+    @Option(
+            names = "--schema",
+            description =
+                    "Name the JSON Schema of projects in the file, and put it beside the file unless it is there: "
+                            + "an editor then checks and completes as you type.")
+    private boolean schema;
+
     @Override
     public Integer call() throws IOException {
         Path file = Path.of(name.endsWith(ENDING) ? name : name + ENDING);
@@ -62,6 +69,11 @@ final class NewCommand implements Callable<Integer> {
         }
         new ProjectWriter(library.vocabulary()).write(project, file);
         PrintWriter out = spec.commandLine().getOut();
+        Path beside = file.resolveSibling(SchemaCommand.PROJECT);
+        if (schema && !Files.exists(beside)) {
+            Files.writeString(beside, SchemaCommand.text(SchemaCommand.PROJECT));
+            out.println("made " + beside);
+        }
         out.println((there ? "replaced " : "made ") + file + "; go on with:");
         out.println("  crw check " + file);
         out.println("  crw test " + file);
@@ -77,7 +89,7 @@ final class NewCommand implements Callable<Integer> {
         }
     }
 
-    private static Project named(Project template, String title) {
+    private Project named(Project template, String title) {
         Plan plan = template.plans().get(0);
         String id = id(title);
         Plan named = new Plan(
@@ -95,7 +107,15 @@ final class NewCommand implements Callable<Integer> {
                 plan.notes(),
                 plan.testCases());
         MissionTreeNode tree = new MissionTreeNode("", Optional.of(id), List.of());
-        return new Project(id, title, template.domain(), template.globals(), List.of(tree), List.of(named));
+        return new Project(
+                id,
+                title,
+                template.domain(),
+                template.globals(),
+                List.of(tree),
+                List.of(named),
+                schema ? Optional.of(SchemaCommand.PROJECT) : Optional.empty(),
+                Optional.empty());
     }
 
     /** An id of what can stand in one; other characters become hyphens. */

@@ -23,8 +23,11 @@ import picocli.CommandLine.Spec;
         footerHeading = "%nExamples:%n",
         footer = {"  crw schema > project-1.schema.json", "  crw schema vocabulary"})
 final class SchemaCommand implements Callable<Integer> {
+    /** The file of a project's schema, beside which projects name it. */
+    static final String PROJECT = "project-1.schema.json";
+
     private static final Map<String, String> FILES = new TreeMap<>(Map.of(
-            "project", "project-1.schema.json",
+            "project", PROJECT,
             "vocabulary", "vocabulary-1.schema.json",
             "legacy-classes", "legacy-classes-1.schema.json"));
 
@@ -46,10 +49,15 @@ final class SchemaCommand implements Callable<Integer> {
             throw new UsageFault("there is no schema '" + kind + "'; there are " + String.join(", ", FILES.keySet())
                     + Suggestions.meant(FILES.keySet(), kind));
         }
-        try (InputStream in = SchemaCommand.class.getResourceAsStream("/org/sami/schemas/" + file)) {
-            spec.commandLine().getOut().print(new String(in.readAllBytes(), StandardCharsets.UTF_8));
-        }
+        spec.commandLine().getOut().print(text(file));
         spec.commandLine().getOut().flush();
         return ExitCode.OK;
+    }
+
+    /** The text of a schema that ships with the program. */
+    static String text(String file) throws IOException {
+        try (InputStream in = SchemaCommand.class.getResourceAsStream("/org/sami/schemas/" + file)) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        }
     }
 }

@@ -35,6 +35,23 @@ class NewProjectTest {
     }
 
     @Test
+    void projectCanNameTheSchemaThatLiesBesideIt() throws Exception {
+        Path file = folder.resolve("survey.json");
+        Path schema = folder.resolve("project-1.schema.json");
+
+        Ran made = Ran.crw("new", file.toString(), "--schema");
+        String printed = Files.readString(schema);
+        Files.writeString(schema, "mine");
+        Ran.crw("new", folder.resolve("other.json").toString(), "--schema");
+
+        assertThat(made.out()).startsWith("made " + schema + "\nmade " + file);
+        assertThat(printed).isEqualTo(Ran.crw("schema").out());
+        assertThat(schema).hasContent("mine");
+        assertThat(JSON.readTree(file.toFile()).path("$schema").asText()).isEqualTo("project-1.schema.json");
+        assertThat(Ran.crw("check", file.toString()).out()).isEqualTo(file + ": 0 errors, 0 warnings\n");
+    }
+
+    @Test
     void fileThatIsThereIsKeptUnlessItIsToBeReplaced() throws Exception {
         Path file = Files.writeString(folder.resolve("mine.json"), "mine");
 
