@@ -27,9 +27,14 @@ final class Drops {
         if (input.mission() == Ids.NONE && !rules.state.proxies.remove(input.proxy()) && !standsSomewhere(token)) {
             return Optional.of("No robot '" + input.proxy() + "' is known");
         }
-        for (Mission m : List.copyOf(rules.state.missions.values())) {
-            if (!m.ended && (root == null || m.root == root.root)) {
-                drop(m, token, input.proxy());
+        List<Mission> concerned = rules.state.missions.values().stream()
+                .filter(m -> !m.ended && (root == null || m.root == root.root))
+                .toList();
+        // before any of them ends for want of the robot: its tasks are released as well
+        concerned.forEach(m -> rules.allocation.release(m, input.proxy()));
+        for (Mission m : concerned) {
+            if (!m.ended) {
+                drop(m, token);
             }
         }
         return Optional.empty();
@@ -47,8 +52,7 @@ final class Drops {
         return false;
     }
 
-    private void drop(Mission m, Token token, String robot) {
-        rules.allocation.release(m, robot);
+    private void drop(Mission m, Token token) {
         for (List<Token> waiting : m.waiting) {
             waiting.removeIf(token::equals);
         }

@@ -107,10 +107,14 @@ final class Firing {
         }
         boolean shared = m.instance != null && m.instance.isShared();
         for (Visit v : entered) {
+            if (!shared || !v.place.place.isEnd()) {
+                rules.subMissions.entered(v);
+            }
+        }
+        // a return is given when the firing is complete, as a mission ends
+        for (Visit v : entered) {
             if (shared && v.place.place.isEnd()) {
                 rules.sharedInstances.returned(m, v);
-            } else {
-                rules.subMissions.entered(v);
             }
         }
         lookAround(t, entered, selected.removed);

@@ -2,6 +2,7 @@ package org.sami.spn.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.model.FieldSource;
@@ -327,5 +328,67 @@ class ReturnRulesTest {
         s.press("Open");
 
         assertThat(s.marking(m, "lost")).isEqualTo("B");
+    }
+
+    @Test
+    void aRobotThatCameBackFromTwoVisitsIsAddedToAnEdgeOnceThoughItStandsInOneOnly() {
+        Plan adding = new NetBuilder("child")
+                .start("c")
+                .output("c", "Do")
+                .end("e")
+                .input("over", "Interrupt", button("Over"), Map.of())
+                .out("over", "e", "add all relevant")
+                .build();
+        NetBuilder net = parent(false)
+                .transition("empty", "Other")
+                .in("s", "empty", "generic >= 1")
+                .out("empty", "sub", "take 1 generic")
+                .transition("back")
+                .in("sub", "back", "proxy >= 1")
+                .out("back", "x", "take all sub");
+        for (boolean emptyFirst : new boolean[] {true, false}) {
+            Session s = new Session(net.build(), adding);
+            long m = s.join("A").start("parent");
+            s.news(emptyFirst ? "Other" : "News", emptyFirst ? new String[0] : new String[] {"A"});
+            s.news(emptyFirst ? "News" : "Other", emptyFirst ? new String[] {"A"} : new String[0]);
+            long withoutRobot = s.activations("c").get(emptyFirst ? 0 : 1).mission();
+            long withRobot = s.activations("c").get(emptyFirst ? 1 : 0).mission();
+
+            s.step(new Input.Interrupt(withoutRobot, "Over", List.of("A")));
+            s.step(new Input.Interrupt(withRobot, "Over", List.of("A")));
+
+            assertThat(s.fired()).containsExactly("over", "back");
+            assertThat(s.marking(m)).isEqualTo(Map.of("sub", "generic", "x", "A"));
+        }
+    }
+
+    @Test
+    void aStaticInstanceReturnsWhenTheSubMissionsOfThatFiringHaveStarted() {
+        Plan inner = new NetBuilder("inner")
+                .start("i")
+                .transition("work")
+                .in("i", "work", "proxy >= 1")
+                .out("work", "j", "take all proxy")
+                .build();
+        Plan child = new NetBuilder("child")
+                .start("c")
+                .output("c", "Do")
+                .end("e")
+                .sub("w", "inner")
+                .transition("over", "Done")
+                .in("c", "over", "relevant all")
+                .out("over", "e", "take all relevant")
+                .out("over", "w", "add all relevant")
+                .build();
+        NetBuilder net =
+                parent(true).transition("back").in("sub", "back", "proxy >= 1").out("back", "x", "take all sub");
+        Session s = new Session(net.build(), child, inner);
+        long m = s.join("A").start("parent");
+        s.news("News", "A");
+
+        s.answer("Done", "c", "A");
+
+        assertThat(s.fired()).containsExactly("over", "work", "back");
+        assertThat(s.marking(m, "x")).isEqualTo("A");
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.Plan;
@@ -13,9 +14,11 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Outcome;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.Session;
 import org.sami.spn.value.IntegerValue;
+import org.sami.spn.value.TaskId;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.ValueType;
 
@@ -454,6 +457,32 @@ class SubMissionRulesTest {
     }
 
     @Test
+    void aFieldThatHoldsAnotherTypeDoesNotWriteItsVariable() {
+        Session s = new Session(new NetBuilder("plan")
+                .variable("@number", ValueType.Simple.INTEGER)
+                .start("s")
+                .output(
+                        "x",
+                        "Do",
+                        Map.of("number", new FieldSource.FromVariable("@undeclared")),
+                        Map.of("number", "@number"))
+                .transition("enter", "News")
+                .in("s", "enter", "relevant all")
+                .out("enter", "x", "add all relevant")
+                .build());
+        long m = s.join("A").start("plan");
+        s.step(new Input.SetVariable(m, "@undeclared", new IntegerValue(1)));
+        s.news("News", "A");
+        assertThat(s.view().variable(m, "@number")).contains(new IntegerValue(1));
+
+        s.step(new Input.SetVariable(m, "@undeclared", new TextValue("no number")));
+        s.news("News", "A");
+
+        assertThat(s.notes()).containsExactly(NoteKind.REJECTED_INPUT);
+        assertThat(s.view().variable(m, "@number")).contains(new IntegerValue(1));
+    }
+
+    @Test
     void mappedVariablesAndTasksAreTheParents() {
         Plan child = new NetBuilder("child")
                 .start("c")
@@ -490,5 +519,26 @@ class SubMissionRulesTest {
 
         assertThat(s.fired()).contains("back");
         assertThat(s.marking(m, "x")).isEqualTo("#Outer");
+    }
+
+    @Test
+    void aDropReleasesTheRobotsTasksAlsoOfAnInstanceThatEndsWithIt() {
+        Plan child = new NetBuilder("child")
+                .task("T", "Measure", Map.of())
+                .start("c")
+                .output("c", "Do")
+                .build();
+        Session s = new Session(taking().build(), child);
+        long m = s.join("A").start("parent");
+        s.news("News", "A");
+        TaskId task = new TaskId(s.idOf("child"), "T");
+        s.step(new Input.AllocateTasks(Map.of(task, Optional.of("A"))));
+
+        s.step(new Input.ProxyDropped("A", m));
+
+        assertThat(s.view().missions()).as("the instance has ended").hasSize(1);
+        assertThat(s.last())
+                .contains(
+                        new Effect.TasksAllocated(Map.of(task, Optional.empty()), Map.of(task, "A"), Priority.MEDIUM));
     }
 }

@@ -177,7 +177,6 @@ final class Firing {
             return onEdge.stream()
                     .anyMatch(o -> o.copy().equals(s.copy())
                             || (o.copy().isEmpty()
-                                    && o.instance().isEmpty()
                                     && !(o.token() instanceof Token.Generic)
                                     && o.token().equals(s.token())));
         }

@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.value.Value;
 
 /** Reading and writing variables (SEMANTICS, Variables). */
@@ -30,7 +31,12 @@ final class Variables {
 
     /** "A write goes to the nearest enclosing plan that declares it, else to the own plan." */
     void write(Mission m, String variable, Value value) {
-        if (!writeWhereDeclared(m, variable, value)) {
+        boolean fits = declaration(m, variable)
+                .map(v -> v.type().accepts(value, world.vocabulary.types()))
+                .orElse(true);
+        if (!fits) { // "Redefining checks the type."
+            world.note(NoteKind.REJECTED_INPUT, m.id, variable);
+        } else if (!writeWhereDeclared(m, variable, value)) {
             m.variables.put(variable, value);
             world.effects.add(new Effect.VariableWritten(m.id, variable, value));
         }
