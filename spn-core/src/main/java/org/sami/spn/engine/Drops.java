@@ -32,11 +32,13 @@ final class Drops {
                 .toList();
         // before any of them ends for want of the robot: its tasks are released as well
         concerned.forEach(m -> rules.allocation.release(m, input.proxy()));
-        for (Mission m : concerned) {
+        for (Mission m :
+                concerned) { // in the order of their ids: a child is looked at in its own turn, not in its parent's
             if (!m.ended) {
                 drop(m, token);
             }
         }
+        rules.work.addWithdrawn();
         return Optional.empty();
     }
 
@@ -57,7 +59,7 @@ final class Drops {
             waiting.removeIf(token::equals);
         }
         takeOut(m, token);
-        rules.work.addDropped();
+        rules.work.addDropped(m);
         if (m.ended) {
             return;
         }

@@ -2,7 +2,6 @@ package org.sami.spn.engine;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 
 /**
@@ -52,10 +51,14 @@ final class WorkList {
         withdrawnFrom.clear();
     }
 
-    /** Those whom a dropped robot left, mission by mission in the order of their ids. */
-    void addDropped() {
-        withdrawnFrom.sort(Comparator.comparingLong(place -> place.mission.id));
-        addWithdrawn();
+    /** Those whom a dropped robot left in a mission, whoever took it out; what it left in others waits for their turn. */
+    void addDropped(Mission mission) {
+        for (PlaceState place : withdrawnFrom) {
+            if (place.mission == mission) {
+                left(place);
+            }
+        }
+        withdrawnFrom.removeIf(place -> place.mission == mission);
     }
 
     private void addIfWaiting(Mission mission, CompiledTransition t) {

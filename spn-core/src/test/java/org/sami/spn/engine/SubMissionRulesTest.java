@@ -11,6 +11,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Outcome;
@@ -540,5 +541,29 @@ class SubMissionRulesTest {
         assertThat(s.last())
                 .contains(
                         new Effect.TasksAllocated(Map.of(task, Optional.empty()), Map.of(task, "A"), Priority.MEDIUM));
+    }
+
+    @Test
+    void aDropFromAllMissionsIsLookedAtInTheOrderOfTheirIds() {
+        Plan other = new NetBuilder("other")
+                .start("o")
+                .in("o", "few", "proxy == 1")
+                .out("few", "rest", "take all any")
+                .build();
+        Plan child = new NetBuilder("child")
+                .start("c")
+                .in("c", "fewer", "proxy == 1")
+                .out("fewer", "d", "take all any")
+                .build();
+        Session s = new Session(taking().build(), other, child);
+        s.join("A", "B").start("parent");
+        long second = s.start("other");
+        s.news("News", "A", "B");
+        long third = s.idOf("child");
+
+        s.step(new Input.ProxyDropped("A", Ids.NONE));
+
+        assertThat(s.last().stream().filter(Effect.Fired.class::isInstance).map(e -> ((Effect.Fired) e).mission()))
+                .containsExactly(second, third);
     }
 }
