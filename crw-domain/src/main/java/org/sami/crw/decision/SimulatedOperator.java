@@ -28,13 +28,13 @@ public final class SimulatedOperator {
     private final Vocabulary vocabulary;
     private final List<CountedRule> rules = new ArrayList<>();
     private final OperatorDefaults defaults;
-    private final MadeUpValues madeUp;
+    private final GeneratedValues madeUp;
 
     /** An operator with rules and what it does without them. */
     public SimulatedOperator(Vocabulary vocabulary, OperatorDefaults defaults, AnswersFile answers) {
         this.vocabulary = vocabulary;
         this.defaults = defaults;
-        madeUp = new MadeUpValues(defaults);
+        madeUp = new GeneratedValues(defaults);
         answers.rules().forEach(rule -> rules.add(new CountedRule(rule)));
     }
 

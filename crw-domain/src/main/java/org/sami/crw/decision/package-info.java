@@ -6,6 +6,6 @@
  * ({@code spn.engine}).
  *
  * <p>Models are owned by one thread: the event thread of a window, or the one thread of a headless run. {@link
- * org.sami.crw.decision.OperatorDesk} is where they are fed, with one hop.
+ * org.sami.crw.decision.OperatorModels} is where they are fed, with one hop.
  */
 package org.sami.crw.decision;

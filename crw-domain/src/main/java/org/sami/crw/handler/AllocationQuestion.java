@@ -13,7 +13,7 @@ import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.allocation.AllocationProblem;
 import org.sami.crw.service.allocation.Candidate;
 import org.sami.crw.service.allocation.Reassignment;
-import org.sami.crw.service.allocation.Work;
+import org.sami.crw.service.allocation.WorkItem;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
@@ -47,12 +47,12 @@ record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, 
         Optional<Allocation> previous = activation.value(PREVIOUS).map(Allocation::of);
         Map<String, TaskId> tasks =
                 previous.isPresent() || activation.value(LOCATIONS).isPresent() ? Map.of() : tasks(activation);
-        Map<String, List<Work>> left =
+        Map<String, List<WorkItem>> left =
                 previous.map(one -> left(one, activation, context)).orElse(Map.of());
         List<Candidate> candidates = new ArrayList<>();
         List<String> unknown = new ArrayList<>();
         for (String boat : boats(activation, context)) {
-            List<Work> begun = previous.isPresent()
+            List<WorkItem> begun = previous.isPresent()
                     ? left.getOrDefault(boat, List.of()).stream().limit(1).toList()
                     : otherTasks(boat, activation, context);
             positions
@@ -107,11 +107,12 @@ record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, 
         return task.mission() == activation.mission() ? task.name() : task.name() + " of mission " + task.mission();
     }
 
-    private static List<Work> work(Activation activation, HandlerContext context, Map<String, TaskId> tasks) {
-        List<Work> work = new ArrayList<>();
+    private static List<WorkItem> work(Activation activation, HandlerContext context, Map<String, TaskId> tasks) {
+        List<WorkItem> work = new ArrayList<>();
         if (tasks.isEmpty()) {
-            for (GeoPoint location : Fields.points(Fields.required(activation, LOCATIONS), LOCATIONS)) {
-                work.add(Work.visit("location " + (work.size() + 1), location));
+            for (GeoPoint location :
+                    ActivationFields.points(ActivationFields.required(activation, LOCATIONS), LOCATIONS)) {
+                work.add(WorkItem.visit("location " + (work.size() + 1), location));
             }
         } else {
             tasks.forEach((name, task) -> work.add(work(name, fields(task, context))));
@@ -123,19 +124,19 @@ record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, 
         return context.query(view -> view.task(task)).orElse(Map.of());
     }
 
-    private static Work work(String name, Map<String, Value> fields) {
+    private static WorkItem work(String name, Map<String, Value> fields) {
         Value location = Optional.ofNullable(fields.get(LOCATION))
                 .orElseThrow(() -> new IllegalArgumentException("The task " + name + " has no location"));
         Set<String> needs = Optional.ofNullable(fields.get(NEEDS))
                 .map(value -> texts(value, NEEDS))
                 .orElse(Set.of());
-        return new Work(name, Fields.point(location, LOCATION), needs);
+        return new WorkItem(name, ActivationFields.point(location, LOCATION), needs);
     }
 
     /** The tasks of the mission that a boat has already and that did not enter: it does them first. */
-    private static List<Work> otherTasks(String boat, Activation activation, HandlerContext context) {
+    private static List<WorkItem> otherTasks(String boat, Activation activation, HandlerContext context) {
         Map<TaskId, String> allocation = context.query(EngineView::allocation);
-        List<Work> others = new ArrayList<>();
+        List<WorkItem> others = new ArrayList<>();
         allocation.forEach((task, whose) -> {
             boolean other = task.mission() == activation.mission()
                     && !activation.tasks().contains(task);
@@ -147,18 +148,19 @@ record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, 
     }
 
     /** What is not visited yet of each boat's path, as far as this mission knows. */
-    private static Map<String, List<Work>> left(Allocation previous, Activation activation, HandlerContext context) {
-        Map<String, List<Work>> left = new LinkedHashMap<>();
+    private static Map<String, List<WorkItem>> left(
+            Allocation previous, Activation activation, HandlerContext context) {
+        Map<String, List<WorkItem>> left = new LinkedHashMap<>();
         previous.paths().forEach((boat, path) -> left.put(boat, left(boat, path, activation, context)));
         return left;
     }
 
-    private static List<Work> left(String boat, GeoPath path, Activation activation, HandlerContext context) {
+    private static List<WorkItem> left(String boat, GeoPath path, Activation activation, HandlerContext context) {
         int size = path.points().size();
         int visited = PathProgress.visited(context, activation.mission(), PathProgress.key(boat, path), size);
-        List<Work> left = new ArrayList<>();
+        List<WorkItem> left = new ArrayList<>();
         for (int i = visited; i < size; i++) {
-            left.add(Work.visit(
+            left.add(WorkItem.visit(
                     "location " + (i + 1) + " of " + boat, path.points().get(i)));
         }
         return left;

@@ -46,7 +46,7 @@ final class AreaSubscriptions implements ActivationHandler, BoatListener, HostLi
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
-        if (!(Fields.required(activation, AREA) instanceof GeoArea area)) {
+        if (!(ActivationFields.required(activation, AREA) instanceof GeoArea area)) {
             throw new IllegalArgumentException("\"" + AREA + "\" is no area: " + activation.value(AREA));
         }
         Subscription subscription = new Subscription(activation, context, area);

@@ -42,11 +42,11 @@ final class AssembleHandler implements ActivationHandler {
         assembled.keySet().removeAll(boats);
         Map<String, Optional<GeoPoint>> from = new LinkedHashMap<>();
         boats.forEach(boat -> from.put(boat, positions.positionOf(boat)));
-        GeoPoint centre = Fields.point(activation, "location");
+        GeoPoint centre = ActivationFields.point(activation, "location");
         Map<String, GeoPoint> points = algorithm.assemble(new AssemblyProblem(
                 from,
                 centre,
-                Fields.metres(activation, "spacing"),
+                ActivationFields.metres(activation, "spacing"),
                 List.copyOf(assembled.values()),
                 Restrictions.water(activation, centre)));
         assembled.putAll(points);

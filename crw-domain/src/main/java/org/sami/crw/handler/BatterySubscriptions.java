@@ -116,8 +116,8 @@ final class BatterySubscriptions implements ActivationHandler, BoatListener, Hos
         Subscription(Activation activation, HandlerContext context) {
             this.activation = activation;
             this.context = context;
-            low = Numbers.real(Fields.required(activation, LOW));
-            critical = Numbers.real(Fields.required(activation, CRITICAL));
+            low = Numbers.real(ActivationFields.required(activation, LOW));
+            critical = Numbers.real(ActivationFields.required(activation, CRITICAL));
             if (!(critical >= 0 && critical <= low && low <= 100)) {
                 throw new IllegalArgumentException(TYPE + " in " + activation.place()
                         + " needs thresholds with 0 <= critical <= low <= 100 %, not critical " + critical + " and low "

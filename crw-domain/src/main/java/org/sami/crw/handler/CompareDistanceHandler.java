@@ -31,8 +31,9 @@ final class CompareDistanceHandler implements ActivationHandler {
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
-        Map<String, GeoPoint> points = ProxyMaps.read(Fields.required(activation, "location"), GeoPoint.class);
-        double thresholdM = Fields.metres(activation, "distance");
+        Map<String, GeoPoint> points =
+                ProxyMaps.read(ActivationFields.required(activation, "location"), GeoPoint.class);
+        double thresholdM = ActivationFields.metres(activation, "distance");
         List<Input> answers = new ArrayList<>();
         List<String> problems = new ArrayList<>();
         for (Addressee addressee : Addressee.of(activation, context)) {

@@ -21,7 +21,9 @@ final class ConnectExistingProxyHandler implements ActivationHandler {
     @Override
     public void handle(Activation activation, HandlerContext context) {
         BoatConnector.Wanted wanted = new BoatConnector.Wanted(
-                Fields.text(activation, "name"), Fields.text(activation, "color"), Fields.text(activation, "server"));
+                ActivationFields.text(activation, "name"),
+                ActivationFields.text(activation, "color"),
+                ActivationFields.text(activation, "server"));
         connector.connect(wanted, boat -> newBoats.await(activation, List.of(boat), context));
     }
 }

@@ -24,7 +24,7 @@ final class ConnectExistingProxyIdHandler implements ActivationHandler {
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
-        Value id = Fields.required(activation, ID);
+        Value id = ActivationFields.required(activation, ID);
         if (!(id instanceof RecordValue boatId)) {
             throw new IllegalArgumentException("\"" + ID + "\" is no boat id: " + id);
         }

@@ -20,16 +20,16 @@ final class CreateSimulatedProxyHandler implements ActivationHandler {
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
-        double count = Numbers.real(Fields.required(activation, "numberToCreate"));
+        double count = Numbers.real(ActivationFields.required(activation, "numberToCreate"));
         if (count < 1 || count > Integer.MAX_VALUE) {
             throw new IllegalArgumentException("\"numberToCreate\" is 1 or more, not " + (long) count);
         }
         newBoats.await(
                 activation,
                 connector.create(
-                        Fields.text(activation, "name"),
-                        Fields.text(activation, "color"),
-                        Fields.point(activation, "startLocation"),
+                        ActivationFields.text(activation, "name"),
+                        ActivationFields.text(activation, "color"),
+                        ActivationFields.point(activation, "startLocation"),
                         (int) count),
                 context);
     }

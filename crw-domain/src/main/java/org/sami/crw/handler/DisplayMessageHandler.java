@@ -19,7 +19,7 @@ final class DisplayMessageHandler implements ActivationHandler {
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
-        if (!(Fields.required(activation, "message") instanceof TextValue text)) {
+        if (!(ActivationFields.required(activation, "message") instanceof TextValue text)) {
             throw new IllegalArgumentException("\"message\" is no text: " + activation.value("message"));
         }
         messages.tell(new OperatorMessage(

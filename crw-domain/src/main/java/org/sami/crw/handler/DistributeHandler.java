@@ -10,8 +10,8 @@ import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.allocation.AllocationProblem;
 import org.sami.crw.service.allocation.AllocationService;
-import org.sami.crw.service.allocation.Work;
-import org.sami.crw.service.assembly.Spread;
+import org.sami.crw.service.allocation.WorkItem;
+import org.sami.crw.service.assembly.HexagonalPlacement;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
@@ -80,7 +80,7 @@ final class DistributeHandler implements ActivationHandler {
         boats.forEach(boat -> lists.put(
                 boat,
                 new ListValue(List.copyOf(options.best().paths().getOrDefault(boat, List.of()).stream()
-                        .map(Work::location)
+                        .map(WorkItem::location)
                         .toList()))));
         options.best()
                 .shortfall()
@@ -110,10 +110,11 @@ final class DistributeHandler implements ActivationHandler {
     private static List<GeoPoint> locations(Activation activation) {
         Optional<GeoArea> area = activation.value(AREA).map(value -> Restrictions.area(value, AREA));
         if (activation.value(LOCATIONS).isPresent() || area.isEmpty()) {
-            return Fields.points(Fields.required(activation, LOCATIONS), LOCATIONS);
+            return ActivationFields.points(ActivationFields.required(activation, LOCATIONS), LOCATIONS);
         }
         Water water = Restrictions.water(activation, area.get().outline().get(0));
-        List<GeoPoint> spread = Spread.over(area.get(), Fields.metres(activation, "spacing"), water);
+        List<GeoPoint> spread =
+                HexagonalPlacement.over(area.get(), ActivationFields.metres(activation, "spacing"), water);
         if (spread.isEmpty()) {
             throw new IllegalArgumentException(
                     "There is no room for a location in the area, clear of what is to be avoided");

@@ -63,8 +63,8 @@ final class ExploreAreaHandler implements ActivationHandler {
 
     @Override
     public void handle(Activation activation, HandlerContext context) throws Exception {
-        GeoArea area = Restrictions.area(Fields.required(activation, AREA), AREA);
-        double spacingM = Fields.metres(activation, SPACING);
+        GeoArea area = Restrictions.area(ActivationFields.required(activation, AREA), AREA);
+        double spacingM = ActivationFields.metres(activation, SPACING);
         String key = "explore/" + PathProgress.key(Double.toString(spacingM), new GeoPath(allPoints(area)));
         Exploration one = new Exploration(activation, context, area, spacingM, key);
         List<Consumer<Map<String, GeoPath>>> others = underWay.get(one.name());

@@ -26,10 +26,10 @@ final class GotoLatLonHandler implements ActivationHandler {
         List<Move> moves = new ArrayList<>();
         for (Addressee addressee : Addressee.of(activation, context)) {
             List<GeoPoint> points = addressee.values(activation, LOCATION).stream()
-                    .map(value -> Fields.point(value, LOCATION))
+                    .map(value -> ActivationFields.point(value, LOCATION))
                     .toList();
             if (points.isEmpty()) {
-                Fields.required(activation, LOCATION);
+                ActivationFields.required(activation, LOCATION);
             }
             moves.add(GotoPointHandler.go(activation, addressee, points, false));
         }

@@ -29,12 +29,13 @@ final class GotoLocationListHandler implements ActivationHandler {
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
-        Map<String, ListValue> lists = ProxyMaps.read(Fields.required(activation, LOCATIONS), ListValue.class);
+        Map<String, ListValue> lists =
+                ProxyMaps.read(ActivationFields.required(activation, LOCATIONS), ListValue.class);
         List<Move> moves = new ArrayList<>();
         List<Input> done = new ArrayList<>();
         for (Addressee addressee : Addressee.of(activation, context)) {
             List<GeoPoint> list = Optional.ofNullable(lists.get(addressee.boat()))
-                    .map(value -> Fields.points(value, LOCATIONS))
+                    .map(value -> ActivationFields.points(value, LOCATIONS))
                     .orElse(List.of());
             String key = PathProgress.listKey(addressee.boat(), list);
             int next = PathProgress.visited(context, activation.mission(), key, list.size());

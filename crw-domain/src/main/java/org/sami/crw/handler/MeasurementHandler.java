@@ -47,7 +47,7 @@ final class MeasurementHandler implements ActivationHandler, BoatListener, HostL
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
-        if (!(Fields.required(activation, SENSOR) instanceof TextValue sensor)) {
+        if (!(ActivationFields.required(activation, SENSOR) instanceof TextValue sensor)) {
             throw new IllegalArgumentException("\"" + SENSOR + "\" is no text: " + activation.value(SENSOR));
         }
         for (Addressee addressee : Addressee.of(activation, context)) {

@@ -111,7 +111,8 @@ final class PathHandler implements ActivationHandler {
             return none("it was given no location");
         }
         Water water = Restrictions.water(activation, from.get());
-        PathProblem problem = new PathProblem(from.get(), to.get(), water, Fields.metres(activation, CLEARANCE));
+        PathProblem problem =
+                new PathProblem(from.get(), to.get(), water, ActivationFields.metres(activation, CLEARANCE));
         return service.find(problem, Markups.criterion(activation), Markups.optionsWanted(activation));
     }
 

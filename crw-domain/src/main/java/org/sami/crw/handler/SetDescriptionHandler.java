@@ -15,7 +15,7 @@ final class SetDescriptionHandler implements ActivationHandler {
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
-        if (!(Fields.required(activation, DESCRIPTION) instanceof TextValue text)) {
+        if (!(ActivationFields.required(activation, DESCRIPTION) instanceof TextValue text)) {
             throw new IllegalArgumentException("\"" + DESCRIPTION + "\" is no text: " + activation.value(DESCRIPTION));
         }
         List<Input> inputs = Addressee.of(activation, context).stream()

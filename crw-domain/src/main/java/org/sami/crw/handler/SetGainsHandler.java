@@ -33,8 +33,8 @@ final class SetGainsHandler implements ActivationHandler {
 
     private static Gains gains(Activation activation, String loop) {
         return new Gains(
-                Fields.number(activation, loop + "P"),
-                Fields.number(activation, loop + "I"),
-                Fields.number(activation, loop + "D"));
+                ActivationFields.number(activation, loop + "P"),
+                ActivationFields.number(activation, loop + "I"),
+                ActivationFields.number(activation, loop + "D"));
     }
 }

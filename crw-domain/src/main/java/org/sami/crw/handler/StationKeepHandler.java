@@ -29,8 +29,8 @@ final class StationKeepHandler implements ActivationHandler {
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
-        Map<String, GeoPoint> points = ProxyMaps.read(Fields.required(activation, POINTS), GeoPoint.class);
-        double radiusM = Fields.metres(activation, RADIUS);
+        Map<String, GeoPoint> points = ProxyMaps.read(ActivationFields.required(activation, POINTS), GeoPoint.class);
+        double radiusM = ActivationFields.metres(activation, RADIUS);
         boolean running = Move.mayBlock(activation, context);
         List<Move> moves = new ArrayList<>();
         List<String> without = new ArrayList<>();

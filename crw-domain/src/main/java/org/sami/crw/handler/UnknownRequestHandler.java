@@ -22,7 +22,7 @@ final class UnknownRequestHandler implements ActivationHandler {
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
-        String name = Fields.required(activation, "class") instanceof TextValue text ? text.value() : "";
+        String name = ActivationFields.required(activation, "class") instanceof TextValue text ? text.value() : "";
         messages.tell(new OperatorMessage(
                 context.nowMillis(),
                 activation.mission(),

@@ -19,7 +19,7 @@ final class VelocityMultiplierHandler implements ActivationHandler {
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
-        double multiplier = Fields.number(activation, "multiplier");
+        double multiplier = ActivationFields.number(activation, "multiplier");
         settings.ask(activation, context, ANSWERS, boat -> Set.of(boat.setVelocityMultiplier(multiplier)));
     }
 }

@@ -19,9 +19,9 @@ import org.sami.crw.proxy.BoatStatus;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.KeepStation;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.service.reach.Doubt;
 import org.sami.crw.service.reach.Way;
 import org.sami.crw.service.reach.WayCheck;
+import org.sami.crw.service.reach.WayDoubt;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.host.HostListener;
@@ -54,7 +54,7 @@ final class WayQuestions implements HostListener {
         void refuse(Activation activation, HandlerContext context, Move move, String reason);
     }
 
-    private record Doubted(Move move, Doubt doubt) {}
+    private record Doubted(Move move, WayDoubt doubt) {}
 
     private record Held(
             DomainQuestion question, Activation activation, HandlerContext context, Sender sender, List<Doubted> all) {
@@ -78,7 +78,7 @@ final class WayQuestions implements HostListener {
         Map<DomainQuestion, Held> doubted = new EnumMap<>(DomainQuestion.class);
         List<GeoArea> avoid = moves.isEmpty() ? List.of() : context.query(view -> PlanAreas.avoided(activation, view));
         for (Move move : moves) {
-            Optional<Doubt> doubt = way(move, avoid).flatMap(WayCheck::doubt);
+            Optional<WayDoubt> doubt = way(move, avoid).flatMap(WayCheck::doubt);
             if (doubt.isEmpty()) {
                 clear.add(move);
             } else {
@@ -93,8 +93,8 @@ final class WayQuestions implements HostListener {
         return clear;
     }
 
-    private static DomainQuestion question(Doubt doubt) {
-        return doubt.kind() == Doubt.Kind.PLACE ? DomainQuestion.DOUBTFUL_WAY : DomainQuestion.LONG_WAY;
+    private static DomainQuestion question(WayDoubt doubt) {
+        return doubt.kind() == WayDoubt.Kind.PLACE ? DomainQuestion.DOUBTFUL_WAY : DomainQuestion.LONG_WAY;
     }
 
     private Optional<Way> way(Move move, List<GeoArea> avoid) {

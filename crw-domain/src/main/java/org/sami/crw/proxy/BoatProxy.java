@@ -34,7 +34,7 @@ import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.Welcome;
-import org.sami.crw.proxy.Explanation.Cause;
+import org.sami.crw.proxy.BoatExplanation.Cause;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -53,10 +53,10 @@ public final class BoatProxy {
     private final String boatId;
     private final ProxyLink link;
     private final double cruiseSpeedMps;
-    private final Requests fleetRequests; // what stops or releases the whole fleet
+    private final PendingRequests fleetRequests; // what stops or releases the whole fleet
     private final HandOver handOver;
-    private final Announcements announcements;
-    private final Tuner tuner;
+    private final DeferredNotifications announcements;
+    private final SettingsSender tuner;
     private final CommandDriver driver;
     private BoatStatus status;
     private long nowMs;
@@ -75,11 +75,11 @@ public final class BoatProxy {
         this.boatId = Objects.requireNonNull(boatId, "boatId");
         cruiseSpeedMps = config.cruiseSpeedMps();
         link = new ProxyLink(boatId, Objects.requireNonNull(toBoat, "toBoat"), config);
-        fleetRequests = new Requests(link, config);
-        announcements = new Announcements(Objects.requireNonNull(listener, "listener"));
+        fleetRequests = new PendingRequests(link, config);
+        announcements = new DeferredNotifications(Objects.requireNonNull(listener, "listener"));
         handOver = new HandOver(boatId, link, config, announcements);
         driver = new CommandDriver(boatId, config, link, announcements);
-        tuner = new Tuner(boatId, link, config, announcements);
+        tuner = new SettingsSender(boatId, link, config, announcements);
         status = BoatStatus.unknown(boatId);
     }
 
@@ -443,8 +443,8 @@ public final class BoatProxy {
     }
 
     /** Why the boat moves or does not. */
-    public Explanation explain() {
-        return new Explainer(this).explain();
+    public BoatExplanation explain() {
+        return new BoatExplainer(this).explain();
     }
 
     // ---- what the explainer asks

@@ -20,22 +20,22 @@ final class CommandDriver {
 
     private final String boatId;
     private final ProxyConfig config;
-    private final Announcements announcements;
-    private final Requests requests; // of the running command, or to stop for want of one
+    private final DeferredNotifications announcements;
+    private final PendingRequests requests; // of the running command, or to stop for want of one
     private final CommandQueue queue = new CommandQueue();
     private final Uploads uploads;
     private Optional<CommandRun> run = Optional.empty();
-    private LastWord lastWord = LastWord.NONE;
+    private LastCommandOutcome lastWord = LastCommandOutcome.NONE;
     private int wireIds;
     private boolean mustStop;
     private Progress held = new Progress("", 0, false);
     private String earlierList = "";
 
-    CommandDriver(String boatId, ProxyConfig config, ProxyLink link, Announcements announcements) {
+    CommandDriver(String boatId, ProxyConfig config, ProxyLink link, DeferredNotifications announcements) {
         this.boatId = boatId;
         this.config = config;
         this.announcements = announcements;
-        requests = new Requests(link, config);
+        requests = new PendingRequests(link, config);
         uploads = new Uploads(boatId, announcements);
     }
 
@@ -73,7 +73,7 @@ final class CommandDriver {
     }
 
     /** What became of the command that left the queue last. */
-    LastWord lastWord() {
+    LastCommandOutcome lastWord() {
         return lastWord;
     }
 
@@ -89,7 +89,7 @@ final class CommandDriver {
 
     List<BoatCommand> withdraw(long mission) {
         List<BoatCommand> withdrawn = queue.withdraw(mission);
-        withdrawn.forEach(command -> lastWord = LastWord.withdrawn(command));
+        withdrawn.forEach(command -> lastWord = LastCommandOutcome.withdrawn(command));
         return withdrawn;
     }
 
@@ -100,7 +100,7 @@ final class CommandDriver {
     /** Every command fails, for a reason in words. */
     void failAll(String reason) {
         for (BoatCommand command : queue.clear()) {
-            lastWord = LastWord.failed(command, reason);
+            lastWord = LastCommandOutcome.failed(command, reason);
             announcements.add(l -> l.onFailed(boatId, command, reason));
         }
     }
@@ -118,7 +118,7 @@ final class CommandDriver {
      * @param canMove whether there is no other reason for it to lie still
      */
     void at(GeoPoint position, boolean canMove, long nowMs) {
-        Optional<Headway> headway = run.flatMap(CommandRun::headway);
+        Optional<ProgressMonitor> headway = run.flatMap(CommandRun::headway);
         if (headway.isPresent()) {
             int next = run.get().queued().visited();
             List<GeoPoint> points = pointsOf(run.get().queued().command());
@@ -318,7 +318,7 @@ final class CommandDriver {
         } else if (verdict == Verdict.FAILED || (verdict == Verdict.RETRY && queued.failedTry() >= MAX_TRIES)) {
             mustStop = true;
             queue.finish(queued);
-            lastWord = LastWord.failed(queued.command(), ended.why());
+            lastWord = LastCommandOutcome.failed(queued.command(), ended.why());
             announcements.add(l -> l.onFailed(boatId, queued.command(), ended.why()));
         }
     }
@@ -328,7 +328,7 @@ final class CommandDriver {
             visited(queued, path.points().size());
         }
         queue.finish(queued);
-        lastWord = LastWord.arrived(queued.command());
+        lastWord = LastCommandOutcome.arrived(queued.command());
         announcements.add(l -> l.onCompleted(boatId, queued.command()));
     }
 }

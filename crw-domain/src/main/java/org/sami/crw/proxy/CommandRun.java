@@ -44,7 +44,7 @@ abstract class CommandRun {
     abstract String state();
 
     /** How the boat comes along its path, once it is to be under way. */
-    Optional<Headway> headway() {
+    Optional<ProgressMonitor> headway() {
         return Optional.empty();
     }
 

@@ -7,15 +7,15 @@ import org.sami.boat.link.Nack;
 final class HandOver {
     private final String boatId;
     private final ProxyLink link;
-    private final Requests requests;
-    private final Announcements announcements;
+    private final PendingRequests requests;
+    private final DeferredNotifications announcements;
     private boolean toldCommanding;
 
-    HandOver(String boatId, ProxyLink link, ProxyConfig config, Announcements announcements) {
+    HandOver(String boatId, ProxyLink link, ProxyConfig config, DeferredNotifications announcements) {
         this.boatId = boatId;
         this.link = link;
         this.announcements = announcements;
-        requests = new Requests(link, config);
+        requests = new PendingRequests(link, config);
     }
 
     /** Asks it of the boat, in place of what was asked before; nothing is asked without a link. */

@@ -7,8 +7,8 @@ import java.util.Optional;
  *
  * @param text in words
  */
-record Obstacle(Explanation.Cause cause, String text) {
-    static Optional<Obstacle> because(Explanation.Cause cause, String text) {
+record Obstacle(BoatExplanation.Cause cause, String text) {
+    static Optional<Obstacle> because(BoatExplanation.Cause cause, String text) {
         return Optional.of(new Obstacle(cause, text));
     }
 }

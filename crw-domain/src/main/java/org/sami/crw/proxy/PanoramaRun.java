@@ -14,11 +14,11 @@ final class PanoramaRun extends CommandRun {
 
     private final Panorama panorama;
     private final String wireId;
-    private final Requests requests;
+    private final PendingRequests requests;
     private long sinceMs;
     private boolean turning;
 
-    PanoramaRun(QueuedCommand queued, Panorama panorama, String wireId, Requests requests) {
+    PanoramaRun(QueuedCommand queued, Panorama panorama, String wireId, PendingRequests requests) {
         super(queued);
         this.panorama = panorama;
         this.wireId = wireId;

@@ -38,11 +38,11 @@ final class PathRun extends CommandRun {
     private final String wireId; // what is asked in this try has ids of its own, also where the list is an earlier one
     private final String listId;
     private final Optional<Adopted> adopted;
-    private final Requests requests;
+    private final PendingRequests requests;
     private final Consumer<Upload> reached;
     private final List<Waypoint> waypoints;
     private Phase phase = Phase.UPLOADING;
-    private Optional<Headway> headway = Optional.empty();
+    private Optional<ProgressMonitor> headway = Optional.empty();
     private int starts;
 
     /**
@@ -65,7 +65,7 @@ final class PathRun extends CommandRun {
             String wireId,
             Optional<Adopted> adopted,
             double cruiseSpeedMps,
-            Requests requests,
+            PendingRequests requests,
             Consumer<Upload> reached) {
         super(queued);
         this.reached = reached;
@@ -86,7 +86,7 @@ final class PathRun extends CommandRun {
     }
 
     @Override
-    Optional<Headway> headway() {
+    Optional<ProgressMonitor> headway() {
         return headway;
     }
 
@@ -117,7 +117,7 @@ final class PathRun extends CommandRun {
             return adopted.isPresent() ? goOn(adopted.get(), nowMs) : startUploaded(nowMs);
         } else if (asked instanceof StartWaypoints) {
             phase = Phase.DRIVING;
-            headway = Optional.of(new Headway(nowMs));
+            headway = Optional.of(new ProgressMonitor(nowMs));
         }
         return Verdict.GO_ON;
     }

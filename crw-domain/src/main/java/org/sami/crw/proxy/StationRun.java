@@ -19,7 +19,7 @@ final class StationRun extends CommandRun {
             KeepStation station,
             String wireId,
             double cruiseSpeedMps,
-            Requests requests,
+            PendingRequests requests,
             Consumer<Upload> reached) {
         super(queued);
         this.station = station;
@@ -37,7 +37,7 @@ final class StationRun extends CommandRun {
     }
 
     @Override
-    Optional<Headway> headway() {
+    Optional<ProgressMonitor> headway() {
         return there ? Optional.empty() : way.headway();
     }
 

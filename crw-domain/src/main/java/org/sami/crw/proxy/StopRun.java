@@ -8,9 +8,9 @@ import org.sami.boat.link.StopMotors;
 /** Stops the boat for a {@link Stop} command: one request, one answer. */
 final class StopRun extends CommandRun {
     private final String wireId;
-    private final Requests requests;
+    private final PendingRequests requests;
 
-    StopRun(QueuedCommand queued, String wireId, Requests requests) {
+    StopRun(QueuedCommand queued, String wireId, PendingRequests requests) {
         super(queued);
         this.wireId = wireId;
         this.requests = requests;

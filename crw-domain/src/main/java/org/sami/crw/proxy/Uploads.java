@@ -5,11 +5,11 @@ import java.util.Optional;
 /** The waypoint lists that went to one boat: the latest, and how many there were. Tells the listener of every step. */
 final class Uploads {
     private final String boatId;
-    private final Announcements announcements;
+    private final DeferredNotifications announcements;
     private Optional<Upload> latest = Optional.empty();
     private UploadCount count = UploadCount.NONE;
 
-    Uploads(String boatId, Announcements announcements) {
+    Uploads(String boatId, DeferredNotifications announcements) {
         this.boatId = boatId;
         this.announcements = announcements;
     }

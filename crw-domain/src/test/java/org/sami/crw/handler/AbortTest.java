@@ -51,7 +51,7 @@ class AbortTest {
             String boat = mission == 4 ? "b" : "a";
             world.happens(
                     engine,
-                    new Asking("ProxyExecutePath")
+                    new TestActivations("ProxyExecutePath")
                             .id(mission)
                             .mission(mission)
                             .with("paths", ProxyMaps.toValue(Map.of(boat, NORTH)))
@@ -123,7 +123,7 @@ class AbortTest {
     void proxyAbortMissionEndsTheMissionsBlock() {
         world.happens(
                 engine,
-                new Asking("BlockMovement")
+                new TestActivations("BlockMovement")
                         .id(8)
                         .priority(Priority.HIGH)
                         .of("a")
@@ -157,7 +157,7 @@ class AbortTest {
         ask("SendProxyAbortAllMissions");
         world.happens(
                 engine,
-                new Asking("ProxyGotoLatLon")
+                new TestActivations("ProxyGotoLatLon")
                         .id(10)
                         .with("location", world.hull("a").position())
                         .of("a")
@@ -189,7 +189,7 @@ class AbortTest {
     }
 
     private void ask(String event) {
-        world.happens(engine, new Asking(event).id(9).of("a").effect());
+        world.happens(engine, new TestActivations(event).id(9).of("a").effect());
     }
 
     private BoatProxy boat(String id) {

@@ -78,7 +78,7 @@ class BatterySubscriptionTest {
 
     @Test
     void theUpdatePeriodSaysHowOftenALevelIsLookedAt() {
-        Asking asking = asking(7, 60, 30).with("updatePeriod", new DurationValue(20_000));
+        TestActivations asking = asking(7, 60, 30).with("updatePeriod", new DurationValue(20_000));
         subscribe(asking.of("b"));
         world.hull("b").setBatteryPercent(20);
         world.run(10);
@@ -142,13 +142,13 @@ class BatterySubscriptionTest {
         subscribe(asking(id, low, critical).of(boats));
     }
 
-    private void subscribe(Asking asking) {
+    private void subscribe(TestActivations asking) {
         engine.open.add(asking.activation());
         world.happens(engine, asking.effect());
     }
 
-    private static Asking asking(long id, double low, double critical) {
-        return new Asking("BatteryLevelSubscription")
+    private static TestActivations asking(long id, double low, double critical) {
+        return new TestActivations("BatteryLevelSubscription")
                 .id(id)
                 .with("low", new RealValue(low))
                 .with("critical", new RealValue(critical));

@@ -67,7 +67,7 @@ class ComputationsTest {
         }
     }
 
-    private Activation asks(Asking asking) {
+    private Activation asks(TestActivations asking) {
         Activation activation = asking.of("west", "east").activation();
         engine.open.add(activation);
         engine.missions.put(
@@ -86,7 +86,7 @@ class ComputationsTest {
 
     private Activation exploring() {
         GeoArea area = new GeoArea(List.of(at(-20, -20), at(20, -20), at(20, 20), at(-20, 20)), List.of());
-        return asks(new Asking("ProxyExploreArea").with("area", area).with("spacing", new RealValue(5)));
+        return asks(new TestActivations("ProxyExploreArea").with("area", area).with("spacing", new RealValue(5)));
     }
 
     private static GeoPoint at(double eastM, double northM) {
@@ -112,7 +112,7 @@ class ComputationsTest {
             locations.add(at(random.nextDouble() * 2000 - 1000, random.nextDouble() * 2000 - 1000));
         }
 
-        asks(new Asking("AllocationRequest").with("locations", new ListValue(locations)));
+        asks(new TestActivations("AllocationRequest").with("locations", new ListValue(locations)));
 
         int ticks = 0;
         while (engine.received("AllocationResponse").isEmpty()) {

@@ -21,8 +21,8 @@ class ConnectTest {
     private final ScriptedEngine engine = new ScriptedEngine(TestWorld.VOCABULARY);
     private final TestWorld world = new TestWorld(engine);
 
-    private static Asking connect(String server) {
-        return new Asking("ConnectExistingProxy")
+    private static TestActivations connect(String server) {
+        return new TestActivations("ConnectExistingProxy")
                 .with("name", new TextValue("RED"))
                 .with("color", new TextValue("#f40000"))
                 .with("server", new TextValue(server));
@@ -70,7 +70,7 @@ class ConnectTest {
 
         world.happens(
                 engine,
-                new Asking("ConnectExistingProxyId")
+                new TestActivations("ConnectExistingProxyId")
                         .with("boatId", new RecordValue("BoatId", id))
                         .effect());
         world.run(1);
@@ -82,7 +82,7 @@ class ConnectTest {
     void simulatedBoatsAnswerTogetherWhenTheLastHasJoined() {
         world.happens(
                 engine,
-                new Asking("CreateSimulatedProxy")
+                new TestActivations("CreateSimulatedProxy")
                         .with("name", new TextValue("Sim"))
                         .with("color", new TextValue("#ffffff"))
                         .with("startLocation", TestWorld.HOME)

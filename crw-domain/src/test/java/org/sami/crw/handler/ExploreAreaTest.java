@@ -133,15 +133,15 @@ class ExploreAreaTest {
         assertThat(messages()).containsExactly("here: boats drive at twice the cruise speed, for execution time");
     }
 
-    private static Asking moving(String how) {
+    private static TestActivations moving(String how) {
         boolean usual = how.equals("usual");
-        return new Asking("ProxyGotoLatLon")
+        return new TestActivations("ProxyGotoLatLon")
                 .with("location", usual ? at(-60, 500) : at(60, 500))
                 .of(usual ? "west" : "east");
     }
 
-    private static Asking asking(long id) {
-        return new Asking("ProxyExploreArea")
+    private static TestActivations asking(long id) {
+        return new TestActivations("ProxyExploreArea")
                 .id(id)
                 .with("area", box(-20, -20, 20, 20))
                 .with("spacing", new RealValue(10));

@@ -107,7 +107,7 @@ class MoreMotionTest {
         assertThat(world.hull("a").isAtRest()).isFalse();
 
         world.cutLinks(true);
-        happens(new Asking("BlockMovement").of("a", "b"));
+        happens(new TestActivations("BlockMovement").of("a", "b"));
         assertThat(engine.received("BlockMovementDone")).isEmpty();
         world.cutLinks(false);
         world.run(3);
@@ -123,8 +123,8 @@ class MoreMotionTest {
         missionRuns(1);
         engine.awaited.clear();
 
-        happens(new Asking("BlockMovement").of("a"));
-        happens(new Asking("ProxyResendWaypoints").id(8).of("b"));
+        happens(new TestActivations("BlockMovement").of("a"));
+        happens(new TestActivations("ProxyResendWaypoints").id(8).of("b"));
         world.run(1);
 
         assertThat(engine.received("BlockMovementDone")).isEmpty();
@@ -135,7 +135,7 @@ class MoreMotionTest {
     void aListIsGoneThroughOneLocationAtEachEntry() {
         Value lists = ProxyMaps.toValue(Map.of("a", new ListValue(List.of(NEAR, FAR))));
         for (long id = 1; id <= 3; id++) {
-            happens(new Asking("ProxyGotoLocationList")
+            happens(new TestActivations("ProxyGotoLocationList")
                     .id(id)
                     .with("locations", lists)
                     .of("a", "b"));
@@ -159,14 +159,14 @@ class MoreMotionTest {
     @Test
     void aLocationOfAListThatWasNotReachedIsTheNextOneAgain() {
         Value lists = ProxyMaps.toValue(Map.of("a", new ListValue(List.of(NEAR, FAR))));
-        happens(new Asking("ProxyGotoLocationList")
+        happens(new TestActivations("ProxyGotoLocationList")
                 .id(1)
                 .with("locations", lists)
                 .of("a"));
         world.run(3);
         world.happens(engine, new Effect.CommandsWithdrawn(1, List.of("a")));
 
-        happens(new Asking("ProxyGotoLocationList")
+        happens(new TestActivations("ProxyGotoLocationList")
                 .id(2)
                 .with("locations", lists)
                 .of("a"));
@@ -178,8 +178,11 @@ class MoreMotionTest {
 
     @Test
     void waypointsGoToTheBoatOnceMoreAndBothMissionsHearOfTheirEnd() {
-        Activation resend =
-                new Asking("ProxyResendWaypoints").id(9).mission(2).of("a").activation();
+        Activation resend = new TestActivations("ProxyResendWaypoints")
+                .id(9)
+                .mission(2)
+                .of("a")
+                .activation();
         engine.open.add(resend);
         happens(gotoFar(8).mission(1));
         world.run(10);
@@ -200,7 +203,7 @@ class MoreMotionTest {
 
     @Test
     void aBoatWithoutWaypointsHasNothingLeftOfThem() {
-        happens(new Asking("ProxyResendWaypoints").of("a", "ghost"));
+        happens(new TestActivations("ProxyResendWaypoints").of("a", "ghost"));
 
         assertThat(completed()).containsExactly(tuple(7L, List.of("a")));
         assertThat(engine.received("ProxyPathFailed"))
@@ -210,8 +213,11 @@ class MoreMotionTest {
 
     @Test
     void whoeverHadWaypointsSentAgainHearsThatTheirMissionTookThemBack() {
-        Activation resend =
-                new Asking("ProxyResendWaypoints").id(9).mission(2).of("a").activation();
+        Activation resend = new TestActivations("ProxyResendWaypoints")
+                .id(9)
+                .mission(2)
+                .of("a")
+                .activation();
         engine.open.add(resend);
         happens(gotoFar(8).mission(1));
         world.run(5);
@@ -228,7 +234,7 @@ class MoreMotionTest {
         engine.missions.put(id, new MissionView(id, 0, id, "plan", "", MissionView.Status.RUNNING, Map.of()));
     }
 
-    private void happens(Asking asking) {
+    private void happens(TestActivations asking) {
         world.happens(engine, asking.effect());
     }
 
@@ -238,17 +244,17 @@ class MoreMotionTest {
                 .toList();
     }
 
-    private static Asking gotoPointAndBlock(Map<String, GeoPoint> points) {
-        return new Asking("ProxyGotoPointAndBlock").with("points", ProxyMaps.toValue(points));
+    private static TestActivations gotoPointAndBlock(Map<String, GeoPoint> points) {
+        return new TestActivations("ProxyGotoPointAndBlock").with("points", ProxyMaps.toValue(points));
     }
 
-    private static Asking pathAndBlock(GeoPath path) {
-        return new Asking("ProxyExecutePathAndBlock").with("paths", ProxyMaps.toValue(Map.of("a", path)));
+    private static TestActivations pathAndBlock(GeoPath path) {
+        return new TestActivations("ProxyExecutePathAndBlock").with("paths", ProxyMaps.toValue(Map.of("a", path)));
     }
 
     /** Another mission wants boat a far away. */
-    private static Asking gotoFar(long id) {
-        return new Asking("ProxyGotoLatLon")
+    private static TestActivations gotoFar(long id) {
+        return new TestActivations("ProxyGotoLatLon")
                 .id(id)
                 .mission(5)
                 .with("location", FAR)

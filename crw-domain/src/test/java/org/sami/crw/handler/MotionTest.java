@@ -114,11 +114,14 @@ class MotionTest {
         Value points = ProxyMaps.toValue(Map.of("b", EAST.points().get(0)));
         world.happens(
                 engine,
-                new Asking("ProxyGotoPoint").with("points", points).of("b").effect());
+                new TestActivations("ProxyGotoPoint")
+                        .with("points", points)
+                        .of("b")
+                        .effect());
         world.run(60);
         world.happens(
                 engine,
-                new Asking("ProxyGotoPoint")
+                new TestActivations("ProxyGotoPoint")
                         .id(8)
                         .with("points", points)
                         .of("b")
@@ -133,7 +136,7 @@ class MotionTest {
     void allBoatsGoToOneLocation() {
         world.happens(
                 engine,
-                new Asking("ProxyGotoLatLon")
+                new TestActivations("ProxyGotoLatLon")
                         .with("location", EAST.points().get(0))
                         .of("a", "b")
                         .effect());
@@ -147,7 +150,7 @@ class MotionTest {
     void aTaskSendsItsBoatAndIsNamedInTheAnswer() {
         world.happens(
                 engine,
-                new Asking("ProxyGotoLatLon")
+                new TestActivations("ProxyGotoLatLon")
                         .task("t1", "b", "location", EAST.points().get(0))
                         .effect());
         world.run(60);
@@ -205,7 +208,7 @@ class MotionTest {
 
     @Test
     void anActivationThatIsDeliveredAgainCommandsOnceAndOnlyWhoIsStillThere() {
-        Asking asking = executePath(Map.of("a", NORTH, "b", EAST)).of("a", "b");
+        TestActivations asking = executePath(Map.of("a", NORTH, "b", EAST)).of("a", "b");
         engine.open.add(asking.activation());
         engine.missions.put(
                 1L,
@@ -258,7 +261,7 @@ class MotionTest {
         world.run(3);
         world.happens(
                 engine,
-                new Asking("ProxyGotoLatLon")
+                new TestActivations("ProxyGotoLatLon")
                         .id(8)
                         .mission(2)
                         .priority(Priority.CRITICAL)
@@ -268,7 +271,7 @@ class MotionTest {
         assertThat(engine.received("ProxyPathFailed")).isEmpty();
         world.happens(
                 engine,
-                new Asking("ProxyGotoLatLon")
+                new TestActivations("ProxyGotoLatLon")
                         .id(9)
                         .mission(3)
                         .with("location", EAST.points().get(1))
@@ -277,7 +280,7 @@ class MotionTest {
         world.run(1);
         world.happens(
                 engine,
-                new Asking("ProxyGotoLatLon")
+                new TestActivations("ProxyGotoLatLon")
                         .id(10)
                         .mission(4)
                         .priority(Priority.HIGH)
@@ -297,11 +300,11 @@ class MotionTest {
     @Test
     void aBlockKeepsTheBoatForItsMissionUntilThatEnds() {
         engine.missions.put(1L, new MissionView(1, 0, 1, "plan", "", MissionView.Status.RUNNING, Map.of()));
-        world.happens(engine, new Asking("BlockMovement").of("a").effect());
+        world.happens(engine, new TestActivations("BlockMovement").of("a").effect());
         world.run(2);
         world.happens(
                 engine,
-                new Asking("ProxyGotoLatLon")
+                new TestActivations("ProxyGotoLatLon")
                         .id(8)
                         .mission(2)
                         .with("location", NORTH.points().get(0))
@@ -340,8 +343,8 @@ class MotionTest {
         return Geodesy.distanceM(world.hull(boat).position(), point);
     }
 
-    private static Asking executePath(Map<String, GeoPath> paths) {
-        return new Asking("ProxyExecutePath").with("paths", ProxyMaps.toValue(paths));
+    private static TestActivations executePath(Map<String, GeoPath> paths) {
+        return new TestActivations("ProxyExecutePath").with("paths", ProxyMaps.toValue(paths));
     }
 
     private static GeoPath path(double... eastAndNorth) {

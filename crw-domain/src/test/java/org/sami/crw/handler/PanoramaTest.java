@@ -22,7 +22,7 @@ class PanoramaTest {
     @Test
     void theBoatTurnsAllRoundWhereItIsAndThenAnswersOnce() {
         world.run(1);
-        happens(new Asking("TakePanorama").of("a"));
+        happens(new TestActivations("TakePanorama").of("a"));
         world.run(60);
 
         assertThat(hull.pictures()).hasSize(8);
@@ -40,7 +40,7 @@ class PanoramaTest {
     @Test
     void aTaskIsNamedInTheAnswer() {
         world.run(1);
-        happens(new Asking("TakePanorama").task("t1", "a", "note", new TextValue("")));
+        happens(new TestActivations("TakePanorama").task("t1", "a", "note", new TextValue("")));
         world.run(60);
 
         assertThat(taken()).extracting(Occurrence::tasks).containsExactly(List.of(new TaskId(1, "t1")));
@@ -50,7 +50,7 @@ class PanoramaTest {
     void aBoatWithoutACameraIsNamedToTheOperator() {
         world.addBoat("b", 5, 0);
         world.run(1);
-        happens(new Asking("TakePanorama").of("b"));
+        happens(new TestActivations("TakePanorama").of("b"));
         world.run(5);
 
         assertThat(taken()).isEmpty();
@@ -62,7 +62,7 @@ class PanoramaTest {
     @Test
     void whatIsTakenBackStopsTheTurn() {
         world.run(1);
-        happens(new Asking("TakePanorama").of("a"));
+        happens(new TestActivations("TakePanorama").of("a"));
         world.run(2);
         world.happens(engine, new Effect.CommandsWithdrawn(1, List.of()));
         world.run(60);
@@ -75,7 +75,7 @@ class PanoramaTest {
     @Test
     void afterALostLinkThePicturesAreTakenAnewAndAnsweredOnce() {
         world.run(1);
-        happens(new Asking("TakePanorama").of("a"));
+        happens(new TestActivations("TakePanorama").of("a"));
         world.run(2);
         world.cutLinks(true);
         world.run(60);
@@ -86,7 +86,7 @@ class PanoramaTest {
         assertThat(taken()).hasSize(1);
     }
 
-    private void happens(Asking asking) {
+    private void happens(TestActivations asking) {
         world.happens(engine, asking.effect());
     }
 

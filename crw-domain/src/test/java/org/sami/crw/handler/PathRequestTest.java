@@ -133,12 +133,12 @@ class PathRequestTest {
                         .contains("No-go area 1 is no simple polygon: it crosses or touches itself at 45.6"));
     }
 
-    private static Asking asking() {
+    private static TestActivations asking() {
         Map<String, GeoPoint> points = new LinkedHashMap<>();
         points.put("west", at(80, 0));
         points.put("east", at(150, 10));
         points.put("ghost", at(0, 0));
-        return new Asking("PathRequest")
+        return new TestActivations("PathRequest")
                 .with("points", ProxyMaps.toValue(points))
                 .with("clearance", new RealValue(5));
     }

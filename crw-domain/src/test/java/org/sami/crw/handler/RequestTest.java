@@ -55,7 +55,7 @@ class RequestTest {
 
         world.happens(
                 engine,
-                new Asking("AllocationRequest")
+                new TestActivations("AllocationRequest")
                         .with("locations", new ListValue(List.of(right, left)))
                         .of("west", "east")
                         .effect());
@@ -75,7 +75,7 @@ class RequestTest {
 
         world.happens(
                 engine,
-                new Asking("AllocationRequest")
+                new TestActivations("AllocationRequest")
                         .task("t1", "east", "depth", new RealValue(1))
                         .effect());
 
@@ -89,7 +89,7 @@ class RequestTest {
     void aBoatThatWasNeverHeardOfGetsNothingAndTheOperatorIsTold() {
         world.happens(
                 engine,
-                new Asking("AllocationRequest")
+                new TestActivations("AllocationRequest")
                         .with("locations", new ListValue(List.of(at(0, 0))))
                         .of("ghost", "east")
                         .effect());
@@ -103,11 +103,12 @@ class RequestTest {
 
     @Test
     void aRequestThatCannotBeMetFailsWithItsReason() {
-        world.happens(engine, new Asking("AllocationRequest").of("east").effect());
-        world.happens(engine, new Asking("AllocationRequest").effect());
+        world.happens(
+                engine, new TestActivations("AllocationRequest").of("east").effect());
+        world.happens(engine, new TestActivations("AllocationRequest").effect());
         world.happens(
                 engine,
-                new Asking("AllocationRequest")
+                new TestActivations("AllocationRequest")
                         .with("locations", new ListValue(List.of(at(0, 0))))
                         .of("ghost")
                         .effect());
@@ -126,7 +127,7 @@ class RequestTest {
         for (String boat : List.of("west", "east")) {
             world.happens(
                     engine,
-                    new Asking("AssembleLocationRequest")
+                    new TestActivations("AssembleLocationRequest")
                             .with("location", TestWorld.HOME)
                             .with("spacing", new RealValue(10))
                             .of(boat)
@@ -147,7 +148,7 @@ class RequestTest {
 
         world.happens(
                 engine,
-                new Asking("ProxyCompareDistanceRequest")
+                new TestActivations("ProxyCompareDistanceRequest")
                         .with("location", points)
                         .with("distance", new RealValue(10))
                         .of("west", "east")
@@ -163,7 +164,7 @@ class RequestTest {
 
         world.happens(
                 engine,
-                new Asking("ProxyCompareDistanceRequest")
+                new TestActivations("ProxyCompareDistanceRequest")
                         .with("location", points)
                         .with("distance", new RealValue(10))
                         .of("west", "east")
@@ -181,7 +182,7 @@ class RequestTest {
     void aMessageReachesTheOperatorWithItsMarkups() {
         world.happens(
                 engine,
-                new Asking("DisplayMessage")
+                new TestActivations("DisplayMessage")
                         .with("message", new TextValue("All locations visited"))
                         .markup("Keyword", "source", new TextValue("done"))
                         .priority(Priority.HIGH)

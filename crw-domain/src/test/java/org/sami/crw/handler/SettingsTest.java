@@ -68,11 +68,11 @@ class SettingsTest {
     @Test
     void aBoatUnderWayIsSlowedDown() {
         GeoPoint far = Geodesy.offset(TestWorld.HOME, 0, 300);
-        happens(new Asking("ProxyGotoLatLon").with("location", far).of("a"));
+        happens(new TestActivations("ProxyGotoLatLon").with("location", far).of("a"));
         world.run(20);
         double usual = world.hull("a").speedMps();
 
-        happens(new Asking("SetVelocityMultiplier")
+        happens(new TestActivations("SetVelocityMultiplier")
                 .id(8)
                 .with("multiplier", new RealValue(0.25))
                 .of("a"));
@@ -86,7 +86,7 @@ class SettingsTest {
 
     @Test
     void aMultiplierThatIsTooLargeFails() {
-        happens(new Asking("SetVelocityMultiplier")
+        happens(new TestActivations("SetVelocityMultiplier")
                 .with("multiplier", new RealValue(1000))
                 .of("a", "ghost"));
 
@@ -99,11 +99,11 @@ class SettingsTest {
     void aSettingWaitsForALostLinkAndANewerOneTakesItsPlace() {
         world.cutLinks(true);
         world.run(6);
-        happens(new Asking("SetVelocityMultiplier")
+        happens(new TestActivations("SetVelocityMultiplier")
                 .id(8)
                 .with("multiplier", new RealValue(0.5))
                 .of("a"));
-        happens(new Asking("SetVelocityMultiplier")
+        happens(new TestActivations("SetVelocityMultiplier")
                 .id(9)
                 .with("multiplier", new RealValue(0.75))
                 .of("a"));
@@ -123,12 +123,12 @@ class SettingsTest {
                 .isEqualTo(0.75);
     }
 
-    private void happens(Asking asking) {
+    private void happens(TestActivations asking) {
         world.happens(engine, asking.effect());
     }
 
-    private static Asking gains(double rudder, double thrust) {
-        return new Asking("SetGains")
+    private static TestActivations gains(double rudder, double thrust) {
+        return new TestActivations("SetGains")
                 .with("rudderP", new RealValue(rudder))
                 .with("rudderI", new RealValue(rudder / 2))
                 .with("rudderD", new RealValue(rudder / 4))

@@ -7,7 +7,7 @@ import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.event.ProxyMaps;
-import org.sami.crw.proxy.Explanation;
+import org.sami.crw.proxy.BoatExplanation;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Effect;
@@ -37,8 +37,8 @@ class StationKeepTest {
     @Test
     void theBoatGoesThereAndStays() {
         assertThat(distance(STATION)).isLessThan(6);
-        Explanation why = world.boats.find("a").orElseThrow().explain();
-        assertThat(why.cause()).isEqualTo(Explanation.Cause.KEEPS_STATION);
+        BoatExplanation why = world.boats.find("a").orElseThrow().explain();
+        assertThat(why.cause()).isEqualTo(BoatExplanation.Cause.KEEPS_STATION);
         assertThat(why.text()).contains("keeping its station");
         assertThat(engine.received("ProxyPathCompleted")).isEmpty();
     }
@@ -111,7 +111,7 @@ class StationKeepTest {
 
     @Test
     void aBoatWithoutAStationIsAFailureOfTheRequest() {
-        happens(new Asking("ProxyStationKeep")
+        happens(new TestActivations("ProxyStationKeep")
                 .id(9)
                 .with("points", ProxyMaps.toValue(Map.of()))
                 .with("radius", new RealValue(10))
@@ -124,22 +124,22 @@ class StationKeepTest {
                         assertThat(((Input.HandlerFailed) failed).reason()).contains("no station for a"));
     }
 
-    private static Asking stationKeep() {
-        return new Asking("ProxyStationKeep")
+    private static TestActivations stationKeep() {
+        return new TestActivations("ProxyStationKeep")
                 .with("points", ProxyMaps.toValue(Map.of("a", STATION)))
                 .with("radius", new RealValue(10))
                 .of("a");
     }
 
-    private static Asking goElsewhere(long id, long mission) {
-        return new Asking("ProxyGotoLatLon")
+    private static TestActivations goElsewhere(long id, long mission) {
+        return new TestActivations("ProxyGotoLatLon")
                 .id(id)
                 .mission(mission)
                 .with("location", ELSEWHERE)
                 .of("a");
     }
 
-    private void happens(Asking asking) {
+    private void happens(TestActivations asking) {
         world.happens(engine, asking.effect());
     }
 

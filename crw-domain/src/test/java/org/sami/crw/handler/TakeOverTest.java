@@ -27,7 +27,7 @@ class TakeOverTest {
                 new GeoPath(List.of(Geodesy.offset(TestWorld.HOME, 0, 30), Geodesy.offset(TestWorld.HOME, 0, 60)));
         world.happens(
                 engine,
-                new Asking("ProxyExecutePath")
+                new TestActivations("ProxyExecutePath")
                         .with("paths", ProxyMaps.toValue(Map.of("a", north)))
                         .of("a")
                         .effect());

@@ -13,7 +13,7 @@ import java.util.function.Consumer;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerSession;
-import org.sami.crw.decision.OperatorDesk;
+import org.sami.crw.decision.OperatorModels;
 import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyConfig;
@@ -40,7 +40,7 @@ final class TestWorld implements HostClock {
     private static final int TICK_MS = 100;
 
     final ProxyRegistry boats = new ProxyRegistry();
-    final OperatorDesk desk;
+    final OperatorModels desk;
     final EngineHost host;
     final CrwDomain domain;
     private final Map<String, TestHull> hulls = new LinkedHashMap<>();
@@ -58,7 +58,7 @@ final class TestWorld implements HostClock {
     /** A world whose services compute beside the fleet's thread, as in a session in real time. */
     TestWorld(EngineFunction engine, CrwServices services, ServiceThreads threads) {
         host = EngineHost.builder(engine).clock(this).executor(tasks::add).build();
-        desk = new OperatorDesk(Runnable::run);
+        desk = new OperatorModels(Runnable::run);
         domain = CrwDomain.installInRealTime(host, boats, tasks::add, desk, services, threads);
         host.addListener(desk);
     }
@@ -68,7 +68,7 @@ final class TestWorld implements HostClock {
                 .clock(this)
                 .executor(enginesOwn.orElse(tasks::add))
                 .build();
-        desk = new OperatorDesk(enginesOwn.isPresent() ? tasks::add : Runnable::run);
+        desk = new OperatorModels(enginesOwn.isPresent() ? tasks::add : Runnable::run);
         domain = CrwDomain.install(host, boats, tasks::add, desk, CrwServices.STANDARD, new TestHarbour());
         host.addListener(desk);
     }

@@ -139,9 +139,12 @@ class WatchingTest {
     @Test
     void aLinkThatIsCutKeepsTheCommandUntilItIsTakenUpAgain() {
         GeoPoint far = at(0, 120);
-        happens(new Asking("ProxyGotoLatLon").id(2).with("location", far).of("a"));
+        happens(new TestActivations("ProxyGotoLatLon")
+                .id(2)
+                .with("location", far)
+                .of("a"));
         world.run(10);
-        happens(new Asking("DisconnectServer").id(3).of("a"));
+        happens(new TestActivations("DisconnectServer").id(3).of("a"));
         world.run(10);
         assertThat(link("a")).isEqualTo(LinkState.LOST);
         assertThat(link("b")).isEqualTo(LinkState.LINKED);
@@ -151,7 +154,7 @@ class WatchingTest {
         assertThat(world.boats.find("a").orElseThrow().explain().text()).contains("cut on purpose");
         assertThat(engine.received("ProxyPathCompleted")).isEmpty();
 
-        happens(new Asking("ReconnectServer").id(4).of("a"));
+        happens(new TestActivations("ReconnectServer").id(4).of("a"));
         world.run(90);
 
         assertThat(Geodesy.distanceM(world.hull("a").position(), far)).isLessThan(6);
@@ -162,10 +165,10 @@ class WatchingTest {
 
     @Test
     void aDescriptionSelectsWhichBoatsTheOperatorIsOffered() {
-        happens(new Asking("ProxySetDescription")
+        happens(new TestActivations("ProxySetDescription")
                 .with("description", new TextValue("SHORE"))
                 .of("a"));
-        happens(new Asking("ProxySetDescription")
+        happens(new TestActivations("ProxySetDescription")
                 .with("description", new TextValue("WATER"))
                 .of("b"));
         MarkupSpec onShore = new MarkupSpec(
@@ -192,12 +195,12 @@ class WatchingTest {
                 List.of(markup));
     }
 
-    private static Asking subscription() {
-        return new Asking("ProxyAreaSubscription").with("area", AREA).of("a", "b");
+    private static TestActivations subscription() {
+        return new TestActivations("ProxyAreaSubscription").with("area", AREA).of("a", "b");
     }
 
-    private static Asking measurement(String sensor) {
-        return new Asking("TakeMeasurement").with("sensor", new TextValue(sensor));
+    private static TestActivations measurement(String sensor) {
+        return new TestActivations("TakeMeasurement").with("sensor", new TextValue(sensor));
     }
 
     /** These boats stand in the place of the activations. */
@@ -208,7 +211,7 @@ class WatchingTest {
                 1L, new MissionView(1, 0, 1, "plan", "", MissionView.Status.RUNNING, Map.of("here", tokens)));
     }
 
-    private void happens(Asking asking) {
+    private void happens(TestActivations asking) {
         world.happens(engine, asking.effect());
     }
 

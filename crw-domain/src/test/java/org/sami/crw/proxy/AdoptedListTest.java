@@ -24,7 +24,7 @@ class AdoptedListTest {
     private static final String LIST = "c#earlier.0.3";
 
     private final List<String> heard = new ArrayList<>();
-    private final TalkedBoat boat = new TalkedBoat(new BoatListener() {
+    private final ScriptedBoat boat = new ScriptedBoat(new BoatListener() {
         @Override
         public void onProgress(String boatId, BoatCommand command, int visitedCount) {
             heard.add("progress " + visitedCount);

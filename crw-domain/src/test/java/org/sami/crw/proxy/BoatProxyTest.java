@@ -409,8 +409,10 @@ class BoatProxyTest {
     void explainsWhyNothingMoves() {
         link("b1");
         assertThat(proxy.explain())
-                .isEqualTo(new Explanation(
-                        false, Explanation.Cause.NO_COMMAND, "boat1 does not move: no mission wants anything of it"));
+                .isEqualTo(new BoatExplanation(
+                        false,
+                        BoatExplanation.Cause.NO_COMMAND,
+                        "boat1 does not move: no mission wants anything of it"));
 
         proxy.submit(new Stop("s", 4, 1, Priority.LOW, true));
         proxy.submit(path("c", 1));
@@ -421,9 +423,9 @@ class BoatProxyTest {
         readBackEqual();
         acknowledge(StartWaypoints.class);
         assertThat(proxy.explain())
-                .isEqualTo(new Explanation(
+                .isEqualTo(new BoatExplanation(
                         true,
-                        Explanation.Cause.UNDER_WAY,
+                        BoatExplanation.Cause.UNDER_WAY,
                         "boat1 does c of mission 1: under way, 0 of 2 points visited"));
     }
 

@@ -19,7 +19,7 @@ import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Welcome;
-import org.sami.crw.proxy.Explanation.Cause;
+import org.sami.crw.proxy.BoatExplanation.Cause;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
@@ -29,11 +29,11 @@ class ExplainTest {
     private static final GeoPoint HERE = GeoPoint.of(45, 10);
     private static final List<GeoPoint> POINTS = List.of(Geodesy.offset(HERE, 0, 100), Geodesy.offset(HERE, 0, 200));
 
-    private final TalkedBoat boat = new TalkedBoat(new BoatListener() {});
+    private final ScriptedBoat boat = new ScriptedBoat(new BoatListener() {});
     private final Set<Cause> seen = EnumSet.noneOf(Cause.class);
 
     private void assertWhy(Cause cause, String words) {
-        Explanation explanation = boat.proxy.explain();
+        BoatExplanation explanation = boat.proxy.explain();
         assertThat(explanation.text()).contains("boat1").contains(words);
         assertThat(explanation.cause()).isEqualTo(cause);
         assertThat(explanation.shouldMove()).isEqualTo(cause == Cause.UNDER_WAY);

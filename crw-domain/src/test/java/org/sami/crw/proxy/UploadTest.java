@@ -19,7 +19,7 @@ class UploadTest {
     private static final List<GeoPoint> POINTS = List.of(GeoPoint.of(45, 10), GeoPoint.of(45.01, 10.01));
 
     private final List<String> heard = new ArrayList<>();
-    private final TalkedBoat boat = new TalkedBoat(new BoatListener() {
+    private final ScriptedBoat boat = new ScriptedBoat(new BoatListener() {
         @Override
         public void onUpload(String boatId, Upload upload) {
             heard.add(upload.commandId() + " " + upload.state() + (upload.why().isEmpty() ? "" : ": " + upload.why()));

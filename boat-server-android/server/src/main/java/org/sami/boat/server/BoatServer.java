@@ -55,7 +55,7 @@ public final class BoatServer {
     private final ServerLog log;
     private final LinkCodec codec = new LinkCodec();
     private final CommandLedger ledger = new CommandLedger();
-    private final Pilot pilot;
+    private final ModeControl pilot;
     private final CommandExecutor executor;
     private final SensorWatch sensors;
     private final List<ServerSession> sessions = new ArrayList<>();
@@ -74,7 +74,7 @@ public final class BoatServer {
         this.config = Objects.requireNonNull(config, "config");
         this.vehicle = Objects.requireNonNull(vehicle, "vehicle");
         this.log = Objects.requireNonNull(log, "log");
-        pilot = new Pilot(config, vehicle);
+        pilot = new ModeControl(config, vehicle);
         executor = new CommandExecutor(config, pilot);
         sensors = new SensorWatch(vehicle);
         reportedLevel = batteryLevel();

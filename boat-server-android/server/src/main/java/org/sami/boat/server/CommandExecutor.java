@@ -23,10 +23,10 @@ import org.sami.boat.link.UploadWaypoints;
 /** Executes the commands of the commander, each once, and says how it answers them. */
 final class CommandExecutor {
     private final ServerConfig config;
-    private final Pilot pilot;
+    private final ModeControl pilot;
     private LostLinkAction lostLinkAction;
 
-    CommandExecutor(ServerConfig config, Pilot pilot) {
+    CommandExecutor(ServerConfig config, ModeControl pilot) {
         this.config = config;
         this.pilot = pilot;
         lostLinkAction = config.lostLinkAction();

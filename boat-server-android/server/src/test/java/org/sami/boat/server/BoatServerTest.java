@@ -34,12 +34,12 @@ import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.link.Welcome;
-import org.sami.boat.server.Bench.Client;
+import org.sami.boat.server.ServerTestBench.Client;
 
 class BoatServerTest {
     private static final List<Waypoint> PATH = List.of(new Waypoint(45.001, 10, 1.5), new Waypoint(45.002, 10, 1.6));
 
-    private final Bench bench = new Bench();
+    private final ServerTestBench bench = new ServerTestBench();
 
     @Test
     void welcomesAClientAndSaysWhatItHolds() {
@@ -104,7 +104,7 @@ class BoatServerTest {
 
     @Test
     void keepsTheOldListWhenTheNewOneIsRefused() {
-        Bench small = new Bench(config -> config.maxWaypoints(2));
+        ServerTestBench small = new ServerTestBench(config -> config.maxWaypoints(2));
         Client client = small.commander();
         client.command(new UploadWaypoints("c1", "l1", PATH));
         client.command(new StartWaypoints("c2", "l1", 0));
@@ -115,7 +115,7 @@ class BoatServerTest {
                 NackReason.TOO_LONG);
         String bad =
                 "{\"type\":\"upload\",\"seq\":9,\"command\":\"c4\",\"list\":\"l3\",\"waypoints\":[[1,1,1],[99,1,1]]}";
-        client.session.receive(Framed.of(bad), small.nowMs);
+        client.session.receive(FrameBytes.of(bad), small.nowMs);
 
         Nack nack = client.all(Nack.class).get(1);
         assertThat(nack.commandId()).isEqualTo("c4");
@@ -341,7 +341,7 @@ class BoatServerTest {
     void noiseDoesNotKeepTheLinkAlive() {
         Client client = driving();
         for (int i = 0; i < 36; i++) {
-            client.session.receive(Framed.of("noise"), bench.nowMs);
+            client.session.receive(FrameBytes.of("noise"), bench.nowMs);
             bench.run(0.1);
         }
 

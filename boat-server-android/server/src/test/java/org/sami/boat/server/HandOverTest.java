@@ -21,11 +21,11 @@ import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.link.Welcome;
-import org.sami.boat.server.Bench.Client;
+import org.sami.boat.server.ServerTestBench.Client;
 
 /** The command of a boat changes hands only by a message that says so. */
 class HandOverTest {
-    private final Bench bench = new Bench();
+    private final ServerTestBench bench = new ServerTestBench();
 
     private Client greet(String clientId, Role role) {
         Client client = bench.new Client();

@@ -20,13 +20,13 @@ import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
-import org.sami.boat.server.Bench.Client;
+import org.sami.boat.server.ServerTestBench.Client;
 
 /** Clients that send rubbish, repeat themselves or shuffle what they say. */
 class HostileClientTest {
     private static final List<Waypoint> PATH = List.of(new Waypoint(45.001, 10, 1.5), new Waypoint(45.002, 10, 1.6));
 
-    private final Bench bench = new Bench();
+    private final ServerTestBench bench = new ServerTestBench();
     private final LinkCodec codec = new LinkCodec();
 
     private static List<byte[]> sessionOfFrames(Client client) {
@@ -72,7 +72,7 @@ class HostileClientTest {
     void flippedBitsAreRefused() {
         SplittableRandom random = new SplittableRandom(32);
         for (int round = 0; round < 300; round++) {
-            Bench fresh = new Bench();
+            ServerTestBench fresh = new ServerTestBench();
             Client client = fresh.commander();
             for (byte[] frame : sessionOfFrames(client)) {
                 byte[] flipped = frame.clone();
@@ -90,7 +90,7 @@ class HostileClientTest {
     void framesInAnyOrderAndTenTimesOverAreExecutedOnceAtMost() {
         SplittableRandom random = new SplittableRandom(33);
         for (int round = 0; round < 200; round++) {
-            Bench fresh = new Bench();
+            ServerTestBench fresh = new ServerTestBench();
             Client client = fresh.commander();
             List<byte[]> frames = new ArrayList<>();
             for (int i = 0; i < 10; i++) {

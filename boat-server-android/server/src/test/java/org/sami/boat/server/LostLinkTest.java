@@ -29,7 +29,7 @@ import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
-import org.sami.boat.server.Bench.Client;
+import org.sami.boat.server.ServerTestBench.Client;
 
 /** What a boat does by itself when its commander's link is lost: every action that can be set, in every mode. */
 class LostLinkTest {
@@ -54,7 +54,7 @@ class LostLinkTest {
     }
 
     /** 50 m north of home, looking north, in a mode. */
-    private static Client boatIn(BoatMode mode, Bench bench) {
+    private static Client boatIn(BoatMode mode, ServerTestBench bench) {
         bench.vehicle.northM = 50;
         Client client = bench.commander();
         client.command(new UploadWaypoints("u", "l1", PATH));
@@ -92,12 +92,12 @@ class LostLinkTest {
     @ParameterizedTest
     @EnumSource(LostLinkAction.class)
     void boatThatWasStartedAnewIsMovedByNoLostLinkBeforeACommandHasMovedIt(LostLinkAction action) {
-        Bench bench = new Bench();
+        ServerTestBench bench = new ServerTestBench();
         Client before = bench.commander();
         before.command(new UploadWaypoints("u", "l1", PATH));
         before.command(new SetLostLinkAction("a", action));
         before.command(new StartWaypoints("g", "l1", 0));
-        Bench anew = bench.startedAnew();
+        ServerTestBench anew = bench.startedAnew();
         for (End end : End.values()) {
             Client client = anew.commander();
             anew.run(end == End.SILENT ? 5 : 1);
@@ -113,7 +113,8 @@ class LostLinkTest {
     @ParameterizedTest
     @MethodSource("everyModeActionAndEnd")
     void doesWhatIsSetInEveryModeAtTheTimeThatIsSet(BoatMode mode, LostLinkAction action, End end) {
-        Bench bench = new Bench(config -> config.deadmanMs(60_000)); // so that the link goes before the hand does
+        ServerTestBench bench =
+                new ServerTestBench(config -> config.deadmanMs(60_000)); // so that the link goes before the hand does
         Client client = boatIn(mode, bench);
         client.command(new SetLostLinkAction("a", action));
         assertThat(bench.server.mode()).isEqualTo(mode);
@@ -137,7 +138,7 @@ class LostLinkTest {
     @ParameterizedTest
     @EnumSource(LostLinkAction.class)
     void handThatFallsSilentStopsTheMotorsFirstAndThenCountsAsALostLink(LostLinkAction action) {
-        Bench bench = new Bench();
+        ServerTestBench bench = new ServerTestBench();
         Client client = boatIn(BoatMode.TELEOPERATION, bench);
         client.command(new SetLostLinkAction("a", action));
         bench.run(1.9);
@@ -156,7 +157,7 @@ class LostLinkTest {
     @ParameterizedTest
     @EnumSource(LostLinkAction.class)
     void linkThatComesBackChangesNothingUntilACommandDoes(LostLinkAction action) {
-        Bench bench = new Bench();
+        ServerTestBench bench = new ServerTestBench();
         Client client = boatIn(BoatMode.PATH, bench);
         client.command(new SetLostLinkAction("a", action));
         bench.run(4);
@@ -171,7 +172,7 @@ class LostLinkTest {
 
     @Test
     void boatThatKeepsAStationKeepsThatOneAndAnyOtherTheOneWhereItIs() {
-        Bench bench = new Bench();
+        ServerTestBench bench = new ServerTestBench();
         Client client = boatIn(BoatMode.HOLD, bench);
         bench.vehicle.northM = 46; // drifted, but not out of its radius
         client.session.closed(bench.nowMs);
@@ -179,7 +180,7 @@ class LostLinkTest {
         bench.run(0.1);
         assertThat(bench.vehicle.thrust()).as("back to 50 m north").isPositive();
 
-        Bench other = new Bench();
+        ServerTestBench other = new ServerTestBench();
         Client stopped = boatIn(BoatMode.STOPPED, other);
         other.vehicle.northM = 46;
         stopped.session.closed(other.nowMs);
@@ -190,7 +191,7 @@ class LostLinkTest {
 
     @Test
     void returnsHomeAndKeepsStationThere() {
-        Bench bench = new Bench();
+        ServerTestBench bench = new ServerTestBench();
         Client client = bench.commander();
         client.command(new SetLostLinkAction("a", LostLinkAction.RETURN));
         client.command(new HoldPosition("h"));
@@ -207,7 +208,7 @@ class LostLinkTest {
 
     @Test
     void fleetStopStaysLatchedWhileTheLinkIsLostAndRegained() {
-        Bench bench = new Bench();
+        ServerTestBench bench = new ServerTestBench();
         Client client = boatIn(BoatMode.PATH, bench);
         client.command(new SetLostLinkAction("a", LostLinkAction.RETURN));
         client.command(new FleetStop("f"));
@@ -227,7 +228,7 @@ class LostLinkTest {
 
     @Test
     void closedSessionIsNotHeardAnyMore() {
-        Bench bench = new Bench();
+        ServerTestBench bench = new ServerTestBench();
         Client client = boatIn(BoatMode.PATH, bench);
         client.session.closed(bench.nowMs);
 
@@ -237,7 +238,7 @@ class LostLinkTest {
 
     @Test
     void whatOthersSayDoesNotMaskALostCommander() {
-        Bench bench = new Bench();
+        ServerTestBench bench = new ServerTestBench();
         Client commander = boatIn(BoatMode.PATH, bench);
         Client observer = bench.client(Role.OBSERVER, 10);
         Client namesake = bench.client(Role.COMMANDER, 10); // same client id, but the command is not free
@@ -251,7 +252,7 @@ class LostLinkTest {
 
     @Test
     void observerThatIsSilentItselfCannotBeMadeAMaskByAGrant() {
-        Bench bench = new Bench();
+        ServerTestBench bench = new ServerTestBench();
         Client commander = boatIn(BoatMode.PATH, bench);
         Client observer = bench.new Client();
         observer.say(new Hello("boat1", "other", Role.OBSERVER, 1, ""));
@@ -265,7 +266,7 @@ class LostLinkTest {
 
     @Test
     void whatWaitedWhileTheBoatsProcessStoodStillIsAsLateAsAnythingElse() {
-        Bench bench = new Bench();
+        ServerTestBench bench = new ServerTestBench();
         Client client = boatIn(BoatMode.HOLD, bench);
         bench.run(1, client);
         bench.nowMs += 30_000; // no tick in between: the phone slept
@@ -282,7 +283,7 @@ class LostLinkTest {
 
     @Test
     void timesAreTheBoatsOwnWhateverTheClientsClockSays() {
-        Bench bench = new Bench();
+        ServerTestBench bench = new ServerTestBench();
         Client client = boatIn(BoatMode.PATH, bench);
         for (int i = 0; i < 100; i++) {
             client.say(new Heartbeat(i % 2 == 0 ? 0 : Long.MAX_VALUE));

@@ -24,13 +24,13 @@ import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
-import org.sami.boat.server.Bench.Client;
+import org.sami.boat.server.ServerTestBench.Client;
 
 /** A boat that takes back what its earlier start had executed. */
 class RestoreTest {
     private static final List<Waypoint> PATH = List.of(new Waypoint(45.01, 10, 1));
 
-    private final Bench bench = new Bench();
+    private final ServerTestBench bench = new ServerTestBench();
 
     private void had(CommandMessage command) {
         bench.server.restore(command, new Ack(command.commandId()));

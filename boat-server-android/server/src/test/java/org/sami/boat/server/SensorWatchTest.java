@@ -11,7 +11,7 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.SensorReport;
 import org.sami.boat.link.Telemetry;
-import org.sami.boat.server.Bench.Client;
+import org.sami.boat.server.ServerTestBench.Client;
 
 /** Readings of the instruments on board. */
 class SensorWatchTest {
@@ -53,7 +53,7 @@ class SensorWatchTest {
 
     @Test
     void eachSensorReportsAtItsOwnRateToAllWhoSaidHello() {
-        Bench bench = new Bench(
+        ServerTestBench bench = new ServerTestBench(
                 sensor("slow", 2000, () -> Sensor.single(17)), sensor("fast", 250, () -> List.of(1.0, 2.0, 3.0)));
         Client commander = bench.commander();
         Client observer = bench.client(Role.OBSERVER, 1);
@@ -69,7 +69,7 @@ class SensorWatchTest {
 
     @Test
     void readingSaysWhereAndWhenItWasTaken() {
-        Bench bench = new Bench(sensor("ctd", 1000, () -> Sensor.single(17.5)));
+        ServerTestBench bench = new ServerTestBench(sensor("ctd", 1000, () -> Sensor.single(17.5)));
         Client client = bench.commander();
         bench.vehicle.northM = 25;
         bench.run(0.1, client);
@@ -86,7 +86,7 @@ class SensorWatchTest {
     void sensorWithNothingToSayOrNonsenseReportsNothing() {
         List<List<Double>> answers = new ArrayList<>(
                 List.of(List.of(), List.of(Double.NaN), List.of(1.0, Double.NEGATIVE_INFINITY), List.of(4.0)));
-        Bench bench = new Bench(sensor("ctd", 100, () -> answers.remove(0)));
+        ServerTestBench bench = new ServerTestBench(sensor("ctd", 100, () -> answers.remove(0)));
         Client client = bench.commander();
         bench.run(0.4, client);
 
@@ -97,7 +97,7 @@ class SensorWatchTest {
 
     @Test
     void sensorThatFailsIsToldToTheHostAndStopsNothingElse() {
-        Bench bench = new Bench(
+        ServerTestBench bench = new ServerTestBench(
                 sensor("broken", 1000, () -> {
                     throw new IllegalStateException("no answer of the probe");
                 }),

@@ -20,11 +20,11 @@ import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
-import org.sami.boat.server.Bench.Client;
+import org.sami.boat.server.ServerTestBench.Client;
 
 /** What can be set on a boat: it does it, says what is in force, and refuses what makes no sense. */
 class SettingsTest {
-    private final Bench bench = new Bench();
+    private final ServerTestBench bench = new ServerTestBench();
 
     private static SettingsReport newest(Client client) {
         List<SettingsReport> reports = client.all(SettingsReport.class);
@@ -78,7 +78,7 @@ class SettingsTest {
             "{\"type\":\"lost-link\",\"seq\":5,\"command\":\"x\",\"action\":\"EXPLODE\"}",
         };
         for (String body : bodies) {
-            client.session.receive(Framed.of(body), bench.nowMs);
+            client.session.receive(FrameBytes.of(body), bench.nowMs);
 
             Nack nack = client.all(Nack.class).get(client.all(Nack.class).size() - 1);
             assertThat(nack.commandId()).isEqualTo("x");

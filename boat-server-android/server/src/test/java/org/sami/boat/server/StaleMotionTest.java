@@ -20,13 +20,13 @@ import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
-import org.sami.boat.server.Bench.Client;
+import org.sami.boat.server.ServerTestBench.Client;
 
 /** What was sent before a stop never moves the boat after it, by whatever way and however late it comes. */
 class StaleMotionTest {
     private static final List<Waypoint> PATH = List.of(new Waypoint(45.01, 10, 1.5));
 
-    private final Bench bench = new Bench();
+    private final ServerTestBench bench = new ServerTestBench();
 
     private Client withList() {
         Client client = bench.commander();
@@ -128,7 +128,7 @@ class StaleMotionTest {
         long stops = 0;
         long motions = 0;
         for (int round = 0; round < 250; round++) {
-            LateFrames frames = new LateFrames(seed * 1000 + round, PATH);
+            DelayedFrames frames = new DelayedFrames(seed * 1000 + round, PATH);
             frames.play(300);
             moved.addAll(frames.faults());
             stops += frames.stops();

@@ -14,12 +14,12 @@ import org.sami.spn.value.GeoPoint;
  * @param boats their order decides ties, the earlier boat wins
  * @param work what is to be done, without what boats have begun already; names are unique, locations need not be
  */
-public record AllocationProblem(List<Candidate> boats, List<Work> work) {
+public record AllocationProblem(List<Candidate> boats, List<WorkItem> work) {
     public AllocationProblem {
         boats = List.copyOf(boats);
         work = List.copyOf(work);
         unique("boat", boats.stream().map(Candidate::boat).toList());
-        unique("work", work.stream().map(Work::name).toList());
+        unique("work", work.stream().map(WorkItem::name).toList());
         if (boats.isEmpty() && !work.isEmpty()) {
             throw new IllegalArgumentException(
                     "There is no boat to which " + work.size() + " locations could be allocated");
@@ -37,8 +37,8 @@ public record AllocationProblem(List<Candidate> boats, List<Work> work) {
     public static AllocationProblem ofVisits(Map<String, GeoPoint> boats, List<GeoPoint> locations) {
         List<Candidate> candidates = new ArrayList<>();
         boats.forEach((boat, at) -> candidates.add(Candidate.at(boat, at)));
-        List<Work> visits = new ArrayList<>();
-        locations.forEach(location -> visits.add(Work.visit("location " + (visits.size() + 1), location)));
+        List<WorkItem> visits = new ArrayList<>();
+        locations.forEach(location -> visits.add(WorkItem.visit("location " + (visits.size() + 1), location)));
         return new AllocationProblem(candidates, visits);
     }
 
@@ -59,7 +59,7 @@ public record AllocationProblem(List<Candidate> boats, List<Work> work) {
                         .toList());
     }
 
-    private Set<String> missing(Work one) {
+    private Set<String> missing(WorkItem one) {
         Set<String> offered = new HashSet<>();
         boats.forEach(boat -> offered.addAll(boat.offers()));
         Set<String> missing = new TreeSet<>(one.needs());

@@ -62,7 +62,7 @@ public final class AllocationService {
         }
         Choice<AllocationAlgorithm> choice = Choice.of(algorithms, problem, criterion);
         List<Division> found = new ArrayList<>();
-        Set<Map<String, List<Work>>> seen = new HashSet<>();
+        Set<Map<String, List<WorkItem>>> seen = new HashSet<>();
         for (AllocationAlgorithm algorithm : choice.ranked()) {
             if (found.size() < wanted) {
                 Division division = algorithm.divide(problem);

@@ -23,7 +23,7 @@ public final class BalancedDivision extends AllocationAlgorithm {
     }
 
     @Override
-    List<List<Integer>> shares(AllocationProblem problem, Legs legs) {
+    List<List<Integer>> shares(AllocationProblem problem, DistanceTable legs) {
         List<List<Integer>> first = problem.work().size() <= ExactDivision.MOST_WORK
                 ? new ExactDivision(problem, legs, Objective.LONGEST).shares()
                 : auction.shares(problem, legs);

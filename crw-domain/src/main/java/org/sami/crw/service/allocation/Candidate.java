@@ -13,7 +13,7 @@ import org.sami.spn.value.GeoPoint;
  * @param offers its capabilities; in the order of the alphabet
  * @param begun the work that it has begun and keeps, in its order: it does that first, and what it gets comes after
  */
-public record Candidate(String boat, GeoPoint at, Set<String> offers, List<Work> begun) {
+public record Candidate(String boat, GeoPoint at, Set<String> offers, List<WorkItem> begun) {
     public Candidate {
         Objects.requireNonNull(boat, "boat");
         Objects.requireNonNull(at, "at");
@@ -27,7 +27,7 @@ public record Candidate(String boat, GeoPoint at, Set<String> offers, List<Work>
     }
 
     /** Whether it can do this work. */
-    public boolean canDo(Work work) {
+    public boolean canDo(WorkItem work) {
         return offers.containsAll(work.needs());
     }
 

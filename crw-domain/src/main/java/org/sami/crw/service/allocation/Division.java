@@ -26,7 +26,7 @@ import org.sami.spn.value.GeoPoint;
  */
 public record Division(
         AllocationProblem problem,
-        Map<String, List<Work>> paths,
+        Map<String, List<WorkItem>> paths,
         List<Unallocated> unallocated,
         double totalM,
         double longestM,
@@ -36,17 +36,21 @@ public record Division(
 
     /** A division from the work's indices in the problem, in each boat's order. */
     static Division of(
-            AllocationProblem whole, AllocationProblem possible, List<List<Integer>> shares, Legs legs, String method) {
-        Map<String, List<Work>> paths = new LinkedHashMap<>();
+            AllocationProblem whole,
+            AllocationProblem possible,
+            List<List<Integer>> shares,
+            DistanceTable legs,
+            String method) {
+        Map<String, List<WorkItem>> paths = new LinkedHashMap<>();
         double total = 0;
         double longest = 0;
         for (int b = 0; b < shares.size(); b++) {
             Candidate boat = whole.boats().get(b);
-            List<Work> path = new ArrayList<>(boat.begun());
+            List<WorkItem> path = new ArrayList<>(boat.begun());
             shares.get(b).forEach(index -> path.add(possible.work().get(index)));
             paths.put(boat.boat(), List.copyOf(path));
-            double length =
-                    Geodesy.lengthM(boat.at(), path.stream().map(Work::location).toList());
+            double length = Geodesy.lengthM(
+                    boat.at(), path.stream().map(WorkItem::location).toList());
             total += length;
             longest = Math.max(longest, length);
         }
@@ -74,7 +78,7 @@ public record Division(
             List<GeoPoint> path = new ArrayList<>(List.of(boat.freeAt()));
             paths.get(boat.boat()).stream()
                     .skip(boat.begun().size())
-                    .map(Work::location)
+                    .map(WorkItem::location)
                     .forEach(path::add);
             fresh.add(path);
         }
@@ -101,12 +105,12 @@ public record Division(
     private Allocation allocation(String reason, boolean withBegun) {
         Map<String, GeoPath> points = new LinkedHashMap<>();
         for (Candidate boat : problem.boats()) {
-            List<Work> path = paths.get(boat.boat());
+            List<WorkItem> path = paths.get(boat.boat());
             points.put(
                     boat.boat(),
                     new GeoPath(path.stream()
                             .skip(withBegun ? 0 : boat.begun().size())
-                            .map(Work::location)
+                            .map(WorkItem::location)
                             .toList()));
         }
         return new Allocation(points, totalM, longestM, method)

@@ -23,11 +23,11 @@ public final class LeastTotalDivision extends AllocationAlgorithm {
     }
 
     @Override
-    List<List<Integer>> shares(AllocationProblem problem, Legs legs) {
+    List<List<Integer>> shares(AllocationProblem problem, DistanceTable legs) {
         return new LocalSearch(problem, legs, Objective.TOTAL, cheapestInsertion(problem, legs)).run();
     }
 
-    private static List<List<Integer>> cheapestInsertion(AllocationProblem problem, Legs legs) {
+    private static List<List<Integer>> cheapestInsertion(AllocationProblem problem, DistanceTable legs) {
         List<List<Integer>> shares = new ArrayList<>();
         problem.boats().forEach(boat -> shares.add(new ArrayList<>()));
         CheapestInsertion.insert(0, problem, legs, shares);

@@ -20,12 +20,12 @@ final class LocalSearch {
     private static final int LONGEST_PART = 3;
 
     private final AllocationProblem problem;
-    private final Legs legs;
+    private final DistanceTable legs;
     private final Objective objective;
     private final long until;
     private final List<Path> paths = new ArrayList<>();
 
-    LocalSearch(AllocationProblem problem, Legs legs, Objective objective, List<List<Integer>> shares) {
+    LocalSearch(AllocationProblem problem, DistanceTable legs, Objective objective, List<List<Integer>> shares) {
         this.problem = problem;
         this.legs = legs;
         this.objective = objective;

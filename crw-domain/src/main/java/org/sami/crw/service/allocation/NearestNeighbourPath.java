@@ -12,7 +12,7 @@ import java.util.List;
  * a path built at once.
  */
 final class NearestNeighbourPath {
-    private final Legs legs;
+    private final DistanceTable legs;
     private final int boat;
     /** The locations in the order of visits. */
     private int[] order = new int[8];
@@ -24,7 +24,7 @@ final class NearestNeighbourPath {
     private int[] candidateOrder = new int[8];
     private double[] candidateLengthTo = new double[8];
 
-    NearestNeighbourPath(Legs legs, int boat) {
+    NearestNeighbourPath(DistanceTable legs, int boat) {
         this.legs = legs;
         this.boat = boat;
     }

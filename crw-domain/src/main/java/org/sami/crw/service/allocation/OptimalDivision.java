@@ -31,7 +31,7 @@ public final class OptimalDivision extends AllocationAlgorithm {
     }
 
     @Override
-    List<List<Integer>> shares(AllocationProblem problem, Legs legs) {
+    List<List<Integer>> shares(AllocationProblem problem, DistanceTable legs) {
         return new ExactDivision(problem, legs, Objective.TOTAL).shares();
     }
 }

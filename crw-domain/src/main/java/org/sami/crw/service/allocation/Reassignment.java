@@ -20,11 +20,11 @@ public final class Reassignment {
      * @param present the boats that are there now; what each has begun is taken from here
      * @param paths the paths of the allocation up to now, without what is done; also of boats that left
      */
-    public static AllocationProblem of(List<Candidate> present, Map<String, List<Work>> paths) {
+    public static AllocationProblem of(List<Candidate> present, Map<String, List<WorkItem>> paths) {
         Set<String> kept = new LinkedHashSet<>();
         present.forEach(boat -> boat.begun().forEach(work -> kept.add(work.name())));
-        List<Work> open = new ArrayList<>();
-        Map<String, Work> seen = new HashMap<>();
+        List<WorkItem> open = new ArrayList<>();
+        Map<String, WorkItem> seen = new HashMap<>();
         paths.values()
                 .forEach(path -> path.forEach(work -> {
                     if (!kept.contains(work.name()) && seen.put(work.name(), work) == null) {

@@ -32,7 +32,7 @@ public final class SequentialSingleItemAuction extends AllocationAlgorithm {
     }
 
     @Override
-    List<List<Integer>> shares(AllocationProblem problem, Legs legs) {
+    List<List<Integer>> shares(AllocationProblem problem, DistanceTable legs) {
         List<NearestNeighbourPath> paths = new ArrayList<>();
         for (int boat = 0; boat < problem.boats().size(); boat++) {
             paths.add(new NearestNeighbourPath(legs, boat));

@@ -9,7 +9,7 @@ import java.util.TreeSet;
  * @param missing the capabilities that are missing: those that no boat offers, or where each is offered by some boat all that
  *     the work needs, as no single boat offers them together
  */
-public record Unallocated(Work work, Set<String> missing) {
+public record Unallocated(WorkItem work, Set<String> missing) {
     public Unallocated {
         missing = java.util.Collections.unmodifiableSet(new TreeSet<>(missing));
     }

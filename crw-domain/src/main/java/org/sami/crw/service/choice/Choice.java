@@ -32,7 +32,7 @@ public record Choice<A>(List<A> ranked, String reason) {
      *
      * @throws IllegalArgumentException where none can be used for the problem; says why of each
      */
-    public static <P, A extends Declared<P>> Choice<A> of(
+    public static <P, A extends DeclaredAlgorithm<P>> Choice<A> of(
             List<A> algorithms, P problem, Optional<Criterion> criterion) {
         List<A> able = new ArrayList<>();
         List<String> unable = new ArrayList<>();
@@ -54,7 +54,7 @@ public record Choice<A>(List<A> ranked, String reason) {
         return new Choice<>(able, String.join("; ", words));
     }
 
-    private static String chosen(Declared<?> first, Optional<Criterion> criterion) {
+    private static String chosen(DeclaredAlgorithm<?> first, Optional<Criterion> criterion) {
         return criterion
                 .map(wanted -> first.name()
                         + Optional.ofNullable(first.serves().get(wanted))
@@ -64,7 +64,7 @@ public record Choice<A>(List<A> ranked, String reason) {
     }
 
     /** Those that serve the criterion less well; not those that say nothing of it. */
-    private static <A extends Declared<?>> List<String> others(List<A> able, Criterion wanted) {
+    private static <A extends DeclaredAlgorithm<?>> List<String> others(List<A> able, Criterion wanted) {
         return able.stream()
                 .skip(1)
                 .filter(other -> other.serves().containsKey(wanted))

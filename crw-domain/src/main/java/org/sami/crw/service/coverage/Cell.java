@@ -22,7 +22,7 @@ final class Cell {
     }
 
     /** The cells of a sweep, in the order of their first lanes. */
-    static List<Cell> of(Sweep sweep) {
+    static List<Cell> of(SweepLanes sweep) {
         List<Cell> cells = new ArrayList<>();
         List<Cell> open = List.of();
         List<Lane> before = List.of();

@@ -16,10 +16,10 @@ import org.locationtech.jts.geom.Geometry;
 public final class LawnMower implements CoverageAlgorithm {
     @Override
     public Coverage cover(CoverageProblem problem) {
-        Lawn lawn = new Lawn(problem);
+        CoverageRegion lawn = new CoverageRegion(problem);
         Map<String, String> noWay = new LinkedHashMap<>();
         Map<String, CoverageShare> shares = TrackShares.of(problem, lawn.tour(), lawn.water(), noWay);
         Geometry rest = lawn.rest(List.copyOf(shares.values()));
-        return new Coverage(shares, noWay, lawn.areaM2(), rest.getArea(), Rest.areas(rest, lawn.plane()));
+        return new Coverage(shares, noWay, lawn.areaM2(), rest.getArea(), UncoveredArea.areas(rest, lawn.plane()));
     }
 }

@@ -20,7 +20,7 @@ public final class WayCheck {
     private WayCheck() {}
 
     /** What is wrong; empty where nothing is, or where the boat's position is not known. */
-    public static Optional<Doubt> doubt(Way way) {
+    public static Optional<WayDoubt> doubt(Way way) {
         if (way.points().isEmpty() || way.from().isEmpty()) {
             return Optional.empty();
         }
@@ -28,7 +28,7 @@ public final class WayCheck {
         return far(way, from).or(() -> onLand(way)).or(() -> beyondCharge(way, from));
     }
 
-    private static Optional<Doubt> far(Way way, GeoPoint from) {
+    private static Optional<WayDoubt> far(Way way, GeoPoint from) {
         GeoPoint farthest = way.points().stream()
                 .max(Comparator.comparingDouble(point -> Geodesy.distanceM(from, point)))
                 .orElseThrow();
@@ -37,7 +37,7 @@ public final class WayCheck {
             return Optional.empty();
         }
         String words = way.boat() + " is to go " + kilometres(distanceM) + " from where it is, to " + text(farthest);
-        return Optional.of(new Doubt(Doubt.Kind.PLACE, words + exchanged(from, farthest)));
+        return Optional.of(new WayDoubt(WayDoubt.Kind.PLACE, words + exchanged(from, farthest)));
     }
 
     /** Who gives longitude before latitude means a place that is near. */
@@ -51,13 +51,13 @@ public final class WayCheck {
                 : "";
     }
 
-    private static Optional<Doubt> onLand(Way way) {
+    private static Optional<WayDoubt> onLand(Way way) {
         for (GeoArea area : way.avoid()) {
             for (int i = 0; i < way.points().size(); i++) {
                 GeoPoint point = way.points().get(i);
                 if (Water.of(point, List.of(area), Optional.empty()).clearanceM(point) == 0) {
-                    return Optional.of(new Doubt(
-                            Doubt.Kind.PLACE,
+                    return Optional.of(new WayDoubt(
+                            WayDoubt.Kind.PLACE,
                             way.boat() + " is to go to " + text(point) + ", point " + (i + 1)
                                     + " of its way, which lies in an area that the plan avoids"));
                 }
@@ -66,7 +66,7 @@ public final class WayCheck {
         return Optional.empty();
     }
 
-    private static Optional<Doubt> beyondCharge(Way way, GeoPoint from) {
+    private static Optional<WayDoubt> beyondCharge(Way way, GeoPoint from) {
         if (way.batteryPercent().isEmpty()) {
             return Optional.empty();
         }
@@ -75,8 +75,8 @@ public final class WayCheck {
         double rangeM = percent * METRES_PER_PERCENT;
         return lengthM <= rangeM
                 ? Optional.empty()
-                : Optional.of(new Doubt(
-                        Doubt.Kind.CHARGE,
+                : Optional.of(new WayDoubt(
+                        WayDoubt.Kind.CHARGE,
                         String.format(
                                 Locale.ROOT,
                                 "%s is to go %s, and its charge of %.0f %% lasts for about %s",

@@ -102,7 +102,7 @@ class AllocationServiceTest {
 
     @Test
     void whenABoatLeavesTheOthersKeepWhatTheyHaveBegun() {
-        Map<String, List<Work>> paths = new LinkedHashMap<>();
+        Map<String, List<WorkItem>> paths = new LinkedHashMap<>();
         paths.put("west", List.of(visit("a", -100, 0), visit("b", -100, 50)));
         paths.put("middle", List.of(visit("c", 0, 40), visit("d", 0, 90)));
         paths.put("east", List.of(visit("e", 100, 0), visit("f", 100, 60)));
@@ -115,13 +115,13 @@ class AllocationServiceTest {
 
         assertThat(anew.paths().get("west").get(0).name()).isEqualTo("a");
         assertThat(anew.paths().get("east").get(0).name()).isEqualTo("e");
-        assertThat(anew.paths().values().stream().flatMap(List::stream).map(Work::name))
+        assertThat(anew.paths().values().stream().flatMap(List::stream).map(WorkItem::name))
                 .containsExactlyInAnyOrder("a", "b", "c", "d", "e", "f");
     }
 
     @Test
     void aBoatThatReturnsGetsAShareOfWhatIsNotBegun() {
-        Map<String, List<Work>> paths =
+        Map<String, List<WorkItem>> paths =
                 Map.of("west", List.of(visit("a", -100, 0), visit("b", -100, 50), visit("c", 100, 0)));
         List<Candidate> present = List.of(
                 new Candidate("west", at(-100, -20), java.util.Set.of(), List.of(visit("a", -100, 0))),
@@ -130,8 +130,8 @@ class AllocationServiceTest {
         Division anew = service.solve(Reassignment.of(present, paths), Optional.of(Criterion.EXECUTION_TIME), 1)
                 .best();
 
-        assertThat(anew.paths().get("west")).extracting(Work::name).containsExactly("a", "b");
-        assertThat(anew.paths().get("east")).extracting(Work::name).containsExactly("c");
+        assertThat(anew.paths().get("west")).extracting(WorkItem::name).containsExactly("a", "b");
+        assertThat(anew.paths().get("east")).extracting(WorkItem::name).containsExactly("c");
     }
 
     private Division best(AllocationProblem problem, Criterion criterion) {
@@ -143,8 +143,8 @@ class AllocationServiceTest {
         return AllocationProblem.ofVisits(area.boats(boats), area.points(locations));
     }
 
-    private static Work visit(String name, double eastM, double northM) {
-        return Work.visit(name, at(eastM, northM));
+    private static WorkItem visit(String name, double eastM, double northM) {
+        return WorkItem.visit(name, at(eastM, northM));
     }
 
     private static GeoPoint at(double eastM, double northM) {

@@ -38,11 +38,11 @@ class DivisionsTest {
 
             Division division = algorithm.divide(problem);
 
-            List<Work> done = new ArrayList<>();
+            List<WorkItem> done = new ArrayList<>();
             for (Candidate boat : problem.boats()) {
-                List<Work> path = division.paths().get(boat.boat());
+                List<WorkItem> path = division.paths().get(boat.boat());
                 assertThat(path.subList(0, boat.begun().size())).isEqualTo(boat.begun());
-                List<Work> fresh = path.subList(boat.begun().size(), path.size());
+                List<WorkItem> fresh = path.subList(boat.begun().size(), path.size());
                 assertThat(fresh).allSatisfy(work -> assertThat(boat.offers()).containsAll(work.needs()));
                 done.addAll(fresh);
             }
@@ -58,7 +58,7 @@ class DivisionsTest {
                 .mapToDouble(boat -> Geodesy.lengthM(
                         boat.at(),
                         division.paths().get(boat.boat()).stream()
-                                .map(Work::location)
+                                .map(WorkItem::location)
                                 .toList()))
                 .toArray();
         assertThat(division.totalM()).isCloseTo(java.util.Arrays.stream(lengths).sum(), within(1e-6));
@@ -146,9 +146,9 @@ class DivisionsTest {
         GeoPoint here = AreaOfTest.CENTRE;
         Candidate diver = new Candidate("diver", here, Set.of("winch"), List.of());
         Candidate looker = new Candidate("looker", here, Set.of("camera"), List.of());
-        Work sonar = new Work("sonar image", here, Set.of("sonar", "winch"));
-        Work both = new Work("deep picture", here, Set.of("camera", "winch"));
-        Work easy = new Work("picture", here, Set.of("camera"));
+        WorkItem sonar = new WorkItem("sonar image", here, Set.of("sonar", "winch"));
+        WorkItem both = new WorkItem("deep picture", here, Set.of("camera", "winch"));
+        WorkItem easy = new WorkItem("picture", here, Set.of("camera"));
         AllocationProblem problem = new AllocationProblem(List.of(diver, looker), List.of(sonar, both, easy));
 
         Division division = new SequentialSingleItemAuction().divide(problem);
@@ -171,12 +171,13 @@ class DivisionsTest {
         Random random = new Random(seed);
         List<Candidate> boats = new ArrayList<>();
         for (int b = 0; b <= random.nextInt(6); b++) {
-            List<Work> begun = random.nextInt(3) == 0 ? List.of(Work.visit("begun " + b, area.point())) : List.of();
+            List<WorkItem> begun =
+                    random.nextInt(3) == 0 ? List.of(WorkItem.visit("begun " + b, area.point())) : List.of();
             boats.add(new Candidate("boat-" + b, area.point(), some(random), begun));
         }
-        List<Work> work = new ArrayList<>();
+        List<WorkItem> work = new ArrayList<>();
         for (int w = 0; w < random.nextInt(seed % 2 == 0 ? 7 : 25); w++) {
-            work.add(new Work("work " + w, area.point(), random.nextInt(3) == 0 ? some(random) : Set.of()));
+            work.add(new WorkItem("work " + w, area.point(), random.nextInt(3) == 0 ? some(random) : Set.of()));
         }
         return new AllocationProblem(boats, work);
     }
@@ -192,7 +193,7 @@ class DivisionsTest {
         return least(problem, new ArrayList<>(problem.work()), 0, 0, sum);
     }
 
-    private static double least(AllocationProblem problem, List<Work> left, int boat, double soFar, boolean sum) {
+    private static double least(AllocationProblem problem, List<WorkItem> left, int boat, double soFar, boolean sum) {
         if (boat == problem.boats().size()) {
             return left.isEmpty() ? soFar : Double.POSITIVE_INFINITY;
         }
@@ -201,7 +202,7 @@ class DivisionsTest {
 
     private static double extend(
             AllocationProblem problem,
-            List<Work> left,
+            List<WorkItem> left,
             int boat,
             double soFar,
             boolean sum,
@@ -210,7 +211,7 @@ class DivisionsTest {
         double joined = sum ? soFar + length : Math.max(soFar, length);
         double least = least(problem, left, boat + 1, joined, sum);
         for (int i = 0; i < left.size(); i++) {
-            Work next = left.remove(i);
+            WorkItem next = left.remove(i);
             double leg = Geodesy.distanceM(at, next.location());
             least = Math.min(least, extend(problem, left, boat, soFar, sum, next.location(), length + leg));
             left.add(i, next);

@@ -31,7 +31,7 @@ class SequentialSingleItemAuctionTest {
             Map<String, List<GeoPoint>> found = new LinkedHashMap<>();
             allocate(at, points).paths().forEach((boat, path) -> found.put(boat, path.points()));
 
-            assertThat(found).as("seed %s", seed).isEqualTo(new SlowAuction(at, points).paths());
+            assertThat(found).as("seed %s", seed).isEqualTo(new AuctionByTheThesis(at, points).paths());
         }
     }
 

@@ -47,7 +47,7 @@ class ClearOfObstaclesTest {
     void locationsAreSpreadOverTheWholeAreaClearOfTheIsland() {
         GeoArea area = box(100);
 
-        List<GeoPoint> spread = Spread.over(area, 15, ISLAND);
+        List<GeoPoint> spread = HexagonalPlacement.over(area, 15, ISLAND);
 
         double freeM2 = 200 * 200 - 65 * 65;
         double eachM2 = 15 * 15 * Math.sqrt(3) / 2;
@@ -58,7 +58,7 @@ class ClearOfObstaclesTest {
                     .filteredOn(other -> Geodesy.distanceM(one, other) < 14.9)
                     .containsExactly(one);
         });
-        assertThatThrownBy(() -> Spread.over(area, 0.01, ISLAND)).hasMessageContaining("more than 100000");
+        assertThatThrownBy(() -> HexagonalPlacement.over(area, 0.01, ISLAND)).hasMessageContaining("more than 100000");
     }
 
     private static Map<String, Optional<GeoPoint>> boats(int count) {

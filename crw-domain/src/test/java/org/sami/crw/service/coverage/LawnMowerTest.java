@@ -3,7 +3,7 @@ package org.sami.crw.service.coverage;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
-import static org.sami.crw.service.coverage.PlainPlane.at;
+import static org.sami.crw.service.coverage.PlainGeometry.at;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -107,7 +107,7 @@ class LawnMowerTest {
 
         assertThat(coverage.areaM2()).isCloseTo(16_000, within(5.0));
         assertThat(coverage.uncoveredM2()).isLessThan(10);
-        PlainPlane plane = new PlainPlane(area);
+        PlainGeometry plane = new PlainGeometry(area);
         for (Map.Entry<String, CoverageShare> share : coverage.shares().entrySet()) {
             List<GeoPoint> whole =
                     new ArrayList<>(List.of(boats.get(share.getKey()).orElseThrow()));
@@ -164,7 +164,7 @@ class LawnMowerTest {
     }
 
     private static void assertCovered(long seed, GeoArea area, double spacingM, Coverage coverage, Random random) {
-        PlainPlane plane = new PlainPlane(area);
+        PlainGeometry plane = new PlainGeometry(area);
         List<double[]> corners = area.outline().stream().map(plane::place).toList();
         double west = corners.stream().mapToDouble(c -> c[0]).min().orElseThrow();
         double east = corners.stream().mapToDouble(c -> c[0]).max().orElseThrow();
@@ -200,7 +200,7 @@ class LawnMowerTest {
     }
 
     private static void assertInside(long seed, GeoArea area, Coverage coverage) {
-        PlainPlane plane = new PlainPlane(area);
+        PlainGeometry plane = new PlainGeometry(area);
         coverage.shares()
                 .values()
                 .forEach(share -> assertThat(samples(plane, share.track()))
@@ -208,7 +208,7 @@ class LawnMowerTest {
                         .allMatch(place -> plane.isIn(place, area)));
     }
 
-    private static List<double[]> samples(PlainPlane plane, List<GeoPoint> track) {
+    private static List<double[]> samples(PlainGeometry plane, List<GeoPoint> track) {
         List<double[]> samples = new ArrayList<>();
         for (int i = 1; i < track.size(); i++) {
             double[] a = plane.place(track.get(i - 1));

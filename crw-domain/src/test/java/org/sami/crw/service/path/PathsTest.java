@@ -63,7 +63,7 @@ class PathsTest {
             Water water = Water.of(AreaOfTest.CENTRE, stars(seed, 12), Optional.empty());
             PathAnswer answer = new ShortestPath().find(new PathProblem(WEST, EAST, water, 8));
 
-            double onGrid = new GridWay(water, 5, 210).lengthM(WEST, EAST);
+            double onGrid = new GridShortestWay(water, 5, 210).lengthM(WEST, EAST);
 
             assertThat(answer).as("seed %s", seed).isInstanceOf(PathAnswer.Way.class);
             assertThat(((PathAnswer.Way) answer).lengthM())

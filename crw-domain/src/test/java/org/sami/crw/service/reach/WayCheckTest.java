@@ -14,7 +14,7 @@ import org.sami.spn.value.GeoPoint;
 class WayCheckTest {
     private static final GeoPoint HERE = GeoPoint.of(45.7, 10.72);
 
-    private static Optional<Doubt> doubt(double percent, List<GeoArea> avoid, GeoPoint... points) {
+    private static Optional<WayDoubt> doubt(double percent, List<GeoArea> avoid, GeoPoint... points) {
         return WayCheck.doubt(new Way("anna", Optional.of(HERE), OptionalDouble.of(percent), List.of(points), avoid));
     }
 
@@ -30,14 +30,15 @@ class WayCheckTest {
     @Test
     void placeFarAwayIsDoubted() {
         assertThat(doubt(100, List.of(), at(300, 0), at(48_000, 0)))
-                .contains(new Doubt(Doubt.Kind.PLACE, "anna is to go 48 km from where it is, to 45.69834,11.33631"));
+                .contains(new WayDoubt(
+                        WayDoubt.Kind.PLACE, "anna is to go 48 km from where it is, to 45.69834,11.33631"));
     }
 
     @Test
     void exchangedLatitudeAndLongitudeAreNamed() {
-        Doubt doubt = doubt(100, List.of(), GeoPoint.of(10.721, 45.701)).orElseThrow();
+        WayDoubt doubt = doubt(100, List.of(), GeoPoint.of(10.721, 45.701)).orElseThrow();
 
-        assertThat(doubt.kind()).isEqualTo(Doubt.Kind.PLACE);
+        assertThat(doubt.kind()).isEqualTo(WayDoubt.Kind.PLACE);
         assertThat(doubt.words()).endsWith("; are latitude and longitude exchanged? 45.70100,10.72100 is near");
     }
 
@@ -56,8 +57,8 @@ class WayCheckTest {
     void wayThatIsLongerThanTheChargeLastsIsDoubted() {
         assertThat(doubt(20, List.of(), at(690, 0))).isEmpty();
         assertThat(doubt(20, List.of(), at(360, 0), at(0, 0)))
-                .contains(new Doubt(
-                        Doubt.Kind.CHARGE, "anna is to go 720 m, and its charge of 20 % lasts for about 700 m"));
+                .contains(new WayDoubt(
+                        WayDoubt.Kind.CHARGE, "anna is to go 720 m, and its charge of 20 % lasts for about 700 m"));
     }
 
     @Test

@@ -28,7 +28,7 @@ import picocli.CommandLine.Spec;
             ResumeCommand.class,
             JournalCommand.class,
             DemoCommand.class,
-            BoatCommand.class,
+            BoatServerCommand.class,
             StopCommand.class,
             ImportLegacyCommand.class,
             LogCommand.class,
@@ -79,8 +79,8 @@ public final class Crw implements Runnable {
         line.registerConverter(Integer.class, WholeNumberConverter.INT);
         line.registerConverter(double.class, NumberConverter.DOUBLE);
         line.registerConverter(long.class, WholeNumberConverter.LONG);
-        line.setParameterExceptionHandler(Faults::onWrongUsage);
-        line.setExecutionExceptionHandler(Faults::onException);
+        line.setParameterExceptionHandler(ErrorMessages::onWrongUsage);
+        line.setExecutionExceptionHandler(ErrorMessages::onException);
         line.setExecutionStrategy(parsed -> crw.options.execute(line, parsed));
         return line;
     }
@@ -95,7 +95,7 @@ public final class Crw implements Runnable {
         try {
             line.setDefaultValueProvider(Configuration.read(line, environment, args));
         } catch (UsageFault fault) {
-            return Faults.onException(fault, line, null);
+            return ErrorMessages.onException(fault, line, null);
         }
         return line.execute(args);
     }
@@ -107,6 +107,6 @@ public final class Crw implements Runnable {
         CommandLine line = commandLine();
         LogLines.install();
         int code = execute(line, System.getenv(), args);
-        System.exit(Faults.checkOutput(line, System.out, code));
+        System.exit(ErrorMessages.checkOutput(line, System.out, code));
     }
 }

@@ -56,7 +56,7 @@ final class GlobalOptions {
             ErrorLines told = new ErrorLines(err, quiet, log);
             line.setErr(new PrintWriter(told, true));
             if (verbose) {
-                Faults.trace(true);
+                ErrorMessages.trace(true);
                 String options = config == null ? "" : ", options of " + config;
                 line.getErr().println("crw: " + String.join(", ", new Version().getVersion()) + options);
             }
@@ -68,7 +68,7 @@ final class GlobalOptions {
                 line.getErr().flush();
                 told.end();
                 if (verbose) {
-                    Faults.trace(false);
+                    ErrorMessages.trace(false);
                 }
             }
         } finally {
@@ -82,7 +82,7 @@ final class GlobalOptions {
             throw wrong;
         }
         if (e.getCause() instanceof Exception cause) {
-            return Faults.onException(cause, line, parsed);
+            return ErrorMessages.onException(cause, line, parsed);
         }
         throw e;
     }

@@ -20,7 +20,7 @@ final class LogLines extends Formatter {
     /** Has the whole process log like this. */
     static void install() {
         for (Handler handler : Logger.getLogger("").getHandlers()) {
-            handler.setFormatter(new LogLines(Faults.wantsTrace()));
+            handler.setFormatter(new LogLines(ErrorMessages.wantsTrace()));
             handler.setLevel(Level.WARNING);
         }
     }

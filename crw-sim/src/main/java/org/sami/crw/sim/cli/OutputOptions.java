@@ -91,7 +91,7 @@ final class OutputOptions {
             err.println("report written to " + folder + ", picture " + files.picture());
             return true;
         } catch (IOException e) {
-            err.println("crw: the report could not be written to " + folder + ": " + Faults.words(e));
+            err.println("crw: the report could not be written to " + folder + ": " + ErrorMessages.words(e));
             return false;
         } finally {
             err.flush();

@@ -11,7 +11,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.run.BoatAddress;
-import org.sami.crw.sim.run.Charges;
+import org.sami.crw.sim.run.InitialCharges;
 import org.sami.crw.sim.run.RunSettings;
 import org.sami.crw.sim.run.Site;
 import org.sami.crw.sim.run.Speed;
@@ -170,8 +170,8 @@ final class RunOptions {
         return new Site(Optional.ofNullable(centre), Optional.ofNullable(quay));
     }
 
-    private Charges charges() {
-        return battery == null ? Charges.FULL : Charges.parse(battery);
+    private InitialCharges charges() {
+        return battery == null ? InitialCharges.FULL : InitialCharges.parse(battery);
     }
 
     /** How long boats behind TCP may take to answer at the start. */

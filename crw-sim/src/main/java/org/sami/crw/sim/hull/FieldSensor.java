@@ -43,7 +43,7 @@ final class FieldSensor implements Sensor {
 
     @Override
     public List<Double> read() {
-        double noise = new Wander(NOISE * setting.kind().spread(), 1, random).value();
+        double noise = new GaussMarkovError(NOISE * setting.kind().spread(), 1, random).value();
         return Sensor.single(field.at(hull.latDeg(), hull.lonDeg()) + noise);
     }
 }

@@ -16,9 +16,9 @@ public final class Instruments implements Vehicle {
     private static final double COMPASS_S = 2; // waves
 
     private final SimulatedHull hull;
-    private final Wander eastM;
-    private final Wander northM;
-    private final Wander headingRad;
+    private final GaussMarkovError eastM;
+    private final GaussMarkovError northM;
+    private final GaussMarkovError headingRad;
     private final boolean exactGps;
     private final List<Sensor> sensors = new ArrayList<>();
 
@@ -32,9 +32,9 @@ public final class Instruments implements Vehicle {
         this.hull = hull;
         SplittableRandom seeds = new SplittableRandom(seed);
         exactGps = conditions.gpsNoiseM() == 0;
-        eastM = new Wander(conditions.gpsNoiseM(), GPS_S, seeds.split());
-        northM = new Wander(conditions.gpsNoiseM(), GPS_S, seeds.split());
-        headingRad = new Wander(Math.toRadians(conditions.compassNoiseDeg()), COMPASS_S, seeds.split());
+        eastM = new GaussMarkovError(conditions.gpsNoiseM(), GPS_S, seeds.split());
+        northM = new GaussMarkovError(conditions.gpsNoiseM(), GPS_S, seeds.split());
+        headingRad = new GaussMarkovError(Math.toRadians(conditions.compassNoiseDeg()), COMPASS_S, seeds.split());
         for (SensorSetting setting : conditions.sensors()) {
             sensors.add(new FieldSensor(setting, hull, fieldSeed, seeds.split()));
         }

@@ -15,12 +15,12 @@ final class Weather {
 
     private final Flow current;
     private final Flow wind;
-    private final Wander gust;
+    private final GaussMarkovError gust;
 
     Weather(Conditions conditions, SplittableRandom random) {
         current = conditions.current();
         wind = conditions.wind();
-        gust = new Wander(wind.isNone() ? 0 : GUSTS, GUST_S, random);
+        gust = new GaussMarkovError(wind.isNone() ? 0 : GUSTS, GUST_S, random);
     }
 
     /** Whether a hull is left where it is. */

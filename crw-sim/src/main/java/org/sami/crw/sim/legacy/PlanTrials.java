@@ -9,6 +9,7 @@ import org.sami.crw.handler.HandledEvents;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.report.Wait;
+import org.sami.crw.sim.run.BlockedPlaces;
 import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.PlanInterrupts;
@@ -19,7 +20,6 @@ import org.sami.crw.sim.run.RunPlan;
 import org.sami.crw.sim.run.RunSettings;
 import org.sami.crw.sim.run.Site;
 import org.sami.crw.sim.run.Speed;
-import org.sami.crw.sim.run.Waits;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Plan;
@@ -57,7 +57,7 @@ public final class PlanTrials {
         RunSettings.Fleet fleet = new RunSettings.Fleet(settings.boats(), settings.locations(), settings.areaM(), seed)
                 .at(Site.at(new PlanLocations(project, plan, List.of()).suitable(Site.USUAL_CENTRE, settings.areaM())));
         List<String> presses =
-                RandomPresses.draw(new PlanInterrupts(vocabulary, project, plan), fleet.boatNames(), settings, seed);
+                RandomInterrupts.draw(new PlanInterrupts(vocabulary, project, plan), fleet.boatNames(), settings, seed);
         RunSettings run = new RunSettings(
                         plan.id(),
                         plan.title(),
@@ -73,14 +73,14 @@ public final class PlanTrials {
                 run,
                 TrialAnswers.of(SOME_BOAT, SOME_SERVER, project, vocabulary),
                 RunJournal.none());
-        TrialWatch watch = new TrialWatch(vocabulary, project, handled);
+        TrialMonitor watch = new TrialMonitor(vocabulary, project, handled);
         trial.goOnWhenStuck();
         trial.addListener(watch);
         RunReport report = trial.run(Pacer.UNPACED, observer);
         return result(plan, trial, watch, report);
     }
 
-    private PlanTrial result(Plan plan, InProcessRun trial, TrialWatch watch, RunReport report) {
+    private PlanTrial result(Plan plan, InProcessRun trial, TrialMonitor watch, RunReport report) {
         trial.ask(view -> {
             watch.lookForCopies(view);
             return true;
@@ -89,7 +89,7 @@ public final class PlanTrials {
         List<Finding> findings = new ArrayList<>(checksOf(watch.plansThatRan()));
         findings.addAll(watch.findings());
         List<Wait> waits = report.result().outcome() == RunOutcome.RUNNING
-                ? trial.ask(view -> Waits.of(vocabulary, project, view))
+                ? trial.ask(view -> BlockedPlaces.of(vocabulary, project, view))
                 : List.of();
         return new PlanTrial(
                 plan.id(),

@@ -28,18 +28,19 @@ final class LogPicture {
 
     /** The picture, or nothing where the log holds no position. */
     static Optional<byte[]> png(LogSummary summary) throws IOException {
-        Optional<Stretch> main = main(summary);
+        Optional<TrackSegment> main = main(summary);
         return main.isPresent() ? Optional.of(draw(summary, main.get())) : Optional.empty();
     }
 
     /** What the picture shows in its middle; the fixes, where the log has no poses. */
-    private static Optional<Stretch> main(LogSummary summary) {
-        Optional<Stretch> main = summary.poses().main().or(() -> summary.fixes().main());
+    private static Optional<TrackSegment> main(LogSummary summary) {
+        Optional<TrackSegment> main =
+                summary.poses().main().or(() -> summary.fixes().main());
         return main.filter(stretch -> Math.abs(stretch.first().latDeg()) <= MOST_LAT_DEG);
     }
 
     /** The stretches of poses that are too far away to be in the picture. */
-    static List<Stretch> leftOut(LogSummary summary) {
+    static List<TrackSegment> leftOut(LogSummary summary) {
         return main(summary)
                 .map(main -> summary.poses().stretches().stream()
                         .filter(stretch -> !near(main, stretch))
@@ -47,19 +48,19 @@ final class LogPicture {
                 .orElse(List.of());
     }
 
-    private static boolean near(Stretch main, Stretch stretch) {
+    private static boolean near(TrackSegment main, TrackSegment stretch) {
         return Geodesy.distanceM(main.first(), stretch.first()) <= NEAR_M;
     }
 
-    private static byte[] draw(LogSummary summary, Stretch main) throws IOException {
+    private static byte[] draw(LogSummary summary, TrackSegment main) throws IOException {
         LocalFrame plane = new LocalFrame(main.first().latDeg(), main.first().lonDeg());
         List<TrackPicture.Track> tracks = new ArrayList<>();
-        for (Stretch stretch : summary.poses().stretches()) {
+        for (TrackSegment stretch : summary.poses().stretches()) {
             if (near(main, stretch)) {
                 tracks.add(track("stretch " + stretch.number(), stretch, plane));
             }
         }
-        Stream<Stretch> fixes = summary.fixes().stretches().stream().filter(stretch -> near(main, stretch));
+        Stream<TrackSegment> fixes = summary.fixes().stretches().stream().filter(stretch -> near(main, stretch));
         List<Point2D> dots = List.of();
         if (tracks.isEmpty()) {
             fixes.forEach(stretch -> tracks.add(track("fixes " + stretch.number(), stretch, plane)));
@@ -69,7 +70,7 @@ final class LogPicture {
         return new TrackPicture(words(summary, main), tracks, dots).png();
     }
 
-    private static TrackPicture.Track track(String name, Stretch stretch, LocalFrame plane) {
+    private static TrackPicture.Track track(String name, TrackSegment stretch, LocalFrame plane) {
         String told = String.format(
                 Locale.ROOT,
                 "%.0f m in %s",
@@ -78,7 +79,7 @@ final class LogPicture {
         return new TrackPicture.Track(name, told, points(stretch, plane));
     }
 
-    private static List<Point2D> points(Stretch stretch, LocalFrame plane) {
+    private static List<Point2D> points(TrackSegment stretch, LocalFrame plane) {
         return stretch.points().stream().map(point -> at(point, plane)).toList();
     }
 
@@ -87,7 +88,7 @@ final class LogPicture {
                 plane.eastM(point.latDeg(), point.lonDeg()), plane.northM(point.latDeg(), point.lonDeg()));
     }
 
-    private static TrackPicture.Text words(LogSummary summary, Stretch main) {
+    private static TrackPicture.Text words(LogSummary summary, TrackSegment main) {
         String title = String.valueOf(Path.of(summary.source()).getFileName());
         String subtitle = String.format(
                 Locale.ROOT,

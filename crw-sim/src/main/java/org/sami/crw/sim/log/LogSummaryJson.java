@@ -71,7 +71,7 @@ public final class LogSummaryJson {
         json.put("distanceM", decimal(track.distanceM(), 1));
         json.put("stretchCount", track.stretchCount());
         ArrayNode stretches = json.putArray("stretches");
-        for (Stretch stretch : track.stretches()) {
+        for (TrackSegment stretch : track.stretches()) {
             ObjectNode node = stretches.addObject();
             node.put("number", stretch.number());
             node.put("firstLine", stretch.firstLine());

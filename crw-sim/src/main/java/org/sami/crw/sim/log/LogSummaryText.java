@@ -56,7 +56,8 @@ public final class LogSummaryText {
                 track.positions(),
                 track.distanceM(),
                 counted(track.stretchCount(), "stretch", "stretches"));
-        for (Stretch stretch : track.stretches().stream().limit(STRETCHES_SHOWN).toList()) {
+        for (TrackSegment stretch :
+                track.stretches().stream().limit(STRETCHES_SHOWN).toList()) {
             line(
                     text,
                     "    %d, from line %d: %d over %.0f m, %.1f s to %.1f s, %.6f, %.6f to %.6f, %.6f",
@@ -76,7 +77,7 @@ public final class LogSummaryText {
         }
     }
 
-    private static void leftOut(StringBuilder text, List<Stretch> leftOut) {
+    private static void leftOut(StringBuilder text, List<TrackSegment> leftOut) {
         if (!leftOut.isEmpty()) {
             line(
                     text,

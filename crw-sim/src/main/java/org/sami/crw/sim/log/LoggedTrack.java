@@ -12,16 +12,17 @@ import java.util.Optional;
  * @param stretchCount in how many pieces jumps divide it
  * @param stretches the pieces, the first {@value TrackBuilder#MOST_STRETCHES} of them
  */
-public record LoggedTrack(long positions, double distanceM, int stretchCount, List<Stretch> stretches) {
+public record LoggedTrack(long positions, double distanceM, int stretchCount, List<TrackSegment> stretches) {
     public LoggedTrack {
         stretches = List.copyOf(stretches);
     }
 
     /** The longest stretch; of equal ones the one with most positions, then the first. */
-    Optional<Stretch> main() {
+    Optional<TrackSegment> main() {
         return stretches.stream()
-                .max(Comparator.comparingDouble(Stretch::distanceM)
-                        .thenComparingLong(Stretch::positions)
-                        .thenComparing(Comparator.comparingInt(Stretch::number).reversed()));
+                .max(Comparator.comparingDouble(TrackSegment::distanceM)
+                        .thenComparingLong(TrackSegment::positions)
+                        .thenComparing(
+                                Comparator.comparingInt(TrackSegment::number).reversed()));
     }
 }

@@ -18,7 +18,7 @@ final class TrackBuilder {
     /** A log with more breaks is damaged; what it shows is counted, not drawn. */
     static final int MOST_STRETCHES = 1000;
 
-    private final List<Stretch> stretches = new ArrayList<>();
+    private final List<TrackSegment> stretches = new ArrayList<>();
     private Open open;
     private int count;
     private long positions;
@@ -77,7 +77,7 @@ final class TrackBuilder {
 
     private void close() {
         if (open != null && stretches.size() < MOST_STRETCHES) {
-            stretches.add(new Stretch(
+            stretches.add(new TrackSegment(
                     count,
                     open.firstLine,
                     open.startMillis,

@@ -30,7 +30,7 @@ final class TrackGeoJson {
         }
     }
 
-    private static void feature(ObjectNode feature, String source, Stretch stretch) {
+    private static void feature(ObjectNode feature, String source, TrackSegment stretch) {
         feature.put("type", "Feature");
         feature.putObject("properties")
                 .put("source", source)

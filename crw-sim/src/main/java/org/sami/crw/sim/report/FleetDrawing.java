@@ -36,7 +36,7 @@ final class FleetDrawing {
         this.scale = scale;
         this.labels = new LabelSpace(frame);
         int locations = report.locations().size();
-        locationRadius = locations <= NUMBERED_LOCATIONS ? Signs.LOCATION_RADIUS : 4;
+        locationRadius = locations <= NUMBERED_LOCATIONS ? MapSymbols.LOCATION_RADIUS : 4;
     }
 
     void draw(Graphics2D g) {
@@ -57,7 +57,7 @@ final class FleetDrawing {
             name(g, i, boats.get(i));
         }
         report.header().place().quay().ifPresent(quay -> quay(g, at(quay)));
-        report.map().closest().underWay().ifPresent(near -> Signs.approach(g, at(near.where())));
+        report.map().closest().underWay().ifPresent(near -> MapSymbols.approach(g, at(near.where())));
         g.setClip(before);
     }
 
@@ -81,9 +81,9 @@ final class FleetDrawing {
 
     private void spot(Graphics2D g, MapSpot spot) {
         if (spot.kind() == MapSpot.Kind.ASSEMBLY) {
-            Signs.assembly(g, at(spot.at()), Palette.color(boatIndex(spot.boat())));
+            MapSymbols.assembly(g, at(spot.at()), Palette.color(boatIndex(spot.boat())));
         } else {
-            Signs.planPoint(g, at(spot.at()));
+            MapSymbols.planPoint(g, at(spot.at()));
         }
         labels.take(at(spot.at()), 9);
     }
@@ -98,9 +98,9 @@ final class FleetDrawing {
             g.setColor(Palette.INK);
             g.setStroke(Palette.dashed(1.2f));
             g.draw(new Line2D.Double(at, disc));
-            Signs.location(g, at, "", visitor, 4);
+            MapSymbols.location(g, at, "", visitor, 4);
         }
-        Signs.location(g, disc, numbered ? String.valueOf(location.number()) : "", visitor, locationRadius);
+        MapSymbols.location(g, disc, numbered ? String.valueOf(location.number()) : "", visitor, locationRadius);
     }
 
     /** The quay's sign stands beside the boats that begin there. */
@@ -110,7 +110,7 @@ final class FleetDrawing {
         g.setColor(Palette.INK);
         g.setStroke(Palette.dashed(1.2f));
         g.draw(new Line2D.Double(at, sign));
-        Signs.quay(g, sign);
+        MapSymbols.quay(g, sign);
     }
 
     private int boatIndex(String id) {
@@ -124,11 +124,11 @@ final class FleetDrawing {
         }
         Color color = Palette.color(boat);
         TrackPoint last = track.get(track.size() - 1);
-        Signs.start(g, at(track.get(0)), color);
+        MapSymbols.start(g, at(track.get(0)), color);
         // a boat mostly ends on its last location: its sign stands ahead, so that both can be seen
         Point2D end = labels.ahead(at(last), BOAT_RADIUS, bearing(track));
         ends.put(boat, end);
-        Signs.boat(g, end, bearing(track), color);
+        MapSymbols.boat(g, end, bearing(track), color);
         labels.take(at(track.get(0)), 9);
     }
 

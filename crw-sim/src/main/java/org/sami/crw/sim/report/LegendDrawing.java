@@ -92,11 +92,11 @@ final class LegendDrawing {
     /** Those that are on the map. */
     private void signs(Graphics2D g) {
         if (report.locations().stream().anyMatch(LocationResult::visited)) {
-            Signs.location(g, sign(), "1", Palette.color(0), Signs.LOCATION_RADIUS);
+            MapSymbols.location(g, sign(), "1", Palette.color(0), MapSymbols.LOCATION_RADIUS);
             text(g, "location, visited, in its visitor's colour");
         }
         if (!report.locations().stream().allMatch(LocationResult::visited)) {
-            Signs.location(g, sign(), "2", null, Signs.LOCATION_RADIUS);
+            MapSymbols.location(g, sign(), "2", null, MapSymbols.LOCATION_RADIUS);
             text(g, "location, not visited");
         }
         if (!report.locations().isEmpty()) {
@@ -105,24 +105,24 @@ final class LegendDrawing {
             g.draw(new Rectangle2D.Double(frame.x + 8, y - 17, 24, 24));
             text(g, "square in which locations are drawn");
         }
-        Signs.start(g, sign(), Palette.color(0));
+        MapSymbols.start(g, sign(), Palette.color(0));
         text(g, "start of a boat");
-        Signs.boat(g, sign(), 0, Palette.color(0));
+        MapSymbols.boat(g, sign(), 0, Palette.color(0));
         text(g, "boat at the end of the run");
         if (report.header().place().quay().isPresent()) {
-            Signs.quay(g, sign());
+            MapSymbols.quay(g, sign());
             text(g, "quay");
         }
         if (has(MapSpot.Kind.PLAN)) {
-            Signs.planPoint(g, sign());
+            MapSymbols.planPoint(g, sign());
             text(g, MapSpot.Kind.PLAN.words());
         }
         if (has(MapSpot.Kind.ASSEMBLY)) {
-            Signs.assembly(g, sign(), Palette.color(0));
+            MapSymbols.assembly(g, sign(), Palette.color(0));
             text(g, "assembly place, in its boat's colour");
         }
         if (report.map().closest().underWay().isPresent()) {
-            Signs.approach(g, sign());
+            MapSymbols.approach(g, sign());
             text(g, "closest approach under way");
         }
         for (MapArea.Kind kind : kinds()) {

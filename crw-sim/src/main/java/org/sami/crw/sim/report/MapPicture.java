@@ -97,7 +97,7 @@ final class MapPicture {
         g.setFont(font(Font.BOLD, 15));
         String label = metres >= 1 ? String.valueOf(Math.round(metres)) : String.valueOf(metres);
         g.drawString(label + " m", (float) (map.x + length + 12), y + 5);
-        Signs.north(g, new Point2D.Double(map.getMaxX() - 16, y));
+        MapSymbols.north(g, new Point2D.Double(map.getMaxX() - 16, y));
     }
 
     /** Where the simulated operator put the locations; only the part of it that is on the map. */

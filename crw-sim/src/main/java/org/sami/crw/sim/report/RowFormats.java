@@ -8,10 +8,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalLong;
 
-/** How rows of a report are kept in the temporary file of a {@link Spool}; nothing else reads them. */
+/** How rows of a report are kept in the temporary file of a {@link SpooledList}; nothing else reads them. */
 public final class RowFormats {
     /** Firings. */
-    public static final Spool.Format<FiringResult> FIRING = new Spool.Format<>() {
+    public static final SpooledList.Format<FiringResult> FIRING = new SpooledList.Format<>() {
         @Override
         public void write(FiringResult row, DataOutputStream out) throws IOException {
             out.writeLong(row.number());
@@ -32,7 +32,7 @@ public final class RowFormats {
     };
 
     /** Questions to the operator. */
-    public static final Spool.Format<DecisionResult> DECISION = new Spool.Format<>() {
+    public static final SpooledList.Format<DecisionResult> DECISION = new SpooledList.Format<>() {
         @Override
         public void write(DecisionResult row, DataOutputStream out) throws IOException {
             out.writeLong(row.id());
@@ -69,7 +69,7 @@ public final class RowFormats {
     };
 
     /** What sensors measured. */
-    public static final Spool.Format<ReadingResult> READING = new Spool.Format<>() {
+    public static final SpooledList.Format<ReadingResult> READING = new SpooledList.Format<>() {
         @Override
         public void write(ReadingResult row, DataOutputStream out) throws IOException {
             out.writeLong(row.atMillis());

@@ -33,10 +33,10 @@ public record RunReport(
         boats = List.copyOf(boats);
         locations = List.copyOf(locations);
         decisions = List.copyOf(decisions);
-        firings = Spool.copyOf(firings);
+        firings = SpooledList.copyOf(firings);
         interrupts = List.copyOf(interrupts);
         notes = List.copyOf(notes);
-        readings = Spool.copyOf(readings);
+        readings = SpooledList.copyOf(readings);
         tasks = List.copyOf(tasks);
         waits = List.copyOf(waits);
     }

@@ -124,8 +124,8 @@ public final class TrackPicture {
         for (int i = 0; i < tracks.size(); i++) {
             List<Point2D> points = tracks.get(i).points();
             Point2D last = points.get(points.size() - 1);
-            Signs.start(g, scale.at(points.get(0).getX(), points.get(0).getY()), Palette.color(i));
-            Signs.boat(g, scale.at(last.getX(), last.getY()), bearing(points), Palette.color(i));
+            MapSymbols.start(g, scale.at(points.get(0).getX(), points.get(0).getY()), Palette.color(i));
+            MapSymbols.boat(g, scale.at(last.getX(), last.getY()), bearing(points), Palette.color(i));
         }
     }
 
@@ -181,10 +181,10 @@ public final class TrackPicture {
             y += 24;
         }
         y = heading(g, "Signs", y + 22);
-        Signs.start(g, new Point2D.Double(LEGEND.x + 20.0, y - 5.0), Palette.color(0));
+        MapSymbols.start(g, new Point2D.Double(LEGEND.x + 20.0, y - 5.0), Palette.color(0));
         said(g, Font.PLAIN, "start", LEGEND.x + 48, y);
         y += 36;
-        Signs.boat(g, new Point2D.Double(LEGEND.x + 20.0, y - 5.0), 0, Palette.color(0));
+        MapSymbols.boat(g, new Point2D.Double(LEGEND.x + 20.0, y - 5.0), 0, Palette.color(0));
         said(g, Font.PLAIN, "end", LEGEND.x + 48, y);
         y += 36;
         if (!dots.isEmpty()) {

@@ -45,16 +45,16 @@ public final class InProcessRun {
     private final RunJournal journal;
     private final LoopExecutor executor = new LoopExecutor();
     private final VirtualClock clock = new VirtualClock();
-    private final SimulatedHarbour harbour;
+    private final SimulatedBoatConnector harbour;
     private final SimulatedWater water;
-    private final OperatorStation operator;
-    private final InterruptStation interrupts;
+    private final SimulatedOperatorDriver operator;
+    private final InterruptScheduler interrupts;
     private final BaseStation base;
     private final RunRecorder recorder;
     private final VisitRecorder visits = new VisitRecorder();
     private final TrackRecorder tracks = new TrackRecorder();
     private final PlanMap map;
-    private final StallWatch stall;
+    private final StallDetector stall;
     private Optional<String> fault = Optional.empty();
     private boolean started;
     private boolean catchingUp = true;
@@ -73,7 +73,7 @@ public final class InProcessRun {
         this.journal = journal;
         parameters = new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
         RunSettings.Fleet fleet = settings.fleet();
-        harbour = new SimulatedHarbour();
+        harbour = new SimulatedBoatConnector();
         base = new BaseStation(plan, journal.inputs(), new ScheduledHostClock(clock), executor, harbour);
         water = new SimulatedWater(clock, fleet, boat -> base.boatListener());
         harbour.open(water, base);
@@ -85,9 +85,9 @@ public final class InProcessRun {
                 fleet.locations(),
                 fleet.seed(),
                 fleet.boatNames());
-        operator = new OperatorStation(
+        operator = new SimulatedOperatorDriver(
                 new SimulatedOperator(plan.vocabulary(), defaults, answers), clock, settings.answerAfterMillis());
-        interrupts = new InterruptStation(
+        interrupts = new InterruptScheduler(
                 new PlanInterrupts(plan.vocabulary(), plan.project(), plan.plan())
                         .read(settings.interrupts(), fleet.boatNames()),
                 clock);
@@ -100,7 +100,7 @@ public final class InProcessRun {
         base.host().addListener(map);
         operator.connect(base.host());
         interrupts.connect(base.host());
-        stall = new StallWatch(base.host(), plan, operator, interrupts, recorder);
+        stall = new StallDetector(base.host(), plan, operator, interrupts, recorder);
     }
 
     /**
@@ -125,7 +125,7 @@ public final class InProcessRun {
                         messages())
                 .withMap(map.map(results, visits.locations()))
                 .withReadings(base.readings().readings())
-                .withWaits(outcome.isOver() ? List.of() : ask(view -> Waits.of(plan, view)));
+                .withWaits(outcome.isOver() ? List.of() : ask(view -> BlockedPlaces.of(plan, view)));
     }
 
     private List<NoteResult> messages() {

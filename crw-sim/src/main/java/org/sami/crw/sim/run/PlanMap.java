@@ -49,7 +49,7 @@ public final class PlanMap implements HostListener {
     private final Set<MapArea> areas = new LinkedHashSet<>();
     private final Map<GeoPoint, MapSpot> assembly = new LinkedHashMap<>();
     private final Map<GeoPoint, MapSpot> points = new LinkedHashMap<>();
-    private final Map<MapArea, AskedExploration> explorations = new LinkedHashMap<>();
+    private final Map<MapArea, ExplorationRequest> explorations = new LinkedHashMap<>();
 
     /**
      * A listener.
@@ -87,7 +87,8 @@ public final class PlanMap implements HostListener {
                     : List.of();
             MapArea explored = area(MapArea.Kind.EXPLORED, area);
             if (explorations.size() < MOST_EXPLORATIONS) {
-                explorations.putIfAbsent(explored, new AskedExploration(atMillis, spacing.value(), explored, avoided));
+                explorations.putIfAbsent(
+                        explored, new ExplorationRequest(atMillis, spacing.value(), explored, avoided));
             }
         }
     }

@@ -6,7 +6,7 @@ import org.sami.crw.proxy.BoatReading;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.ReadingResult;
 import org.sami.crw.sim.report.RowFormats;
-import org.sami.crw.sim.report.Spool;
+import org.sami.crw.sim.report.SpooledList;
 import org.sami.spn.host.HostClock;
 
 /**
@@ -21,7 +21,7 @@ public final class ReadingRecorder implements BoatListener {
 
     private final HostClock clock;
     private final int most;
-    private final Spool<ReadingResult> readings = new Spool<>(RowFormats.READING);
+    private final SpooledList<ReadingResult> readings = new SpooledList<>(RowFormats.READING);
     private long dropped;
 
     /** A recorder that notes the time by a clock. */

@@ -15,7 +15,7 @@ import org.sami.crw.sim.report.DecisionResult;
 import org.sami.crw.sim.report.FiringResult;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.RowFormats;
-import org.sami.crw.sim.report.Spool;
+import org.sami.crw.sim.report.SpooledList;
 import org.sami.crw.sim.report.TaskResult;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
@@ -33,9 +33,9 @@ public final class RunRecorder implements HostListener {
     private final Project project;
     private final RunHash hash = new RunHash();
     private final Map<Long, String> planOfMission = new LinkedHashMap<>();
-    private final Spool<FiringResult> firings = new Spool<>(RowFormats.FIRING);
+    private final SpooledList<FiringResult> firings = new SpooledList<>(RowFormats.FIRING);
     private final Set<Long> openDecisions = new LinkedHashSet<>();
-    private final Spool<DecisionResult> settled = new Spool<>(RowFormats.DECISION);
+    private final SpooledList<DecisionResult> settled = new SpooledList<>(RowFormats.DECISION);
     private final Map<Long, DecisionResult> decisions = new LinkedHashMap<>(); // from the first that is open
     private final List<NoteResult> notes = new ArrayList<>();
     private final TaskRecorder tasks;
@@ -121,9 +121,10 @@ public final class RunRecorder implements HostListener {
                 atMillis,
                 fired.mission(),
                 planId,
-                plan.map(known -> Words.transition(known, fired.transition())).orElse(fired.transition()),
-                Words.occurrences(fired.used()),
-                plan.map(known -> Words.moves(known, fired.moves())).orElse(""));
+                plan.map(known -> EngineText.transition(known, fired.transition()))
+                        .orElse(fired.transition()),
+                EngineText.occurrences(fired.used()),
+                plan.map(known -> EngineText.moves(known, fired.moves())).orElse(""));
     }
 
     private void opened(long atMillis, Decision decision) {
@@ -160,7 +161,7 @@ public final class RunRecorder implements HostListener {
                         closed.by()
                                 .map(who -> who.name().toLowerCase(Locale.ROOT))
                                 .orElse(""),
-                        closed.answer().map(Words::answer).orElse(""),
+                        closed.answer().map(EngineText::answer).orElse(""),
                         closed.answer().isPresent() ? (int) costOfInput : 0));
         settle();
     }

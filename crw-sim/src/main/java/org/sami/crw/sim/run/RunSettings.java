@@ -56,7 +56,13 @@ public record RunSettings(
      * @param site where on earth that is
      */
     public record Fleet(
-            int boats, int locations, double areaM, long seed, Conditions conditions, Charges charges, Site site) {
+            int boats,
+            int locations,
+            double areaM,
+            long seed,
+            Conditions conditions,
+            InitialCharges charges,
+            Site site) {
         /** The greatest number of boats (DESIGN, Numbers to design for). */
         public static final int MOST_BOATS = 250;
 
@@ -86,7 +92,7 @@ public record RunSettings(
 
         /** A fleet with full batteries in calm water. */
         public Fleet(int boats, int locations, double areaM, long seed) {
-            this(boats, locations, areaM, seed, Conditions.CALM, Charges.FULL, Site.USUAL);
+            this(boats, locations, areaM, seed, Conditions.CALM, InitialCharges.FULL, Site.USUAL);
         }
 
         /** The same fleet on other water. */
@@ -95,7 +101,7 @@ public record RunSettings(
         }
 
         /** The same fleet with other charges. */
-        public Fleet with(Charges others) {
+        public Fleet with(InitialCharges others) {
             return new Fleet(boats, locations, areaM, seed, conditions, others, site);
         }
 
@@ -137,7 +143,7 @@ public record RunSettings(
             throw new IllegalArgumentException(
                     "boats behind TCP have their own water and sensors: see crw boat --help");
         }
-        if (!connect.isEmpty() && !fleet.charges().equals(Charges.FULL)) {
+        if (!connect.isEmpty() && !fleet.charges().equals(InitialCharges.FULL)) {
             throw new IllegalArgumentException("boats behind TCP have their own batteries: see crw boat --help");
         }
         if (!connect.isEmpty() && fleet.site().quay().isPresent()) {
@@ -232,7 +238,7 @@ public record RunSettings(
         }
         map.putAll(fleet.conditions().toMap());
         map.putAll(fleet.site().toMap());
-        if (!fleet.charges().equals(Charges.FULL)) {
+        if (!fleet.charges().equals(InitialCharges.FULL)) {
             map.put(BATTERY, fleet.charges().toString());
         }
         parameters.forEach((name, value) -> map.put(PARAMETER + name, value));
@@ -260,7 +266,7 @@ public record RunSettings(
                 Double.parseDouble(needed(map, "areaM")),
                 Long.parseLong(needed(map, "seed")),
                 Conditions.fromMap(map),
-                map.containsKey(BATTERY) ? Charges.parse(map.get(BATTERY)) : Charges.FULL,
+                map.containsKey(BATTERY) ? InitialCharges.parse(map.get(BATTERY)) : InitialCharges.FULL,
                 Site.fromMap(map));
         String limit = map.get("limitMillis");
         return new RunSettings(

@@ -20,19 +20,19 @@ import org.sami.spn.value.GeoPoint;
  * when the area and its locations are known ({@link #takeUp}).
  */
 final class EarlierRun implements SessionNotes.Reader {
-    private final BoatDesk desk;
-    private final Notices notices;
+    private final FleetStatus desk;
+    private final OperatorNotices notices;
     private final List<Pose> poses = new ArrayList<>();
     private final List<Visit> visits = new ArrayList<>();
     private final List<ReadingResult> readings = new ArrayList<>();
     private final List<String> leftOut;
     private Optional<SessionArea> area = Optional.empty();
 
-    private record Pose(long atMillis, String boat, BoatDesk.Told told, double distanceM) {}
+    private record Pose(long atMillis, String boat, FleetStatus.Told told, double distanceM) {}
 
     private record Visit(long atMillis, String boat, GeoPoint location) {}
 
-    EarlierRun(List<TelemetryRow> rows, BoatDesk desk, Notices notices) {
+    EarlierRun(List<TelemetryRow> rows, FleetStatus desk, OperatorNotices notices) {
         this.desk = desk;
         this.notices = notices;
         leftOut = SessionNotes.read(rows, this);
@@ -102,7 +102,7 @@ final class EarlierRun implements SessionNotes.Reader {
     }
 
     @Override
-    public void pose(long atMillis, String boat, BoatDesk.Told told, double distanceM) {
+    public void pose(long atMillis, String boat, FleetStatus.Told told, double distanceM) {
         poses.add(new Pose(atMillis, boat, told, distanceM));
     }
 

@@ -59,7 +59,7 @@ final class SessionNotes {
         add(nowMillis.getAsLong(), "", AREA, json);
     }
 
-    void pose(long atMillis, String boat, BoatDesk.Told told, double distanceM) {
+    void pose(long atMillis, String boat, FleetStatus.Told told, double distanceM) {
         ObjectNode json = point(told.position());
         json.put("headingRad", told.headingRad())
                 .put("speedMps", told.speedMps())
@@ -163,7 +163,7 @@ final class SessionNotes {
 
         void area(SessionArea area);
 
-        void pose(long atMillis, String boat, BoatDesk.Told told, double distanceM);
+        void pose(long atMillis, String boat, FleetStatus.Told told, double distanceM);
 
         void visited(long atMillis, String boat, GeoPoint location);
 
@@ -256,8 +256,8 @@ final class SessionNotes {
         return new SessionArea(point(json), boats);
     }
 
-    private static BoatDesk.Told told(JsonNode json) {
-        return new BoatDesk.Told(
+    private static FleetStatus.Told told(JsonNode json) {
+        return new FleetStatus.Told(
                 point(json),
                 json.required("headingRad").asDouble(),
                 json.required("speedMps").asDouble(),

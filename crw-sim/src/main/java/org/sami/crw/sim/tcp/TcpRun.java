@@ -66,12 +66,12 @@ public final class TcpRun {
      */
     public RunReport run(RunObserver observer) throws IOException {
         long wallStart = System.nanoTime();
-        try (TcpStation station = new TcpStation(plan, settings, journal, start)) {
+        try (TcpRuntime station = new TcpRuntime(plan, settings, journal, start)) {
             EarlierRun earlier = new EarlierRun(journal.earlier(), station.desk(), station.notices());
             earlier.leftOut().ifPresent(lines);
             Optional<List<String>> startedWith = journal.startedWith();
             findArea(station, earlier, startedWith);
-            Optional<MissionWatch> known = Optional.empty();
+            Optional<RunMonitor> known = Optional.empty();
             if (earlier.area().isPresent()) {
                 known = Optional.of(watch(station, earlier.area().get()));
                 known.get().catchUp(earlier);
@@ -89,9 +89,10 @@ public final class TcpRun {
                     .map(SessionArea::boats)
                     .or(() -> startedWith)
                     .ifPresent(boats -> boats.forEach(station.base()::expect));
-            RollCall roll = new RollCall(station.base(), settings.connect(), station.desk(), station.notes());
+            FleetReadiness roll =
+                    new FleetReadiness(station.base(), settings.connect(), station.desk(), station.notes());
             boolean ready = callRoll(station, roll, startedWith.isPresent());
-            MissionWatch watch;
+            RunMonitor watch;
             if (known.isPresent()) {
                 watch = known.get();
             } else {
@@ -114,15 +115,15 @@ public final class TcpRun {
         }
     }
 
-    private MissionWatch watch(TcpStation station, SessionArea area) throws UnknownBoatException {
-        return new MissionWatch(plan, settings, parameters, answers, journal, station, area);
+    private RunMonitor watch(TcpRuntime station, SessionArea area) throws UnknownBoatException {
+        return new RunMonitor(plan, settings, parameters, answers, journal, station, area);
     }
 
     /**
      * Looks for the area of a mission that an earlier process started: its telemetry may be damaged, but the engine remembers it; in a
      * journal of before it did, it lies around where the boats were first.
      */
-    private void findArea(TcpStation station, EarlierRun earlier, Optional<List<String>> startedWith) {
+    private void findArea(TcpRuntime station, EarlierRun earlier, Optional<List<String>> startedWith) {
         if (earlier.area().isPresent() || startedWith.isEmpty()) {
             return;
         }
@@ -152,7 +153,7 @@ public final class TcpRun {
     }
 
     /** The area as it is found when the boats have answered. It stays there, whatever becomes of the run. */
-    private SessionArea found(TcpStation station, List<String> boats, boolean ready) {
+    private SessionArea found(TcpRuntime station, List<String> boats, boolean ready) {
         SessionArea area = area(station.desk().positions(), boats);
         if (ready) {
             lines.accept("centre " + Site.words(area.centre()));
@@ -163,7 +164,7 @@ public final class TcpRun {
     }
 
     /** Returns whether the mission can begin or go on; not if somebody wants an end meanwhile. */
-    private boolean callRoll(TcpStation station, RollCall roll, boolean underWay) throws BoatsNotReadyException {
+    private boolean callRoll(TcpRuntime station, FleetReadiness roll, boolean underWay) throws BoatsNotReadyException {
         try {
             List<String> missing = roll.await(start.clock(), start.connectWithinMillis());
             if (!missing.isEmpty()
@@ -180,7 +181,7 @@ public final class TcpRun {
         }
     }
 
-    private RunOutcome watched(TcpStation station, MissionWatch watch, RunObserver observer) {
+    private RunOutcome watched(TcpRuntime station, RunMonitor watch, RunObserver observer) {
         CountDownLatch over = new CountDownLatch(1);
         RunOutcome[] outcome = {RunOutcome.FAILED};
         Thread engine = new Thread(
@@ -217,7 +218,7 @@ public final class TcpRun {
         }
     }
 
-    private void show(TcpStation station) {
+    private void show(TcpRuntime station) {
         for (String line = station.notices().next();
                 line != null;
                 line = station.notices().next()) {

@@ -23,7 +23,7 @@ import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.server.log.LoggedCommand;
 import org.sami.crw.proxy.Upload;
-import org.sami.crw.sim.boat.Harbour.Base;
+import org.sami.crw.sim.boat.TcpTestFleet.Base;
 import org.sami.crw.sim.boat.TestRelay.Cut;
 import org.sami.crw.sim.boat.TestRelay.Where;
 
@@ -51,12 +51,12 @@ class CutLinkTest {
     @MethodSource("cuts")
     void boatHoldsTheWholeOldOrTheWholeNewListAndTheBaseSaysWhich(Class<? extends LinkMessage> message, Where where)
             throws Exception {
-        try (Harbour harbour = new Harbour(logs)) {
+        try (TcpTestFleet harbour = new TcpTestFleet(logs)) {
             BoatOnTcp boat = harbour.boat("anna");
             TestRelay relay = harbour.relay(boat);
             Base base = harbour.base("base");
             base.connect(relay.address(), "anna");
-            base.submit("anna", Harbour.path("old", 1));
+            base.submit("anna", TcpTestFleet.path("old", 1));
             base.awaitMode("anna", BoatMode.PATH);
             String oldList = base.upload("anna").orElseThrow().listId();
 
@@ -64,7 +64,7 @@ class CutLinkTest {
             if (message == Hello.class || message == Welcome.class) {
                 relay.cut(); // it is cut again while it comes back
             }
-            base.submit("anna", Harbour.path("new", 1, 1000));
+            base.submit("anna", TcpTestFleet.path("new", 1, 1000));
             if (message != StopMotors.class) {
                 Await.until("the cut", 30, () -> !relay.isArmed());
                 Await.until(
@@ -87,14 +87,14 @@ class CutLinkTest {
     }
 
     /** It has stopped; cut after the answer to that, it does what is set for a lost link, and nobody wants it otherwise. */
-    private static boolean isCancelled(Base base, Harbour harbour, boolean cutSince) {
+    private static boolean isCancelled(Base base, TcpTestFleet harbour, boolean cutSince) {
         Optional<BoatMode> mode = base.mode("anna");
         boolean rests = mode.equals(Optional.of(BoatMode.STOPPED));
         boolean holds = cutSince && mode.equals(Optional.of(BoatMode.HOLD));
         return harbour.executedOf("anna", "stop") > 0 && (rests || holds);
     }
 
-    private static boolean isStarted(Base base, Harbour harbour) {
+    private static boolean isStarted(Base base, TcpTestFleet harbour) {
         Optional<Upload> upload = base.upload("anna");
         return upload.isPresent()
                 && upload.get().listId().startsWith("new#")
@@ -105,14 +105,14 @@ class CutLinkTest {
     }
 
     /** The list that the boat took last, by its own log. */
-    private static String lastUploaded(Harbour harbour, String before) {
+    private static String lastUploaded(TcpTestFleet harbour, String before) {
         return entries(harbour).stream()
                 .filter(entry -> entry.command() instanceof UploadWaypoints)
                 .map(entry -> ((UploadWaypoints) entry.command()).listId())
                 .reduce(before, (earlier, later) -> later);
     }
 
-    private static List<LoggedCommand> entries(Harbour harbour) {
+    private static List<LoggedCommand> entries(TcpTestFleet harbour) {
         try {
             return harbour.log("anna");
         } catch (java.io.IOException e) {

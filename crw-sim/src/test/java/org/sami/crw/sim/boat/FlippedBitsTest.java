@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkCodec;
 import org.sami.boat.server.log.LoggedCommand;
-import org.sami.crw.sim.boat.Harbour.Base;
+import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** A link that bends a fifth of its frames, either way: what the boat executes is what the base has sent. */
 @Timeout(120)
@@ -23,7 +23,7 @@ class FlippedBitsTest {
 
     @Test
     void noBentFrameMakesTheBoatDoAnythingElseThanItWasSent() throws Exception {
-        try (Harbour harbour = new Harbour(logs)) {
+        try (TcpTestFleet harbour = new TcpTestFleet(logs)) {
             BoatOnTcp boat = harbour.boat("anna");
             TestRelay relay = harbour.relay(boat);
             Base base = harbour.impatientBase("base", 50);
@@ -32,7 +32,7 @@ class FlippedBitsTest {
             base.linked("anna");
             for (int i = 1; i <= 12; i++) {
                 String id = "p" + i;
-                base.submit("anna", Harbour.path(id, 1, 1000 + i, 2000 + i, 3000 + i, 4000 + i));
+                base.submit("anna", TcpTestFleet.path(id, 1, 1000 + i, 2000 + i, 3000 + i, 4000 + i));
                 Await.until(
                         id + " is started", 60, () -> harbour.executedOf("anna", "start") > 0 && starts(harbour, id));
             }
@@ -49,7 +49,7 @@ class FlippedBitsTest {
         }
     }
 
-    private static boolean starts(Harbour harbour, String id) {
+    private static boolean starts(TcpTestFleet harbour, String id) {
         try {
             return harbour.executedIds("anna").stream()
                     .anyMatch(done -> done.startsWith(id + "#") && done.contains("/start"));

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.BoatMode;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.Upload;
-import org.sami.crw.sim.boat.Harbour.Base;
+import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** Outages that last, on real sockets; the clock of boats and bases runs five times as fast as the wall's. */
 @Timeout(120)
@@ -24,11 +24,11 @@ class LongOutageTest {
     @TempDir
     private Path logs;
 
-    private Harbour harbour;
+    private TcpTestFleet harbour;
 
     @BeforeEach
     void open() {
-        harbour = new Harbour(logs, LongOutageTest::clockMs);
+        harbour = new TcpTestFleet(logs, LongOutageTest::clockMs);
     }
 
     @AfterEach
@@ -48,7 +48,7 @@ class LongOutageTest {
         }
         for (String name : names) {
             base.linked(name);
-            base.submit(name, Harbour.path("m1-" + name, 1));
+            base.submit(name, TcpTestFleet.path("m1-" + name, 1));
         }
         names.forEach(name -> base.awaitMode(name, BoatMode.PATH));
 
@@ -76,18 +76,18 @@ class LongOutageTest {
     @Test
     void whatComesThirtySecondsLateIsExecutedOnceAtMostAndTheNewestPathIsDriven() throws Exception {
         BoatOnTcp boat = harbour.boat("anna");
-        LateRelay relay = harbour.lateRelay(boat);
+        DelayingRelay relay = harbour.lateRelay(boat);
         Base base = harbour.base("base");
         base.connect(relay.address(), "anna");
-        base.submit("anna", Harbour.path("first", 1));
+        base.submit("anna", TcpTestFleet.path("first", 1));
         base.awaitMode("anna", BoatMode.PATH);
 
         relay.setDelayMs(30_000 / FAST);
-        base.submit("anna", Harbour.path("second", 1, 1000));
+        base.submit("anna", TcpTestFleet.path("second", 1, 1000));
         Await.until("lost", 30, () -> base.status("anna").link() == LinkState.LOST);
         assertThat(base.explanation("anna")).contains("one command waits");
         Await.until("late frames have come", 30, () -> relay.deliveredLate() > 0);
-        base.submit("anna", Harbour.path("third", 1, 2000));
+        base.submit("anna", TcpTestFleet.path("third", 1, 2000));
         relay.setDelayMs(0);
 
         Await.until("the newest is driven", 30, () -> drives(base, "third#"));

@@ -17,7 +17,7 @@ import org.sami.boat.server.log.LogLines;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.tcp.LinkAlarm;
 import org.sami.crw.proxy.tcp.LinkReport;
-import org.sami.crw.sim.boat.Harbour.Base;
+import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** Boats that change their address, come back under another one, or are removed from the base. */
 @Timeout(90)
@@ -25,11 +25,11 @@ class MovedBoatTest {
     @TempDir
     private Path logs;
 
-    private Harbour harbour;
+    private TcpTestFleet harbour;
 
     @BeforeEach
     void open() {
-        harbour = new Harbour(logs);
+        harbour = new TcpTestFleet(logs);
     }
 
     @AfterEach
@@ -44,7 +44,7 @@ class MovedBoatTest {
         TestRelay second = harbour.relay(boat);
         Base base = harbour.base("base");
         base.connect(first.address(), "anna");
-        base.submit("anna", Harbour.path("m1", 1));
+        base.submit("anna", TcpTestFleet.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
         first.setSwallows(true); // its old connection stands and says nothing
         base.tcp.connect(second.address());
@@ -68,7 +68,7 @@ class MovedBoatTest {
         BoatOnTcp boat = harbour.boat("anna");
         Base base = harbour.base("base");
         base.connect(boat.address(), "anna");
-        base.submit("anna", Harbour.path("m1", 1));
+        base.submit("anna", TcpTestFleet.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
         boat.close();
         BoatOnTcp again = harbour.boat("anna");
@@ -120,8 +120,8 @@ class MovedBoatTest {
         Base base = harbour.base("base");
         base.connect(anna.address(), "anna");
         base.connect(berta.address(), "berta");
-        base.submit("anna", Harbour.path("m1", 1));
-        base.submit("berta", Harbour.path("m2", 2));
+        base.submit("anna", TcpTestFleet.path("m1", 1));
+        base.submit("berta", TcpTestFleet.path("m2", 2));
         base.awaitMode("anna", BoatMode.PATH);
         base.awaitMode("berta", BoatMode.PATH);
         berta.close();
@@ -151,8 +151,8 @@ class MovedBoatTest {
         BoatOnTcp boat = harbour.boat("anna");
         Base base = harbour.base("removing");
         base.connect(boat.address(), "anna");
-        base.submit("anna", Harbour.path("m1", 1));
-        base.submit("anna", Harbour.path("m2", 2));
+        base.submit("anna", TcpTestFleet.path("m1", 1));
+        base.submit("anna", TcpTestFleet.path("m2", 2));
         base.awaitMode("anna", BoatMode.PATH);
 
         assertThat(base.tcp.remove("anna").join()).isTrue();
@@ -184,7 +184,7 @@ class MovedBoatTest {
                     () -> base.tcp
                             .query(boats -> boats.find("anna").isPresent())
                             .join());
-            base.submit("anna", Harbour.path("m1", 1));
+            base.submit("anna", TcpTestFleet.path("m1", 1));
             Await.until(
                     "it is under way",
                     10,
@@ -202,10 +202,10 @@ class MovedBoatTest {
     @Test
     void addressWhereNobodyIsCanBeGivenUp() throws IOException {
         Base base = harbour.base("base");
-        base.tcp.connect(Harbour.port(1));
+        base.tcp.connect(TcpTestFleet.port(1));
         assertThat(base.links()).hasSize(1);
 
-        assertThat(base.tcp.disconnect(Harbour.port(1)).join()).isTrue();
+        assertThat(base.tcp.disconnect(TcpTestFleet.port(1)).join()).isTrue();
         assertThat(base.links()).isEmpty();
     }
 }

@@ -7,8 +7,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.BoatMode;
-import org.sami.crw.sim.boat.Harbour.Base;
-import org.sami.crw.sim.cli.Ran;
+import org.sami.crw.sim.boat.TcpTestFleet.Base;
+import org.sami.crw.sim.cli.CommandResult;
 
 /** {@code crw stop} against real boats on loopback. */
 @Timeout(60)
@@ -18,11 +18,11 @@ class StopCommandTest {
 
     @Test
     void everyBoatIsStoppedAndSaysSo() throws Exception {
-        try (Harbour harbour = new Harbour(logs)) {
+        try (TcpTestFleet harbour = new TcpTestFleet(logs)) {
             BoatOnTcp anna = harbour.boat("anna");
             BoatOnTcp bert = harbour.boat("bert");
 
-            Ran ran = Ran.crw("stop", at(anna), at(bert));
+            CommandResult ran = CommandResult.crw("stop", at(anna), at(bert));
 
             assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
             assertThat(ran.out().lines())
@@ -36,14 +36,14 @@ class StopCommandTest {
 
     @Test
     void boatThatAnotherBaseDrivesIsStopped() throws Exception {
-        try (Harbour harbour = new Harbour(logs)) {
+        try (TcpTestFleet harbour = new TcpTestFleet(logs)) {
             BoatOnTcp anna = harbour.boat("anna");
             Base base = harbour.base("base");
             base.connect(anna.address(), "anna");
-            base.submit("anna", Harbour.path("far", 1, 1000));
+            base.submit("anna", TcpTestFleet.path("far", 1, 1000));
             base.awaitMode("anna", BoatMode.PATH);
 
-            Ran ran = Ran.crw("stop", at(anna));
+            CommandResult ran = CommandResult.crw("stop", at(anna));
 
             assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
             assertThat(ran.out()).contains("anna: stopped", "taken over from another base");
@@ -53,13 +53,13 @@ class StopCommandTest {
 
     @Test
     void addressWithoutABoatIsNamedAndTheOthersAreStopped() throws Exception {
-        try (Harbour harbour = new Harbour(logs)) {
+        try (TcpTestFleet harbour = new TcpTestFleet(logs)) {
             BoatOnTcp anna = harbour.boat("anna");
             BoatOnTcp gone = harbour.boat("gone");
             String nowhere = at(gone);
             gone.close();
 
-            Ran ran = Ran.crw("stop", nowhere + "," + at(anna), "--within", "1");
+            CommandResult ran = CommandResult.crw("stop", nowhere + "," + at(anna), "--within", "1");
 
             assertThat(ran.exitCode()).isEqualTo(4);
             assertThat(ran.out()).contains(nowhere + "  no answer", "anna: stopped");
@@ -68,18 +68,18 @@ class StopCommandTest {
 
     @Test
     void releaseTakesTwoSteps() throws Exception {
-        try (Harbour harbour = new Harbour(logs)) {
+        try (TcpTestFleet harbour = new TcpTestFleet(logs)) {
             BoatOnTcp anna = harbour.boat("anna");
-            Ran.crw("stop", at(anna));
+            CommandResult.crw("stop", at(anna));
 
-            Ran first = Ran.crw("stop", "--release", at(anna));
+            CommandResult first = CommandResult.crw("stop", "--release", at(anna));
 
             assertThat(first.exitCode()).isEqualTo(2);
             assertThat(first.out()).contains("anna: stopped, and the stop is latched");
             assertThat(first.err()).contains("nothing was released; 1 boat is stopped", "--confirm");
             assertThat(harbour.executed("anna", "fleet-release")).isZero();
 
-            Ran second = Ran.crw("stop", "--release", "--confirm", at(anna));
+            CommandResult second = CommandResult.crw("stop", "--release", "--confirm", at(anna));
 
             assertThat(second.exitCode()).as(second.out() + second.err()).isZero();
             assertThat(second.out()).contains("anna: released");

@@ -22,7 +22,7 @@ import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.Upload;
 import org.sami.crw.proxy.tcp.LinkAlarm;
 import org.sami.crw.proxy.tcp.LinkReport;
-import org.sami.crw.sim.boat.Harbour.Base;
+import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** Bases and simulated boats over real sockets: what is lost is shown, what comes back goes on, nothing is done twice. */
 @Timeout(90)
@@ -30,11 +30,11 @@ class TcpBaseTest {
     @TempDir
     private Path logs;
 
-    private Harbour harbour;
+    private TcpTestFleet harbour;
 
     @BeforeEach
     void open() {
-        harbour = new Harbour(logs);
+        harbour = new TcpTestFleet(logs);
     }
 
     @AfterEach
@@ -48,7 +48,7 @@ class TcpBaseTest {
         for (String name : List.of("anna", "berta")) {
             BoatOnTcp boat = harbour.boat(name);
             base.connect(boat.address(), name);
-            base.submit(name, Harbour.path("m1-" + name, 1, 4, 8));
+            base.submit(name, TcpTestFleet.path("m1-" + name, 1, 4, 8));
         }
 
         Await.until(
@@ -72,7 +72,7 @@ class TcpBaseTest {
         TestRelay relay = harbour.relay(boat);
         Base base = harbour.base("base");
         base.connect(relay.address(), "anna");
-        base.submit("anna", Harbour.path("m1", 1));
+        base.submit("anna", TcpTestFleet.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
         relay.cut();
 
@@ -93,7 +93,7 @@ class TcpBaseTest {
         BoatOnTcp boat = harbour.boat("anna");
         Base base = harbour.base("base");
         base.connect(boat.address(), "anna");
-        base.submit("anna", Harbour.path("m1", 1));
+        base.submit("anna", TcpTestFleet.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
         base.ask("anna", proxy -> {
             proxy.disconnect();
@@ -133,7 +133,7 @@ class TcpBaseTest {
         TestRelay relay = harbour.relay(boat);
         Base base = harbour.base("base", () -> System.nanoTime() / 1_000_000 - backMs.get());
         base.connect(relay.address(), "anna");
-        base.submit("anna", Harbour.path("m1", 1));
+        base.submit("anna", TcpTestFleet.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
         Base watching = harbour.base("watching");
         watching.onlyWatches = true;
@@ -160,7 +160,7 @@ class TcpBaseTest {
         TestRelay relay = harbour.relay(anna);
         Base base = harbour.base("cutting");
         base.connect(berta.address(), "berta");
-        base.submit("berta", Harbour.path("m2", 2));
+        base.submit("berta", TcpTestFleet.path("m2", 2));
         base.awaitMode("berta", BoatMode.PATH);
         base.connect(relay.address(), "anna");
         long threads = Await.threads("cutting-") + Await.threads("anna-");
@@ -183,7 +183,7 @@ class TcpBaseTest {
     void closingTheBaseEndsItsThreads() throws Exception {
         Base base = harbour.base("closing");
         base.connect(harbour.boat("anna").address(), "anna");
-        base.tcp.connect(Harbour.port(1)); // nobody there
+        base.tcp.connect(TcpTestFleet.port(1)); // nobody there
         base.close();
 
         Await.until("no thread is left", 30, () -> Await.threads("closing-") == 0);
@@ -195,7 +195,7 @@ class TcpBaseTest {
         BoatOnTcp second = harbour.boat("anna", 0, logs.resolve("other"));
         Base base = harbour.base("base");
         base.connect(first.address(), "anna");
-        base.submit("anna", Harbour.path("m1", 1));
+        base.submit("anna", TcpTestFleet.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
         base.tcp.connect(second.address());
 
@@ -241,7 +241,7 @@ class TcpBaseTest {
         int port = boat.address().getPort();
         Base base = harbour.base("base");
         base.connect(boat.address(), "anna");
-        base.submit("anna", Harbour.path("m1", 1));
+        base.submit("anna", TcpTestFleet.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
         boat.close();
         Await.until("lost", 30, () -> base.count("anna LOST") == 1);
@@ -267,7 +267,7 @@ class TcpBaseTest {
         BoatOnTcp boat = harbour.boat("anna");
         Base first = harbour.base("first");
         first.connect(boat.address(), "anna");
-        first.submit("anna", Harbour.path("m1", 1));
+        first.submit("anna", TcpTestFleet.path("m1", 1));
         first.awaitMode("anna", BoatMode.PATH);
         Base second = harbour.base("second");
         second.connect(boat.address(), "anna");
@@ -280,7 +280,7 @@ class TcpBaseTest {
         Await.until("the first is told", 30, () -> first.count("anna observed") == 1);
         Await.until("the second is told", 30, () -> second.count("anna commanded") == 1);
         assertThat(first.explanation("anna")).contains("another client commands");
-        second.submit("anna", Harbour.path("m2", 2));
+        second.submit("anna", TcpTestFleet.path("m2", 2));
         Await.until("it does what the second wants", 30, () -> uploads("upload") == 2 && uploads("start") == 2);
 
         first.ask("anna", proxy -> {
@@ -311,7 +311,7 @@ class TcpBaseTest {
         }
         for (String name : names) {
             base.linked(name);
-            base.submit(name, Harbour.path("m1-" + name, 1));
+            base.submit(name, TcpTestFleet.path("m1-" + name, 1));
         }
         names.forEach(name -> base.awaitMode(name, BoatMode.PATH));
         routers.forEach(router -> router.setSwallows(true));
@@ -342,7 +342,7 @@ class TcpBaseTest {
         for (int i = 0; i < northM.length; i++) {
             northM[i] = 100 + 10 * i;
         }
-        base.submit("anna", Harbour.path("m1", 1, northM));
+        base.submit("anna", TcpTestFleet.path("m1", 1, northM));
 
         Await.until(
                 "read back equal and started, or failed",
@@ -371,7 +371,7 @@ class TcpBaseTest {
         for (int i = 0; i < northM.length; i++) {
             northM[i] = 100 + i * 0.37;
         }
-        base.submit("anna", Harbour.path("m1", 1, northM));
+        base.submit("anna", TcpTestFleet.path("m1", 1, northM));
 
         double ms = Await.until(
                 "read back equal",
@@ -391,13 +391,13 @@ class TcpBaseTest {
         BoatOnTcp berta = harbour.boat("berta");
         Base base = harbour.base("base");
         base.connect(berta.address(), "berta");
-        try (StuckBoat stuck = new StuckBoat("anna", bytesPerSecond)) {
+        try (UnreadingPeer stuck = new UnreadingPeer("anna", bytesPerSecond)) {
             base.connect(stuck.address(), "anna");
             List<Double> startedMs = new ArrayList<>();
             for (int i = 1; i <= 5; i++) {
                 int times = i;
-                base.submit("anna", Harbour.path("a" + i, i, new double[10_000]));
-                base.submit("berta", Harbour.path("b" + i, 1));
+                base.submit("anna", TcpTestFleet.path("a" + i, i, new double[10_000]));
+                base.submit("berta", TcpTestFleet.path("b" + i, 1));
                 startedMs.add(Await.until("berta starts", 30, () -> executed("berta", "start") == times));
             }
 

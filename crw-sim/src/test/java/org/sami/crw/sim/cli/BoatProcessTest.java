@@ -255,28 +255,31 @@ class BoatProcessTest {
 
     @Test
     void saysWhatIsWrongWithItsOptions() {
-        assertThat(Ran.crw("boat", "--port", "0", "--name", "anna", "--at", "45,10", "--lost-link", "explode")
+        assertThat(CommandResult.crw("boat", "--port", "0", "--name", "anna", "--at", "45,10", "--lost-link", "explode")
                         .err())
                 .contains("--lost-link")
                 .containsIgnoringCase("drift");
-        assertThat(Ran.crw("boat", "--port", "0", "--name", "anna", "--at", "91,0")
+        assertThat(CommandResult.crw("boat", "--port", "0", "--name", "anna", "--at", "91,0")
                         .err())
                 .contains("LAT,LON");
-        assertThat(Ran.crw("boat", "--port", "70000", "--name", "anna", "--at", "45,10")
+        assertThat(CommandResult.crw("boat", "--port", "70000", "--name", "anna", "--at", "45,10")
                         .exitCode())
                 .isEqualTo(2);
-        assertThat(Ran.crw("boat", "--port", "0", "--name", "../anna", "--at", "45,10")
+        assertThat(CommandResult.crw("boat", "--port", "0", "--name", "../anna", "--at", "45,10")
                         .err())
                 .contains("letters");
-        assertThat(Ran.crw("boat", "--name", "anna", "--at", "45,10").err()).contains("--port");
+        assertThat(CommandResult.crw("boat", "--name", "anna", "--at", "45,10").err())
+                .contains("--port");
     }
 
     @Test
     void leavesAloneWhatIsNoLogAndNoFolder() throws Exception {
         Files.writeString(folder.resolve("anna.log"), "my diary");
-        Ran diary = Ran.crw("boat", "--port", "0", "--name", "anna", "--at", "45,10", "--log", folder.toString());
+        CommandResult diary =
+                CommandResult.crw("boat", "--port", "0", "--name", "anna", "--at", "45,10", "--log", folder.toString());
         String file = folder.resolve("anna.log").toString();
-        Ran noFolder = Ran.crw("boat", "--port", "0", "--name", "anna", "--at", "45,10", "--log", file);
+        CommandResult noFolder =
+                CommandResult.crw("boat", "--port", "0", "--name", "anna", "--at", "45,10", "--log", file);
 
         assertThat(diary.exitCode()).isEqualTo(4);
         assertThat(diary.err()).contains("anna.log is no log of a boat");
@@ -321,7 +324,8 @@ class BoatProcessTest {
     @Test
     void saysThatItsPortIsTaken() throws Exception {
         Boat boat = boat(0);
-        Ran second = Ran.crw("boat", "--port", "" + boat.port, "--name", "berta", "--at", "45.4,10.9");
+        CommandResult second =
+                CommandResult.crw("boat", "--port", "" + boat.port, "--name", "berta", "--at", "45.4,10.9");
 
         assertThat(second.exitCode()).isEqualTo(4);
         assertThat(second.err()).containsIgnoringCase("address already in use");

@@ -62,7 +62,7 @@ class CheckCommandTest {
     void whatTheReaderRefusesIsToldWithFileLineColumnAndElement() throws Exception {
         Path file = mistaken("\"type\": \"ProxyExecutePath\"", "\"type\": \"ProxyExecutPath\"");
 
-        Ran ran = Ran.crw("check", file.toString());
+        CommandResult ran = CommandResult.crw("check", file.toString());
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.out())
@@ -75,9 +75,9 @@ class CheckCommandTest {
     void whatTheChecksFindIsToldWithFileLineColumnAndElements() throws Exception {
         Path file = mistaken("\"writes\": {\"paths\": \"@paths\"}", "\"writes\": {\"paths\": \"@allocations\"}");
 
-        Ran text = Ran.crw("check", file.toString());
+        CommandResult text = CommandResult.crw("check", file.toString());
         JsonNode json = new ObjectMapper()
-                .readTree(Ran.crw("check", file.toString(), "--json").out());
+                .readTree(CommandResult.crw("check", file.toString(), "--json").out());
 
         String where = place(file, "\"writes\": {\"paths\": \"@allocations\"}")
                 .replaceAll(":\\d+$", ":" + (1 + line(file, "\"paths\": \"@all").indexOf("\"@all")));
@@ -92,7 +92,7 @@ class CheckCommandTest {
     void textThatIsNoJsonIsToldWithFileLineAndColumn() throws Exception {
         Path file = write("{\n  \"formatVersion\": 1,\n  \"id\" \"x\"\n}");
 
-        assertThat(Ran.crw("check", file.toString()).out()).startsWith(file + ":3:8: error E-SYNTAX");
+        assertThat(CommandResult.crw("check", file.toString()).out()).startsWith(file + ":3:8: error E-SYNTAX");
     }
 
     @Test
@@ -105,18 +105,18 @@ class CheckCommandTest {
                 folder.resolve("project.json"),
                 "{\"formatVersion\": 1, \"id\": \"p\", \"domain\": \"crw\", \"plans\": [{\"file\": \"visit.json\"}]}");
 
-        Ran ran = Ran.crw("check", folder.toString());
+        CommandResult ran = CommandResult.crw("check", folder.toString());
 
         assertThat(ran.out()).contains(plan + ":1:").contains("warning W-VARIABLE-NEVER-WRITTEN at /plans/0/");
     }
 
     @Test
     void aTypeClashNamesBothTypes() throws Exception {
-        Ran written = Ran.crw(
+        CommandResult written = CommandResult.crw(
                 "check",
                 mistaken("\"writes\": {\"paths\": \"@paths\"}", "\"writes\": {\"paths\": \"@locations\"}")
                         .toString());
-        Ran given = Ran.crw(
+        CommandResult given = CommandResult.crw(
                 "check",
                 mistaken("{\"message\": {\"value\": \"All boats have finished\"}}", "{\"message\": {\"value\": 7}}")
                         .toString());
@@ -140,7 +140,7 @@ class CheckCommandTest {
                     "start": true         | "strat": true          | is start meant?
                     """)
     void aWordThatIsNearlyOneIsAnsweredWithThatOne(String right, String wrong, String said) throws Exception {
-        Ran ran = Ran.crw("check", mistaken(right, wrong).toString());
+        CommandResult ran = CommandResult.crw("check", mistaken(right, wrong).toString());
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.out()).contains(said);
@@ -148,14 +148,14 @@ class CheckCommandTest {
 
     @Test
     void aByteOrderMarkIsAccepted() throws Exception {
-        Ran ran = Ran.crw("check", write("\uFEFF" + clv).toString());
+        CommandResult ran = CommandResult.crw("check", write("\uFEFF" + clv).toString());
 
         assertThat(ran.exitCode()).as(ran.out()).isZero();
     }
 
     @Test
     void aSchemaMayBeNamed() throws Exception {
-        Ran ran = Ran.crw(
+        CommandResult ran = CommandResult.crw(
                 "check",
                 write(clv.replaceFirst("\\{", "{\"\\$schema\": \"project-1.schema.json\","))
                         .toString());
@@ -166,7 +166,7 @@ class CheckCommandTest {
     @ParameterizedTest
     @CsvSource({"project,plans", "vocabulary,events"})
     void schemaPrintsTheSchemaOfAKindOfFile(String kind, String member) throws Exception {
-        Ran ran = Ran.crw("schema", kind);
+        CommandResult ran = CommandResult.crw("schema", kind);
 
         assertThat(ran.exitCode()).isZero();
         JsonNode schema = new ObjectMapper().readTree(ran.out());
@@ -176,9 +176,11 @@ class CheckCommandTest {
 
     @Test
     void schemaWithoutAKindIsTheProjects() {
-        assertThat(Ran.crw("schema")).isEqualTo(Ran.crw("schema", "project"));
-        assertThat(Ran.crw("schema", "projct").exitCode()).isEqualTo(2);
-        assertThat(Ran.crw("schema", "projct").err()).contains("project").contains("vocabulary");
+        assertThat(CommandResult.crw("schema")).isEqualTo(CommandResult.crw("schema", "project"));
+        assertThat(CommandResult.crw("schema", "projct").exitCode()).isEqualTo(2);
+        assertThat(CommandResult.crw("schema", "projct").err())
+                .contains("project")
+                .contains("vocabulary");
     }
 
     @Test
@@ -186,10 +188,10 @@ class CheckCommandTest {
         Path plan = UAV.resolve("plans/look.json");
         Path wrong = write(Files.readString(plan).replace("\"FlyTo\"", "\"FlyToo\""));
 
-        Ran good = Ran.crw("check", "--domain", UAV.toString(), plan.toString());
-        Ran byId = Ran.crw("check", "--domain", UAV.toString(), "look");
-        Ran bad = Ran.crw("check", "--domain", UAV.toString(), wrong.toString());
-        Ran ofBoats = Ran.crw("check", plan.toString());
+        CommandResult good = CommandResult.crw("check", "--domain", UAV.toString(), plan.toString());
+        CommandResult byId = CommandResult.crw("check", "--domain", UAV.toString(), "look");
+        CommandResult bad = CommandResult.crw("check", "--domain", UAV.toString(), wrong.toString());
+        CommandResult ofBoats = CommandResult.crw("check", plan.toString());
 
         assertThat(good.exitCode()).as(good.out()).isZero();
         assertThat(byId.exitCode()).as(byId.out()).isZero();
@@ -202,14 +204,14 @@ class CheckCommandTest {
     void aDomainIsCheckedByItself() throws Exception {
         copyDomain();
 
-        Ran good = Ran.crw("check", "--domain", folder.toString());
+        CommandResult good = CommandResult.crw("check", "--domain", folder.toString());
         Path events = folder.resolve("events.json");
         Files.writeString(
                 events,
                 Files.readString(events)
                         .replace("\"type\": \"Camera\"", "\"type\": \"Camra\"")
                         .replace("\"answers\": [\"Landed\"]", "\"answers\": [\"Landet\"]"));
-        Ran bad = Ran.crw("check", "--domain", folder.toString());
+        CommandResult bad = CommandResult.crw("check", "--domain", folder.toString());
 
         assertThat(good.exitCode()).as(good.out()).isZero();
         assertThat(good.out()).contains("0 errors");
@@ -226,7 +228,7 @@ class CheckCommandTest {
         Files.writeString(
                 events, Files.readString(events).replace("\"answers\": [\"Landed\"]", "\"answers\": [\"Landet\"]"));
 
-        Ran ran = Ran.crw("check", "--domain", folder.toString());
+        CommandResult ran = CommandResult.crw("check", "--domain", folder.toString());
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.out()).contains(events + ":").contains("E-ANSWERS").contains("is Landed meant?");
@@ -234,7 +236,7 @@ class CheckCommandTest {
 
     @Test
     void aFolderThatIsNoDomainIsSaidToBeNone() {
-        Ran ran = Ran.crw("check", "--domain", folder.toString());
+        CommandResult ran = CommandResult.crw("check", "--domain", folder.toString());
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.out()).contains("domain.json").contains(folder.toString());

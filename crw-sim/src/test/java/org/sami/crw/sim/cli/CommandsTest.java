@@ -19,8 +19,8 @@ class CommandsTest {
 
     @Test
     void plansListsTheLibrary() throws Exception {
-        Ran text = Ran.crw("plans");
-        JsonNode json = JSON.readTree(Ran.crw("plans", "--json").out());
+        CommandResult text = CommandResult.crw("plans");
+        JsonNode json = JSON.readTree(CommandResult.crw("plans", "--json").out());
 
         assertThat(text.exitCode()).isZero();
         assertThat(text.out()).contains("clv  (Cooperative Location Visit)").contains("station-keep");
@@ -34,7 +34,7 @@ class CommandsTest {
     @Test
     void checkFindsNothingInThePlansThatShip() {
         for (String plan : new String[] {"clv", "station-keep"}) {
-            Ran ran = Ran.crw("check", plan);
+            CommandResult ran = CommandResult.crw("check", plan);
 
             assertThat(ran.exitCode()).as(ran.out()).isZero();
             assertThat(ran.out()).contains(plan + ": 0 errors");
@@ -45,8 +45,8 @@ class CommandsTest {
     void checkNamesPlaceAndCodeOfAFault() throws Exception {
         Path file = Files.writeString(folder.resolve("bad.json"), "{\"formatVersion\": 99}");
 
-        Ran text = Ran.crw("check", file.toString());
-        Ran json = Ran.crw("check", file.toString(), "--json");
+        CommandResult text = CommandResult.crw("check", file.toString());
+        CommandResult json = CommandResult.crw("check", file.toString(), "--json");
 
         assertThat(text.exitCode()).isEqualTo(1);
         assertThat(text.out()).contains("error").contains("/formatVersion").contains("1 errors");
@@ -61,7 +61,7 @@ class CommandsTest {
     void planWithErrorsIsNotRun() throws Exception {
         Path file = Files.writeString(folder.resolve("bad.json"), "{\"formatVersion\": 1, \"id\": 3}");
 
-        Ran ran = Ran.crw("run", file.toString(), "--json");
+        CommandResult ran = CommandResult.crw("run", file.toString(), "--json");
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.out()).isEmpty();
@@ -70,7 +70,7 @@ class CommandsTest {
 
     @Test
     void runPrintsOneJsonObjectAndNothingElse() throws Exception {
-        Ran ran = Ran.crw(
+        CommandResult ran = CommandResult.crw(
                 "run",
                 "clv",
                 "--boats",
@@ -102,7 +102,7 @@ class CommandsTest {
     void runOfAFileChoosesItsRootPlan() throws Exception {
         Path file = sample();
 
-        Ran ran = Ran.crw(
+        CommandResult ran = CommandResult.crw(
                 "run",
                 file.toString(),
                 "--boats",
@@ -122,9 +122,9 @@ class CommandsTest {
     @Test
     void parametersAndAnswersAreUsed() throws Exception {
         Path answers = Files.writeString(
-                folder.resolve("answers.json"), org.sami.crw.sim.run.Runs.text("sample-answers.json"));
+                folder.resolve("answers.json"), org.sami.crw.sim.run.TestRuns.text("sample-answers.json"));
 
-        Ran ran = Ran.crw(
+        CommandResult ran = CommandResult.crw(
                 "run",
                 sample().toString(),
                 "--boats",
@@ -150,10 +150,11 @@ class CommandsTest {
     void runningMissionHasItsOwnExitCodeAndSaysHowToGoOn() throws Exception {
         Path journal = folder.resolve("a.journal");
 
-        Ran ran = Ran.crw("run", "clv", "--speed", "max", "--for", "60", "--journal", journal.toString());
-        Ran more = Ran.crw("resume", journal.toString(), "--for", "120", "--json");
-        Ran rest = Ran.crw("resume", journal.toString(), "--json");
-        Ran whole = Ran.crw("run", "clv", "--speed", "max", "--json");
+        CommandResult ran =
+                CommandResult.crw("run", "clv", "--speed", "max", "--for", "60", "--journal", journal.toString());
+        CommandResult more = CommandResult.crw("resume", journal.toString(), "--for", "120", "--json");
+        CommandResult rest = CommandResult.crw("resume", journal.toString(), "--json");
+        CommandResult whole = CommandResult.crw("run", "clv", "--speed", "max", "--json");
 
         assertThat(ran.exitCode()).isEqualTo(5);
         assertThat(ran.out()).contains("running");
@@ -168,7 +169,7 @@ class CommandsTest {
     @Test
     void resumeOfAFinishedRunSaysSoAndReportsAgain() throws Exception {
         Path journal = folder.resolve("a.journal");
-        Ran first = Ran.crw(
+        CommandResult first = CommandResult.crw(
                 "run",
                 "clv",
                 "--boats",
@@ -183,7 +184,7 @@ class CommandsTest {
                 "--journal",
                 journal.toString());
 
-        Ran again = Ran.crw("resume", journal.toString(), "--json");
+        CommandResult again = CommandResult.crw("resume", journal.toString(), "--json");
 
         assertThat(again.exitCode()).isZero();
         assertThat(again.err()).contains("was over already");
@@ -194,10 +195,10 @@ class CommandsTest {
     void resumeNamesAFileThatDiffersNow() throws Exception {
         Path file = sample();
         Path journal = folder.resolve("a.journal");
-        Ran.crw("run", file.toString(), "--speed", "max", "--for", "20", "--journal", journal.toString());
+        CommandResult.crw("run", file.toString(), "--speed", "max", "--for", "20", "--journal", journal.toString());
         Files.writeString(file, Files.readString(file).replace("Half a minute over", "Over"));
 
-        Ran ran = Ran.crw("resume", journal.toString());
+        CommandResult ran = CommandResult.crw("resume", journal.toString());
 
         assertThat(ran.err()).contains(file + " differs now");
     }
@@ -206,7 +207,7 @@ class CommandsTest {
     void reportFolderIsWrittenAndNamed() throws Exception {
         Path reports = folder.resolve("deep/out");
 
-        Ran ran = Ran.crw(
+        CommandResult ran = CommandResult.crw(
                 "run",
                 "clv",
                 "--boats",
@@ -233,9 +234,9 @@ class CommandsTest {
     @Test
     void abortedMissionHasItsOwnExitCode() throws Exception {
         Path file = Files.writeString(
-                folder.resolve("aborts.json"), org.sami.crw.sim.run.Runs.text("aborting-project.json"));
+                folder.resolve("aborts.json"), org.sami.crw.sim.run.TestRuns.text("aborting-project.json"));
 
-        Ran ran = Ran.crw("run", file.toString(), "--boats", "2", "--speed", "max", "--json");
+        CommandResult ran = CommandResult.crw("run", file.toString(), "--boats", "2", "--speed", "max", "--json");
 
         assertThat(ran.exitCode()).as(ran.err() + ran.out()).isEqualTo(3);
         assertThat(JSON.readTree(ran.out()).get("outcome").asText()).isEqualTo("aborted");
@@ -248,7 +249,8 @@ class CommandsTest {
                 "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": "
                         + "[{\"event\": \"OperatorCreateLocations\", \"answer\": {\"silent\": true}}]}");
 
-        Ran ran = Ran.crw("run", "clv", "--speed", "max", "--answers", answers.toString(), "--json");
+        CommandResult ran =
+                CommandResult.crw("run", "clv", "--speed", "max", "--answers", answers.toString(), "--json");
 
         assertThat(ran.exitCode()).isEqualTo(4);
         JsonNode json = JSON.readTree(ran.out());
@@ -258,7 +260,7 @@ class CommandsTest {
 
     @Test
     void demoEndsByItselfAndShowsWhereThePictureIs() {
-        Ran ran = Ran.crw(
+        CommandResult ran = CommandResult.crw(
                 "demo", "--speed", "max", "--report", folder.resolve("demo").toString());
 
         assertThat(ran.exitCode()).isZero();
@@ -267,22 +269,23 @@ class CommandsTest {
     }
 
     private Path sample() throws Exception {
-        return Files.writeString(folder.resolve("sample.json"), org.sami.crw.sim.run.Runs.text("sample-project.json"));
+        return Files.writeString(
+                folder.resolve("sample.json"), org.sami.crw.sim.run.TestRuns.text("sample-project.json"));
     }
 
     @Test
     void missionMayAskForAnAllocationWithItsFirstEventAndNeedsNoName() throws Exception {
         Path file = Files.writeString(
-                folder.resolve("at-once.json"), org.sami.crw.sim.run.Runs.text("allocation-at-once.json"));
+                folder.resolve("at-once.json"), org.sami.crw.sim.run.TestRuns.text("allocation-at-once.json"));
 
-        Ran ran = Ran.crw("run", file.toString(), "--boats", "2", "--speed", "max", "--json");
+        CommandResult ran = CommandResult.crw("run", file.toString(), "--boats", "2", "--speed", "max", "--json");
 
         assertThat(ran.err()).doesNotContain("failed");
         assertThat(ran.exitCode()).isZero();
         assertThat(JSON.readTree(ran.out()).get("planName").asText()).isEqualTo("at-once");
     }
 
-    private static String hash(Ran ran) throws Exception {
+    private static String hash(CommandResult ran) throws Exception {
         return JSON.readTree(ran.out()).get("runHash").asText();
     }
 }

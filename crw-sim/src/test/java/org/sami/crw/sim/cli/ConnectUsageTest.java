@@ -29,7 +29,7 @@ class ConnectUsageTest {
                 "--connect localhost:5001 --interrupt nosuch@5 | has no interrupt 'nosuch'"
             })
     void refusesWhatMakesNoSense(String options, String said) {
-        Ran ran = Ran.crw(("run clv " + options).split(" "));
+        CommandResult ran = CommandResult.crw(("run clv " + options).split(" "));
 
         assertThat(ran.err()).contains(said);
         assertThat(ran.exitCode()).isEqualTo(ExitCode.USAGE);
@@ -43,7 +43,8 @@ class ConnectUsageTest {
             nobody = socket.getLocalPort();
         }
 
-        Ran ran = Ran.crw("run", "clv", "--connect", "127.0.0.1:" + nobody, "--connect-within", "0.6");
+        CommandResult ran =
+                CommandResult.crw("run", "clv", "--connect", "127.0.0.1:" + nobody, "--connect-within", "0.6");
 
         assertThat(ran.err()).contains("not ready after 0.6 s: 127.0.0.1:" + nobody + " does not answer (");
         assertThat(ran.exitCode()).isEqualTo(ExitCode.FAILED);
@@ -54,7 +55,7 @@ class ConnectUsageTest {
         try (ServerSocket silent = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
             String address = "127.0.0.1:" + silent.getLocalPort();
 
-            Ran ran = Ran.crw("run", "clv", "--connect", address, "--connect-within", "0.6");
+            CommandResult ran = CommandResult.crw("run", "clv", "--connect", address, "--connect-within", "0.6");
 
             assertThat(ran.err())
                     .contains(address
@@ -66,7 +67,7 @@ class ConnectUsageTest {
     @Test
     void boatsOfARunInProcessCannotBeConnected() {
         String journal = folder.resolve("journal").toString();
-        Ran.crw(
+        CommandResult.crw(
                 "run",
                 "clv",
                 "--boats",
@@ -82,7 +83,7 @@ class ConnectUsageTest {
                 "--journal",
                 journal);
 
-        Ran resumed = Ran.crw("resume", journal, "--connect", "localhost:5001");
+        CommandResult resumed = CommandResult.crw("resume", journal, "--connect", "localhost:5001");
 
         assertThat(resumed.err()).contains("--connect: the boats of this run are in its own process");
         assertThat(resumed.exitCode()).isEqualTo(ExitCode.USAGE);

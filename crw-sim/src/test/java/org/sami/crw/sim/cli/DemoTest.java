@@ -21,7 +21,7 @@ class DemoTest {
 
     @Test
     void threeProcessesVisitEverythingOverTcpAndEndWithTheDemonstration() {
-        Ran ran = Ran.crw("demo", "--report", folder.toString());
+        CommandResult ran = CommandResult.crw("demo", "--report", folder.toString());
 
         assertThat(ran.exitCode()).as(ran.err()).isZero();
         assertThat(ran.out()).contains("9 of 9");

@@ -26,13 +26,17 @@ class DocumentedExamplesTest {
     void projectOfTheFileFormatIsFreeOfFindingsRunsAndIsDrawn() throws Exception {
         String project = example("file-format.md");
 
-        Ran check = Ran.crw("check", project);
-        Ran run = Ran.crw("run", project, "--speed", "max", "--json");
+        CommandResult check = CommandResult.crw("check", project);
+        CommandResult run = CommandResult.crw("run", project, "--speed", "max", "--json");
 
         assertThat(check.out()).isEqualTo(project + ": 0 errors, 0 warnings\n");
         assertThat(run.exitCode()).as(run.err()).isZero();
         assertThat(JSON.readTree(run.out()).get("outcome").asText()).isEqualTo("ended");
-        assertThat(Ran.crw("draw", project, "--svg", folder.resolve("net.svg").toString())
+        assertThat(CommandResult.crw(
+                                "draw",
+                                project,
+                                "--svg",
+                                folder.resolve("net.svg").toString())
                         .exitCode())
                 .isZero();
     }
@@ -41,7 +45,7 @@ class DocumentedExamplesTest {
     void answersOfTheAnswersFileAreGivenAsTheySay() throws Exception {
         String answers = example("answers-file.md");
 
-        Ran run = Ran.crw("run", "clv", "--answers", answers, "--speed", "max", "--json");
+        CommandResult run = CommandResult.crw("run", "clv", "--answers", answers, "--speed", "max", "--json");
 
         assertThat(run.exitCode()).as(run.err() + run.out()).isZero();
         JsonNode report = JSON.readTree(run.out());

@@ -29,7 +29,7 @@ class FullDiskTest {
 
     @BeforeAll
     static void runUndisturbed() throws Exception {
-        Ran ran = Ran.crw(MISSION.toArray(String[]::new));
+        CommandResult ran = CommandResult.crw(MISSION.toArray(String[]::new));
         assertThat(ran.exitCode()).as(ran.err()).isZero();
         undisturbed = hash(ran.out());
     }
@@ -79,7 +79,7 @@ class FullDiskTest {
                 }
                 interrupted++;
                 assertThat(said.text()).contains("full");
-                Ran tooEarly = Ran.crw("resume", journal.toString(), "--speed", "max", "--json");
+                CommandResult tooEarly = CommandResult.crw("resume", journal.toString(), "--speed", "max", "--json");
                 assertThat(tooEarly.exitCode()).isIn(0, 4);
 
                 assertThat(exitCode("mount", "-o", "remount,size=64m", disk.toString()))
@@ -94,7 +94,7 @@ class FullDiskTest {
     }
 
     private static String takenUp(Path journal) throws IOException {
-        Ran resumed = Ran.crw("resume", journal.toString(), "--speed", "max", "--json");
+        CommandResult resumed = CommandResult.crw("resume", journal.toString(), "--speed", "max", "--json");
         assertThat(resumed.exitCode()).as(resumed.err()).isZero();
         return hash(resumed.out());
     }

@@ -24,7 +24,7 @@ class GlobalOptionsTest {
 
     @Test
     void quietRunTellsNothingBesideItsReport() {
-        Ran ran = crw(Map.of(), "--quiet", "--speed", "max");
+        CommandResult ran = crw(Map.of(), "--quiet", "--speed", "max");
 
         assertThat(ran.exitCode()).isZero();
         assertThat(ran.out()).contains("outcome             ended");
@@ -35,31 +35,33 @@ class GlobalOptionsTest {
     void quietCommandTellsWhatIsWrong() throws Exception {
         Path broken = Files.writeString(folder.resolve("broken.json"), "{\"formatVersion\": 99}");
 
-        assertThat(Ran.crw("run", "nowhere", "--quiet").err()).startsWith("crw: there is no file");
-        assertThat(Ran.crw("run", broken.toString(), "--quiet").err()).contains("error E-VERSION");
+        assertThat(CommandResult.crw("run", "nowhere", "--quiet").err()).startsWith("crw: there is no file");
+        assertThat(CommandResult.crw("run", broken.toString(), "--quiet").err()).contains("error E-VERSION");
     }
 
     @Test
     void verboseCommandTellsItsVersionAndWhereAFaultArose() {
-        Ran ran = Ran.crw("check", "clv", "--verbose");
+        CommandResult ran = CommandResult.crw("check", "clv", "--verbose");
 
         assertThat(ran.err()).startsWith("crw: crw ").contains("Java " + System.getProperty("java.version"));
-        assertThat(Ran.crw("check", "clv", "--verbose", "--quiet").exitCode()).isEqualTo(2);
+        assertThat(CommandResult.crw("check", "clv", "--verbose", "--quiet").exitCode())
+                .isEqualTo(2);
     }
 
     @Test
     void logFileGetsWhatIsToldOnStandardErrorAndIsAppendedTo() throws Exception {
         Path log = Files.writeString(folder.resolve("crw.log"), "before\n");
 
-        Ran ran = crw(Map.of(), "--speed", "max", "--log-file", log.toString());
-        Ran.crw("check", "nowhere", "--quiet", "--log-file", log.toString());
+        CommandResult ran = crw(Map.of(), "--speed", "max", "--log-file", log.toString());
+        CommandResult.crw("check", "nowhere", "--quiet", "--log-file", log.toString());
 
         assertThat(ran.err()).contains("running clv");
         assertThat(Files.readString(log))
                 .startsWith("before\n")
                 .containsPattern("(?m)^\\d{4}-\\d\\d-\\d\\dT\\S+Z running clv: boats 2")
                 .containsPattern("(?m)Z crw: there is no file and no plan of the library 'nowhere'");
-        assertThat(Ran.crw("check", "clv", "--log-file", "/dev/null/log").err())
+        assertThat(CommandResult.crw("check", "clv", "--log-file", "/dev/null/log")
+                        .err())
                 .contains("--log-file: /dev/null/log cannot be written");
     }
 
@@ -81,7 +83,7 @@ class GlobalOptionsTest {
     void nameThatIsNoOptionIsRefused(String name) throws Exception {
         Path file = Files.writeString(folder.resolve("crw.properties"), "seed = 1\n" + name + " = 3\n");
 
-        Ran ran = execute(Map.of(), "check", "clv", "--config", file.toString());
+        CommandResult ran = execute(Map.of(), "check", "clv", "--config", file.toString());
 
         assertThat(ran.exitCode()).isEqualTo(2);
         assertThat(ran.out()).isEmpty();
@@ -90,7 +92,7 @@ class GlobalOptionsTest {
 
     @Test
     void configurationFileThatIsNotThereIsNamed() {
-        Ran ran = execute(Map.of(), "check", "clv", "--config=" + folder.resolve("nowhere"));
+        CommandResult ran = execute(Map.of(), "check", "clv", "--config=" + folder.resolve("nowhere"));
 
         assertThat(ran.exitCode()).isEqualTo(2);
         assertThat(ran.err()).contains("--config: " + folder.resolve("nowhere"), "is not there");
@@ -99,7 +101,7 @@ class GlobalOptionsTest {
     @ParameterizedTest
     @ValueSource(strings = {"bash", "zsh"})
     void completionKnowsEveryCommand(String shell) {
-        Ran ran = Ran.crw("completion", shell);
+        CommandResult ran = CommandResult.crw("completion", shell);
 
         assertThat(ran.exitCode()).isZero();
         Crw.commandLine()
@@ -110,16 +112,16 @@ class GlobalOptionsTest {
     }
 
     /** A short run with options of its own. */
-    private static Ran crw(Map<String, String> environment, String... more) {
+    private static CommandResult crw(Map<String, String> environment, String... more) {
         String[] all =
                 Stream.concat(Arrays.stream(SHORT_RUN), Arrays.stream(more)).toArray(String[]::new);
         return execute(environment, all);
     }
 
-    private static Ran execute(Map<String, String> environment, String... arguments) {
+    private static CommandResult execute(Map<String, String> environment, String... arguments) {
         StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();
         CommandLine line = Crw.commandLine().setOut(new PrintWriter(out)).setErr(new PrintWriter(err));
-        return new Ran(Crw.execute(line, environment, arguments), out.toString(), err.toString());
+        return new CommandResult(Crw.execute(line, environment, arguments), out.toString(), err.toString());
     }
 }

@@ -39,7 +39,7 @@ class ImportLegacyCommandTest {
     void writesAProjectThatIsReadCheckedAndRun() throws IOException {
         Path out = folder.resolve("new.json");
 
-        Ran ran = Ran.crw("import-legacy", export(SMALL).toString(), out.toString());
+        CommandResult ran = CommandResult.crw("import-legacy", export(SMALL).toString(), out.toString());
 
         assertThat(ran.exitCode()).isZero();
         assertThat(ran.out())
@@ -47,7 +47,7 @@ class ImportLegacyCommandTest {
                 .contains("such as /plans/0/edges/0")
                 .containsPattern("places +2 +2 +0")
                 .contains("complete: all arrived");
-        Ran run = Ran.crw("run", out.toString(), "--plan", "Greeting", "--speed", "max", "--json");
+        CommandResult run = CommandResult.crw("run", out.toString(), "--plan", "Greeting", "--speed", "max", "--json");
         assertThat(run.exitCode()).as(run.err()).isZero();
         assertThat(run.out()).contains("Hello");
     }
@@ -56,12 +56,12 @@ class ImportLegacyCommandTest {
     void writesAFolderWhereTheNameIsNoFiles() throws IOException {
         Path out = folder.resolve("new");
 
-        assertThat(Ran.crw("import-legacy", export(SMALL).toString(), out.toString())
+        assertThat(CommandResult.crw("import-legacy", export(SMALL).toString(), out.toString())
                         .exitCode())
                 .isZero();
 
         assertThat(out.resolve("project.json")).exists();
-        assertThat(Ran.crw("check", out.toString()).out()).contains("E-NO-START");
+        assertThat(CommandResult.crw("check", out.toString()).out()).contains("E-NO-START");
         try (Stream<Path> left = Files.list(folder)) {
             assertThat(left.map(p -> p.getFileName().toString())).containsExactlyInAnyOrder("old.json", "new");
         }
@@ -73,7 +73,7 @@ class ImportLegacyCommandTest {
         String markup = "\"markups\": [{\"class\": \"sami.markup.Priority\", \"options\": {\"ranking\": \"HIGH\","
                 + " \"colour\": \"RED\"}}], ";
 
-        Ran ran = Ran.crw(
+        CommandResult ran = CommandResult.crw(
                 "import-legacy",
                 export(SMALL.replace("\"fieldValues\"", markup + "\"fieldValues\""))
                         .toString(),
@@ -90,10 +90,10 @@ class ImportLegacyCommandTest {
     @Test
     void aCheckOfAnImportPartsWhatTheImportWroteFromWhatThePlansSay() throws IOException {
         Path out = folder.resolve("new.json");
-        Ran.crw("import-legacy", export(SMALL).toString(), out.toString());
+        CommandResult.crw("import-legacy", export(SMALL).toString(), out.toString());
 
-        Ran text = Ran.crw("check", out.toString());
-        Ran json = Ran.crw("check", out.toString(), "--json");
+        CommandResult text = CommandResult.crw("check", out.toString());
+        CommandResult json = CommandResult.crw("check", out.toString(), "--json");
 
         assertThat(text.out())
                 .contains("imported from old.json; the import said: W-HEADING 1, W-NO-REQUIREMENT 2")
@@ -108,7 +108,7 @@ class ImportLegacyCommandTest {
 
     @Test
     void printsOneObjectForPrograms() throws IOException {
-        Ran ran = Ran.crw(
+        CommandResult ran = CommandResult.crw(
                 "import-legacy",
                 export(SMALL).toString(),
                 folder.resolve("n.json").toString(),
@@ -124,7 +124,7 @@ class ImportLegacyCommandTest {
     void overwritesNothing() throws IOException {
         Path out = Files.writeString(folder.resolve("new.json"), "precious");
 
-        Ran ran = Ran.crw("import-legacy", export(SMALL).toString(), out.toString());
+        CommandResult ran = CommandResult.crw("import-legacy", export(SMALL).toString(), out.toString());
 
         assertThat(ran.exitCode()).isEqualTo(2);
         assertThat(ran.err()).contains("is there already");
@@ -135,7 +135,8 @@ class ImportLegacyCommandTest {
     void writesNothingOfATruncatedExport() throws IOException {
         Path out = folder.resolve("new.json");
 
-        Ran ran = Ran.crw("import-legacy", export(SMALL.substring(0, 500)).toString(), out.toString());
+        CommandResult ran = CommandResult.crw(
+                "import-legacy", export(SMALL.substring(0, 500)).toString(), out.toString());
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.out()).contains("E-SYNTAX").contains("nothing is imported");
@@ -144,10 +145,11 @@ class ImportLegacyCommandTest {
 
     @Test
     void namesAFileThatIsNotThereOrAFolderThatIsNot() throws IOException {
-        assertThat(Ran.crw("import-legacy", "no-such.json", folder.resolve("n").toString()))
+        assertThat(CommandResult.crw(
+                        "import-legacy", "no-such.json", folder.resolve("n").toString()))
                 .satisfies(r -> assertThat(r.exitCode()).isEqualTo(2))
                 .satisfies(r -> assertThat(r.err()).contains("no-such.json"));
-        assertThat(Ran.crw(
+        assertThat(CommandResult.crw(
                         "import-legacy",
                         export(SMALL).toString(),
                         folder.resolve("no/n").toString()))
@@ -191,7 +193,7 @@ class ImportLegacyCommandTest {
             """;
 
     private JsonNode tried(String seed, String out) throws IOException {
-        Ran ran = Ran.crw(
+        CommandResult ran = CommandResult.crw(
                 "import-legacy",
                 export(TO_RUN).toString(),
                 folder.resolve(out).toString(),
@@ -231,7 +233,7 @@ class ImportLegacyCommandTest {
 
     @Test
     void printsATableOfTheRunsAndWhereServersAre() throws IOException {
-        Ran ran = Ran.crw(
+        CommandResult ran = CommandResult.crw(
                 "import-legacy",
                 export(TO_RUN).toString(),
                 folder.resolve("n.json").toString(),

@@ -37,7 +37,7 @@ class ImportLocationsCommandTest {
     void writesANewProjectThatCanBeRead() throws Exception {
         Path project = folder.resolve("bay.json");
 
-        Ran ran = Ran.crw("import-locations", file(TWO_LISTS), project.toString(), "--as", "areas");
+        CommandResult ran = CommandResult.crw("import-locations", file(TWO_LISTS), project.toString(), "--as", "areas");
 
         assertThat(ran.exitCode()).isZero();
         assertThat(ran.out())
@@ -55,7 +55,8 @@ class ImportLocationsCommandTest {
         Files.copy(Path.of("../domain-config/src/main/resources/org/sami/domain/crw/plans/clv.json"), project);
         Project before = read(project);
 
-        Ran ran = Ran.crw("import-locations", file(TWO_LISTS), project.toString(), "--as", "areas", "--each");
+        CommandResult ran =
+                CommandResult.crw("import-locations", file(TWO_LISTS), project.toString(), "--as", "areas", "--each");
 
         assertThat(ran.exitCode()).isZero();
         Project after = read(project);
@@ -67,29 +68,32 @@ class ImportLocationsCommandTest {
     void doesNotGuessWhatPointsMean() throws Exception {
         Path project = folder.resolve("bay.json");
 
-        Ran ran = Ran.crw("import-locations", file(TWO_LISTS), project.toString());
+        CommandResult ran = CommandResult.crw("import-locations", file(TWO_LISTS), project.toString());
 
         assertThat(ran.exitCode()).isEqualTo(2);
         assertThat(ran.err()).contains("a list of 2 lists of points").contains("--as paths or areas");
         assertThat(project).doesNotExist();
-        assertThat(Ran.crw("import-locations", file(TWO_LISTS), "--as", "path").err())
+        assertThat(CommandResult.crw("import-locations", file(TWO_LISTS), "--as", "path")
+                        .err())
                 .contains("can be paths or areas, not path");
     }
 
     @Test
     void keepsVariablesThatAreThereUnlessTold() throws Exception {
         Path project = folder.resolve("bay.json");
-        Ran.crw("import-locations", file(TWO_LISTS), project.toString(), "--as", "areas", "--each");
+        CommandResult.crw("import-locations", file(TWO_LISTS), project.toString(), "--as", "areas", "--each");
         String before = Files.readString(project);
         String moved = file(TWO_LISTS.replace("46", "47"));
 
-        Ran refused = Ran.crw("import-locations", moved, project.toString(), "--as", "areas", "--each");
+        CommandResult refused =
+                CommandResult.crw("import-locations", moved, project.toString(), "--as", "areas", "--each");
 
         assertThat(refused.exitCode()).isEqualTo(2);
         assertThat(refused.err()).contains("@beach1, @beach2 already");
         assertThat(project).hasContent(before);
 
-        Ran replaced = Ran.crw("import-locations", moved, project.toString(), "--each", "--replace");
+        CommandResult replaced =
+                CommandResult.crw("import-locations", moved, project.toString(), "--each", "--replace");
 
         assertThat(replaced.exitCode()).isZero();
         GeoArea second = (GeoArea) read(project).globals().get(1).initial().orElseThrow();
@@ -99,9 +103,10 @@ class ImportLocationsCommandTest {
     @Test
     void doesNotChangeAVariablesType() throws Exception {
         Path project = folder.resolve("bay.json");
-        Ran.crw("import-locations", file(TWO_LISTS), project.toString(), "--as", "areas");
+        CommandResult.crw("import-locations", file(TWO_LISTS), project.toString(), "--as", "areas");
 
-        Ran ran = Ran.crw("import-locations", file(TWO_LISTS), project.toString(), "--as", "paths", "--replace");
+        CommandResult ran = CommandResult.crw(
+                "import-locations", file(TWO_LISTS), project.toString(), "--as", "paths", "--replace");
 
         assertThat(ran.exitCode()).isEqualTo(2);
         assertThat(ran.err()).contains("is of the type list<area>, not list<path>");
@@ -112,7 +117,7 @@ class ImportLocationsCommandTest {
         Path project = folder.resolve("bay.json");
         String bad = file("[\n45,10\n45\n]");
 
-        Ran ran = Ran.crw("import-locations", bad, project.toString(), "--as", "path");
+        CommandResult ran = CommandResult.crw("import-locations", bad, project.toString(), "--as", "path");
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.err()).contains(bad + ":3: error: ");
@@ -123,7 +128,7 @@ class ImportLocationsCommandTest {
     void projectWithErrorsIsLeftAlone() throws Exception {
         Path project = Files.writeString(folder.resolve("bay.json"), "{\"formatVersion\": 99}");
 
-        Ran ran = Ran.crw("import-locations", file(TWO_LISTS), project.toString(), "--as", "areas");
+        CommandResult ran = CommandResult.crw("import-locations", file(TWO_LISTS), project.toString(), "--as", "areas");
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.err()).contains("E-VERSION");
@@ -136,7 +141,7 @@ class ImportLocationsCommandTest {
         Assumptions.assumeTrue(Files.exists(example), "skipped: there is no " + example);
         Path project = folder.resolve("beach.json");
 
-        Ran ran = Ran.crw(
+        CommandResult ran = CommandResult.crw(
                 "import-locations", example.toString(), project.toString(), "--as", "areas", "--name", "@katara");
 
         assertThat(ran.exitCode()).isZero();

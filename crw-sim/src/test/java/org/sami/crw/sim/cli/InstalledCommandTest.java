@@ -49,7 +49,7 @@ class InstalledCommandTest {
         Path install = copyOfTheInstall();
         Files.delete(install.resolve("lib/crw.jsa.release"));
 
-        Ran first = crw(install, Map.of(), "check", "clv");
+        CommandResult first = crw(install, Map.of(), "check", "clv");
         Await.until("an archive", LIMIT_S, () -> archives() == 1);
 
         assertThat(first.exitCode()).as(first.err()).isZero();
@@ -64,9 +64,9 @@ class InstalledCommandTest {
         Files.delete(install.resolve("lib/crw.jsa.release"));
         cache = Path.of("/dev/null/cache");
 
-        Ran ran = crw(install, Map.of(), "check", "clv");
+        CommandResult ran = crw(install, Map.of(), "check", "clv");
 
-        assertThat(ran).isEqualTo(new Ran(0, "clv: 0 errors, 0 warnings\n", ""));
+        assertThat(ran).isEqualTo(new CommandResult(0, "clv: 0 errors, 0 warnings\n", ""));
     }
 
     @Test
@@ -75,9 +75,9 @@ class InstalledCommandTest {
         Files.delete(install.resolve("lib/crw.jsa"));
         Files.writeString(install.resolve("lib/crw.jsa"), "no archive");
 
-        Ran ran = crw(install, Map.of(), "check", "clv");
+        CommandResult ran = crw(install, Map.of(), "check", "clv");
 
-        assertThat(ran).isEqualTo(new Ran(0, "clv: 0 errors, 0 warnings\n", ""));
+        assertThat(ran).isEqualTo(new CommandResult(0, "clv: 0 errors, 0 warnings\n", ""));
     }
 
     @Test
@@ -90,7 +90,7 @@ class InstalledCommandTest {
             }
         }
 
-        Ran ran = crw(install, Map.of(), "check", "clv", "--json");
+        CommandResult ran = crw(install, Map.of(), "check", "clv", "--json");
 
         assertThat(ran.err()).isEmpty();
         assertThat(new ObjectMapper().readTree(ran.out()).path("errors")).isEqualTo(IntNode.valueOf(0));
@@ -102,7 +102,7 @@ class InstalledCommandTest {
         Files.writeString(
                 project, "{\"formatVersion\": 1, \"id\": \"x\", \"name\": \"x\", \"domain\": \"W\u00e4sser\"}");
 
-        Ran ran = crw(INSTALLED, Map.of("LC_ALL", "C"), "check", project.toString());
+        CommandResult ran = crw(INSTALLED, Map.of("LC_ALL", "C"), "check", project.toString());
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.out()).contains(project.toString()).contains("W\u00e4sser");
@@ -126,7 +126,7 @@ class InstalledCommandTest {
 
     @Test
     void optionsForJavaReachIt() throws Exception {
-        Ran ran = crw(INSTALLED, Map.of("JAVA_OPTS", "-Dcrw.trace=true -showversion"), "--version");
+        CommandResult ran = crw(INSTALLED, Map.of("JAVA_OPTS", "-Dcrw.trace=true -showversion"), "--version");
 
         assertThat(ran.err()).contains(System.getProperty("java.version"));
         assertThat(ran.out()).startsWith("crw ");
@@ -148,15 +148,15 @@ class InstalledCommandTest {
         String function = "$(complete -p crw | sed 's/.*-F \\([^ ]*\\).*/\\1/')";
         String commands = "compopt() { :; }; source " + script + "; COMP_WORDS=(crw " + String.join(" ", words)
                 + "); COMP_CWORD=" + words.length + "; " + function + "; printf '%s\\n' \"${COMPREPLY[@]}\"";
-        Ran ran = run(List.of("/bin/bash", "--norc", "-c", commands), Map.of());
+        CommandResult ran = run(List.of("/bin/bash", "--norc", "-c", commands), Map.of());
         assertThat(ran.err()).isEmpty();
         return ran.out().lines().map(String::strip).toList();
     }
 
     private long classesFromArchive(Path install) throws Exception {
         Path log = folder.resolve("classes.log");
-        Ran ran = crw(install, Map.of("JAVA_OPTS", "-Xlog:class+load:file=" + log), "check", "clv");
-        assertThat(ran).isEqualTo(new Ran(0, "clv: 0 errors, 0 warnings\n", ""));
+        CommandResult ran = crw(install, Map.of("JAVA_OPTS", "-Xlog:class+load:file=" + log), "check", "clv");
+        assertThat(ran).isEqualTo(new CommandResult(0, "clv: 0 errors, 0 warnings\n", ""));
         try (Stream<String> lines = Files.lines(log)) {
             return lines.filter(line -> line.endsWith("shared objects file (top)"))
                     .count();
@@ -174,19 +174,19 @@ class InstalledCommandTest {
     /** Time stamps stay, for an archive is good only for the files that it was made of. */
     private Path copyOfTheInstall() throws Exception {
         Path copy = folder.resolve("copy");
-        Ran ran = run(List.of("cp", "-pR", INSTALLED.toString(), copy.toString()), Map.of());
+        CommandResult ran = run(List.of("cp", "-pR", INSTALLED.toString(), copy.toString()), Map.of());
         assertThat(ran.exitCode()).as(ran.err()).isZero();
         return copy;
     }
 
-    private Ran crw(Path install, Map<String, String> environment, String... arguments) throws Exception {
+    private CommandResult crw(Path install, Map<String, String> environment, String... arguments) throws Exception {
         List<String> command =
                 new ArrayList<>(List.of(install.resolve("bin/crw").toString()));
         command.addAll(List.of(arguments));
         return run(command, environment);
     }
 
-    private Ran run(List<String> command, Map<String, String> environment) throws Exception {
+    private CommandResult run(List<String> command, Map<String, String> environment) throws Exception {
         File out = folder.resolve("out").toFile();
         File err = folder.resolve("err").toFile();
         ProcessBuilder builder = new ProcessBuilder(command).redirectOutput(out).redirectError(err);
@@ -200,7 +200,7 @@ class InstalledCommandTest {
         } finally {
             process.destroyForcibly();
         }
-        return new Ran(
+        return new CommandResult(
                 process.exitValue(),
                 Files.readString(out.toPath(), StandardCharsets.UTF_8),
                 Files.readString(err.toPath(), StandardCharsets.UTF_8));

@@ -17,13 +17,13 @@ class JournalCommandTest {
     @BeforeAll
     static void runForAWhile() {
         journal = folder.resolve("clv.journal").toString();
-        Ran ran = Ran.crw("run", "clv", "--speed", "max", "--for", "60", "--journal", journal);
+        CommandResult ran = CommandResult.crw("run", "clv", "--speed", "max", "--for", "60", "--journal", journal);
         assertThat(ran.exitCode()).isEqualTo(5);
     }
 
     @Test
     void lastStateSaysWhereTheBoatsAreAndWhyNothingFires() {
-        Ran ran = Ran.crw("journal", journal);
+        CommandResult ran = CommandResult.crw("journal", journal);
 
         assertThat(ran.exitCode()).isZero();
         assertThat(ran.out())
@@ -35,34 +35,36 @@ class JournalCommandTest {
 
     @Test
     void earlierStateIsTheOneOfThatEntry() {
-        String first = Ran.crw("journal", journal, "--at", "0").out();
+        String first = CommandResult.crw("journal", journal, "--at", "0").out();
 
         assertThat(first).contains("entry 0 of").contains("robots: none").contains("no mission runs");
 
-        String asked =
-                Ran.crw("journal", journal, "--at", entryOf("start-mission")).out();
+        String asked = CommandResult.crw("journal", journal, "--at", entryOf("start-mission"))
+                .out();
         assertThat(asked).contains("Select boats: ").contains("decision 1 of mission 1");
     }
 
     @Test
     void entriesAreListedInOrder() {
-        assertThat(Ran.crw("journal", journal, "--entries").out())
+        assertThat(CommandResult.crw("journal", journal, "--entries").out())
                 .contains("1  ")
                 .contains("clv");
-        assertThat(Ran.crw("journal", journal, "--entries", "--at", "2").out().lines())
+        assertThat(CommandResult.crw("journal", journal, "--entries", "--at", "2")
+                        .out()
+                        .lines())
                 .hasSize(2);
     }
 
     @Test
     void entryThatIsNotThereIsRefused() {
-        Ran ran = Ran.crw("journal", journal, "--at", "9999");
+        CommandResult ran = CommandResult.crw("journal", journal, "--at", "9999");
 
         assertThat(ran.exitCode()).isEqualTo(2);
         assertThat(ran.err()).contains("--at is 0 to ").contains("not 9999");
     }
 
     private static String entryOf(String kind) {
-        return Ran.crw("journal", journal, "--entries")
+        return CommandResult.crw("journal", journal, "--entries")
                 .out()
                 .lines()
                 .filter(line -> line.contains(kind))

@@ -15,7 +15,7 @@ class LogCommandTest {
 
     @Test
     void tellsWhatALogHolds() throws Exception {
-        Ran ran = Ran.crw("log", log().toString());
+        CommandResult ran = CommandResult.crw("log", log().toString());
 
         assertThat(ran.exitCode()).isZero();
         assertThat(ran.out())
@@ -29,7 +29,7 @@ class LogCommandTest {
     void writesAReportAndPrintsJson() throws Exception {
         Path out = folder.resolve("out");
 
-        Ran ran = Ran.crw("log", log().toString(), "--report", out.toString(), "--json");
+        CommandResult ran = CommandResult.crw("log", log().toString(), "--report", out.toString(), "--json");
 
         assertThat(ran.exitCode()).isZero();
         JsonNode json = new ObjectMapper().readTree(ran.out());
@@ -43,11 +43,12 @@ class LogCommandTest {
     void whatIsNoLogHasItsOwnExitCode() throws Exception {
         Path empty = Files.createFile(folder.resolve("empty.txt"));
 
-        Ran ran = Ran.crw("log", empty.toString());
+        CommandResult ran = CommandResult.crw("log", empty.toString());
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.err()).isEqualTo("crw: " + empty + " is empty" + System.lineSeparator());
-        assertThat(Ran.crw("log", folder.resolve("none.txt").toString()).exitCode())
+        assertThat(CommandResult.crw("log", folder.resolve("none.txt").toString())
+                        .exitCode())
                 .isEqualTo(2);
     }
 

@@ -20,14 +20,15 @@ class NewProjectTest {
     void newProjectIsFreeOfFindingsTestedAndRuns() throws Exception {
         Path file = folder.resolve("plans/Harbour survey.json");
 
-        Ran made = Ran.crw("new", folder.resolve("plans/Harbour survey").toString());
-        Ran check = Ran.crw("check", file.toString());
-        Ran test = Ran.crw("test", file.toString());
-        Ran run = Ran.crw("run", file.toString(), "--area", "100", "--speed", "max", "--json");
+        CommandResult made =
+                CommandResult.crw("new", folder.resolve("plans/Harbour survey").toString());
+        CommandResult check = CommandResult.crw("check", file.toString());
+        CommandResult test = CommandResult.crw("test", file.toString());
+        CommandResult run = CommandResult.crw("run", file.toString(), "--area", "100", "--speed", "max", "--json");
 
         assertThat(made.out()).startsWith("made " + file);
         assertThat(check.out()).isEqualTo(file + ": 0 errors, 0 warnings\n");
-        assertThat(test).isEqualTo(new Ran(0, test.out(), ""));
+        assertThat(test).isEqualTo(new CommandResult(0, test.out(), ""));
         assertThat(test.out())
                 .isEqualTo("passed  harbour-survey: one boat arrives, one cannot\n" + file + ": 1 passed, 0 failed\n");
         assertThat(run.exitCode()).as(run.err()).isZero();
@@ -39,25 +40,25 @@ class NewProjectTest {
         Path file = folder.resolve("survey.json");
         Path schema = folder.resolve("project-1.schema.json");
 
-        Ran made = Ran.crw("new", file.toString(), "--schema");
+        CommandResult made = CommandResult.crw("new", file.toString(), "--schema");
         String printed = Files.readString(schema);
         Files.writeString(schema, "mine");
-        Ran.crw("new", folder.resolve("other.json").toString(), "--schema");
+        CommandResult.crw("new", folder.resolve("other.json").toString(), "--schema");
 
         assertThat(made.out()).startsWith("made " + schema + "\nmade " + file);
-        assertThat(printed).isEqualTo(Ran.crw("schema").out());
+        assertThat(printed).isEqualTo(CommandResult.crw("schema").out());
         assertThat(schema).hasContent("mine");
         assertThat(JSON.readTree(file.toFile()).path("$schema").asText()).isEqualTo("project-1.schema.json");
-        assertThat(Ran.crw("check", file.toString()).out()).isEqualTo(file + ": 0 errors, 0 warnings\n");
+        assertThat(CommandResult.crw("check", file.toString()).out()).isEqualTo(file + ": 0 errors, 0 warnings\n");
     }
 
     @Test
     void fileThatIsThereIsKeptUnlessItIsToBeReplaced() throws Exception {
         Path file = Files.writeString(folder.resolve("mine.json"), "mine");
 
-        Ran refused = Ran.crw("new", file.toString());
+        CommandResult refused = CommandResult.crw("new", file.toString());
         String kept = Files.readString(file);
-        Ran replaced = Ran.crw("new", file.toString(), "--replace");
+        CommandResult replaced = CommandResult.crw("new", file.toString(), "--replace");
 
         assertThat(refused.exitCode()).isEqualTo(2);
         assertThat(refused.err()).contains(file + " is there already", "--replace");
@@ -69,7 +70,7 @@ class NewProjectTest {
     @Test
     void failedTestCaseIsNamedWithItsStep() throws Exception {
         Path file = folder.resolve("wrong.json");
-        Ran.crw("new", file.toString());
+        CommandResult.crw("new", file.toString());
         Files.writeString(
                 file,
                 Files.readString(file)
@@ -77,8 +78,9 @@ class NewProjectTest {
                                 "\"place\": \"there\", \"proxies\": [\"b1\"]",
                                 "\"place\": \"lost\", \"proxies\": [\"b1\"]"));
 
-        Ran text = Ran.crw("test", file.toString());
-        JsonNode json = JSON.readTree(Ran.crw("test", file.toString(), "--json").out());
+        CommandResult text = CommandResult.crw("test", file.toString());
+        JsonNode json = JSON.readTree(
+                CommandResult.crw("test", file.toString(), "--json").out());
 
         assertThat(text.exitCode()).isEqualTo(1);
         assertThat(text.out())
@@ -94,11 +96,11 @@ class NewProjectTest {
     @Test
     void planWithErrorsIsNotTested() throws Exception {
         Path file = folder.resolve("wrong.json");
-        Ran.crw("new", file.toString());
+        CommandResult.crw("new", file.toString());
         Files.writeString(
                 file, Files.readString(file).replace("\"kind\": \"unconditional\"", "\"kind\": \"uncondicional\""));
 
-        Ran ran = Ran.crw("test", file.toString());
+        CommandResult ran = CommandResult.crw("test", file.toString());
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.out()).isEmpty();
@@ -107,10 +109,10 @@ class NewProjectTest {
 
     @Test
     void projectWithoutTestCasesDoesNotPass() throws Exception {
-        Path file =
-                Files.writeString(folder.resolve("sample.json"), org.sami.crw.sim.run.Runs.text("sample-project.json"));
+        Path file = Files.writeString(
+                folder.resolve("sample.json"), org.sami.crw.sim.run.TestRuns.text("sample-project.json"));
 
-        Ran ran = Ran.crw("test", file.toString());
+        CommandResult ran = CommandResult.crw("test", file.toString());
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.err()).contains("has no test cases");
@@ -118,15 +120,16 @@ class NewProjectTest {
 
     @Test
     void testCasesOfTheLibraryPass() {
-        assertThat(Ran.crw("test", "clv").exitCode()).isZero();
+        assertThat(CommandResult.crw("test", "clv").exitCode()).isZero();
     }
 
     @Test
     void plansShowsParametersByNameWithTypeAndDefault() throws Exception {
-        Ran one = Ran.crw("plans", "station-keep");
-        JsonNode json = JSON.readTree(Ran.crw("plans", "station-keep", "--json").out());
+        CommandResult one = CommandResult.crw("plans", "station-keep");
+        JsonNode json = JSON.readTree(
+                CommandResult.crw("plans", "station-keep", "--json").out());
         Path file = folder.resolve("mine.json");
-        Ran.crw("new", file.toString());
+        CommandResult.crw("new", file.toString());
 
         assertThat(one.out())
                 .startsWith("station-keep  (Station keeping)")
@@ -134,6 +137,7 @@ class NewProjectTest {
                 .doesNotContain("clv");
         assertThat(json.at("/plans/0/parameters/1").toString())
                 .isEqualTo("{\"name\":\"ask-stations.spacing\",\"type\":\"real\",\"default\":10,\"editable\":true}");
-        assertThat(Ran.crw("plans", file.toString()).out()).contains("mine  (mine)", "ask-stations.spacing=real");
+        assertThat(CommandResult.crw("plans", file.toString()).out())
+                .contains("mine  (mine)", "ask-stations.spacing=real");
     }
 }

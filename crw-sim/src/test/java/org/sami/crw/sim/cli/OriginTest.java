@@ -22,7 +22,8 @@ class OriginTest {
     @Test
     void aReportSaysWhereWhenAndByWhatItCameAbout() throws Exception {
         Instant before = Instant.now().truncatedTo(ChronoUnit.MILLIS);
-        Ran ran = Ran.crw("run", "clv", "--speed", "max", "--at", "45.4,10.9", "--for", "20", "--json");
+        CommandResult ran =
+                CommandResult.crw("run", "clv", "--speed", "max", "--at", "45.4,10.9", "--for", "20", "--json");
 
         JsonNode json = JSON.readTree(ran.out());
         assertThat(Instant.parse(json.get("startedAt").asText())).isBetween(before, Instant.now());
@@ -38,8 +39,8 @@ class OriginTest {
     @Test
     void theTimeOfDayIsNotInTheHashOfARun() throws Exception {
         String[] command = {"run", "clv", "--speed", "max", "--for", "60", "--json"};
-        JsonNode first = JSON.readTree(Ran.crw(command).out());
-        JsonNode second = JSON.readTree(Ran.crw(command).out());
+        JsonNode first = JSON.readTree(CommandResult.crw(command).out());
+        JsonNode second = JSON.readTree(CommandResult.crw(command).out());
 
         assertThat(second.get("startedAt")).isNotEqualTo(first.get("startedAt"));
         assertThat(second.get("runHash")).isEqualTo(first.get("runHash"));
@@ -49,7 +50,7 @@ class OriginTest {
     @Test
     void aRunThatIsTakenUpBeganWhenItBegan() throws Exception {
         String journal = folder.resolve("visit.journal").toString();
-        JsonNode begun = JSON.readTree(Ran.crw(
+        JsonNode begun = JSON.readTree(CommandResult.crw(
                         "run",
                         "clv",
                         "--speed",
@@ -63,7 +64,7 @@ class OriginTest {
                         "--json")
                 .out());
         JsonNode goneOn = JSON.readTree(
-                Ran.crw("resume", journal, "--speed", "max", "--json").out());
+                CommandResult.crw("resume", journal, "--speed", "max", "--json").out());
 
         assertThat(goneOn.get("outcome").asText()).isEqualTo("ended");
         for (String same : new String[] {"startedAt", "timeZone", "planHash", "centre", "quay"}) {
@@ -81,8 +82,9 @@ class OriginTest {
                 folder.resolve("swapped.json"),
                 text.replace("{\"lat\": 45.7, \"lon\": 10.72}", "{\"lat\": 10.72, \"lon\": 45.7}"));
 
-        Ran ran = Ran.crw("run", plan.toString(), "--speed", "max", "--for", "20");
-        Ran there = Ran.crw("run", plan.toString(), "--speed", "max", "--for", "20", "--at", "10.72,45.7");
+        CommandResult ran = CommandResult.crw("run", plan.toString(), "--speed", "max", "--for", "20");
+        CommandResult there =
+                CommandResult.crw("run", plan.toString(), "--speed", "max", "--for", "20", "--at", "10.72,45.7");
 
         assertThat(ran.exitCode()).isEqualTo(ExitCode.USAGE);
         assertThat(ran.err())

@@ -40,7 +40,7 @@ class OutputFaultsTest {
         Path reports = Files.createDirectory(folder.resolve("out"));
         Files.createSymbolicLink(reports.resolve("boats.csv.new"), FULL);
 
-        Ran ran = run("--report", reports.toString());
+        CommandResult ran = run("--report", reports.toString());
 
         assertThat(ran.out()).contains("outcome             ended");
         assertThat(ran.err()).contains("crw: the report could not be written to " + reports);
@@ -52,7 +52,7 @@ class OutputFaultsTest {
         Path reports = Files.createDirectory(folder.resolve("out"));
         Path earlier = Files.writeString(reports.resolve("tracks.csv"), "yesterday's");
 
-        Ran ran = run("--report", reports.toString());
+        CommandResult ran = run("--report", reports.toString());
 
         assertThat(ran.exitCode()).isEqualTo(2);
         assertThat(ran.err()).contains("tracks.csv").contains("--overwrite");
@@ -65,7 +65,7 @@ class OutputFaultsTest {
         Path reports = folder.resolve("out");
         run("--report", reports.toString());
 
-        Ran ran = run("--seed", "2", "--report", reports.toString(), "--overwrite");
+        CommandResult ran = run("--seed", "2", "--report", reports.toString(), "--overwrite");
 
         assertThat(ran.exitCode()).isZero();
         assertThat(ran.err()).contains("the report in " + reports + " will be replaced");
@@ -81,11 +81,11 @@ class OutputFaultsTest {
         assertThat(run("--overwrite").exitCode()).isEqualTo(2);
     }
 
-    private static Ran run(String... more) {
+    private static CommandResult run(String... more) {
         List<String> args = new ArrayList<>(
                 List.of("run", "clv", "--boats", "1", "--locations", "1", "--area", "50", "--speed", "max"));
         args.addAll(List.of(more));
-        return Ran.crw(args.toArray(String[]::new));
+        return CommandResult.crw(args.toArray(String[]::new));
     }
 
     private static List<String> command(String... args) {

@@ -16,7 +16,7 @@ import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.sami.crw.sim.run.Runs;
+import org.sami.crw.sim.run.TestRuns;
 
 /** Real processes of {@code crw run}, killed as by {@code kill -9}, and what the next process makes of their journals. */
 class ProcessKillTest {
@@ -32,8 +32,8 @@ class ProcessKillTest {
 
     @Test
     void killedAndResumedRunsEndAsTheUninterruptedOne() throws Exception {
-        Path project = Files.writeString(folder.resolve("sample.json"), Runs.text("sample-project.json"));
-        Path answers = Files.writeString(folder.resolve("answers.json"), Runs.text("sample-answers.json"));
+        Path project = Files.writeString(folder.resolve("sample.json"), TestRuns.text("sample-project.json"));
+        Path answers = Files.writeString(folder.resolve("answers.json"), TestRuns.text("sample-answers.json"));
         List<String> mission = List.of(
                 "run",
                 project.toString(),
@@ -47,7 +47,7 @@ class ProcessKillTest {
                 "11",
                 "--answers",
                 answers.toString());
-        String whole = hash(Ran.crw(with(mission, "--speed", "max", "--json")));
+        String whole = hash(CommandResult.crw(with(mission, "--speed", "max", "--json")));
         Random random = new Random(9);
         TreeSet<Long> resumedFrom = new TreeSet<>();
         int killed = 0;
@@ -57,7 +57,7 @@ class ProcessKillTest {
             long after = (long) (random.nextDouble() * LATEST_KILL_MILLIS);
             killed += runAndKill(with(mission, "--speed", SPEED, "--journal", journal.toString()), after) ? 1 : 0;
 
-            Ran resumed = Ran.crw("resume", journal.toString(), "--speed", "max", "--json");
+            CommandResult resumed = CommandResult.crw("resume", journal.toString(), "--speed", "max", "--json");
 
             assertThat(resumed.exitCode()).as(resumed.err()).isZero();
             assertThat(hash(resumed)).as("killed after %d ms", after).isEqualTo(whole);
@@ -82,7 +82,8 @@ class ProcessKillTest {
         String out = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
 
         assertThat(process.waitFor()).isZero();
-        assertThat(hash(new Ran(0, out, ""))).isEqualTo(hash(Ran.crw(mission.toArray(String[]::new))));
+        assertThat(hash(new CommandResult(0, out, "")))
+                .isEqualTo(hash(CommandResult.crw(mission.toArray(String[]::new))));
     }
 
     @Test
@@ -124,7 +125,8 @@ class ProcessKillTest {
             assertThat(lines.lines()).anyMatch(line -> line.contains("crw resume " + journal));
         }
         process.waitFor();
-        assertThat(Ran.crw("resume", journal.toString(), "--speed", "max").exitCode())
+        assertThat(CommandResult.crw("resume", journal.toString(), "--speed", "max")
+                        .exitCode())
                 .isZero();
     }
 
@@ -158,7 +160,7 @@ class ProcessKillTest {
         return all.toArray(String[]::new);
     }
 
-    private static String hash(Ran ran) throws Exception {
+    private static String hash(CommandResult ran) throws Exception {
         return new ObjectMapper().readTree(ran.out()).get("runHash").asText();
     }
 }

@@ -15,7 +15,7 @@ class RulesOfTheLanguageTest {
 
     @Test
     void abortThatIsDrawnIntoAnEndPlaceIsAnAbort() throws Exception {
-        Ran ran = run("abort-drawn-into-an-end");
+        CommandResult ran = run("abort-drawn-into-an-end");
 
         assertThat(ran.exitCode()).as(ran.err()).isEqualTo(3);
         assertThat(outcome(ran)).isEqualTo("aborted");
@@ -23,7 +23,7 @@ class RulesOfTheLanguageTest {
 
     @Test
     void abortMissionOnAnEndPlaceIsAnAbort() throws Exception {
-        Ran ran = run("abort-at-an-end");
+        CommandResult ran = run("abort-at-an-end");
 
         assertThat(ran.exitCode()).as(ran.err()).isEqualTo(3);
         assertThat(outcome(ran)).isEqualTo("aborted");
@@ -31,7 +31,7 @@ class RulesOfTheLanguageTest {
 
     @Test
     void returnValuesWaitUntilTheGateOpens() throws Exception {
-        Ran ran = run("return-values-wait", "--plan", "m", "--boats", "2", "--interrupt", "open@20");
+        CommandResult ran = run("return-values-wait", "--plan", "m", "--boats", "2", "--interrupt", "open@20");
 
         assertThat(ran.exitCode()).as(ran.err()).isZero();
         assertThat(outcome(ran)).isEqualTo("ended");
@@ -39,7 +39,7 @@ class RulesOfTheLanguageTest {
 
     @Test
     void boatThatIsPulledBeforeItsReturnIsUsedIsNotThereTwice() throws Exception {
-        Ran ran = run(
+        CommandResult ran = run(
                 "pulled-before-its-return-is-used",
                 "--plan",
                 "m",
@@ -57,23 +57,23 @@ class RulesOfTheLanguageTest {
 
     @Test
     void missionGoesOnUntilEveryBoatIsHome() throws Exception {
-        Ran ran = run("out-and-home", "--boats", "2");
+        CommandResult ran = run("out-and-home", "--boats", "2");
 
         assertThat(outcome(ran)).isEqualTo("ended");
         // From the quay to its point in the north is 210 m for the first boat, and from there home 165 m.
         assertThat(JSON.readTree(ran.out()).at("/boats/0/distanceM").asDouble()).isGreaterThan(350);
     }
 
-    private static String outcome(Ran ran) throws Exception {
+    private static String outcome(CommandResult ran) throws Exception {
         return JSON.readTree(ran.out()).get("outcome").asText();
     }
 
-    private static Ran run(String plan, String... options) throws URISyntaxException {
+    private static CommandResult run(String plan, String... options) throws URISyntaxException {
         Path file = Path.of(RulesOfTheLanguageTest.class
                 .getResource("/org/sami/crw/sim/rules/" + plan + ".json")
                 .toURI());
         List<String> args = new ArrayList<>(List.of("run", file.toString(), "--speed", "max", "--json"));
         args.addAll(List.of(options));
-        return Ran.crw(args.toArray(String[]::new));
+        return CommandResult.crw(args.toArray(String[]::new));
     }
 }

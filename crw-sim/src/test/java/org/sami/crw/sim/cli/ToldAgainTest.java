@@ -22,7 +22,7 @@ class ToldAgainTest {
     @Test
     void finishedRunToldAgainTellsTheSameOfAllItsBoats() throws Exception {
         String journal = folder.resolve("journal").toString();
-        Ran run = Ran.crw(
+        CommandResult run = CommandResult.crw(
                 "run",
                 "clv-interrupts",
                 "--locations",
@@ -39,7 +39,7 @@ class ToldAgainTest {
                 "--journal",
                 journal);
 
-        Ran again = Ran.crw("resume", journal, "--speed", "max", "--json");
+        CommandResult again = CommandResult.crw("resume", journal, "--speed", "max", "--json");
 
         assertThat(again.exitCode()).isEqualTo(run.exitCode()).isZero();
         assertThat(again.err()).contains("this run was over already");

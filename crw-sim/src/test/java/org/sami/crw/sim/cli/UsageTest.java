@@ -65,7 +65,7 @@ class UsageTest {
     void wrongUsageIsNamedAndNothingIsPrinted(List<String> caseOf) {
         String line = caseOf.get(1);
 
-        Ran ran = Ran.crw(line.isEmpty() ? new String[0] : line.split(" "));
+        CommandResult ran = CommandResult.crw(line.isEmpty() ? new String[0] : line.split(" "));
 
         assertThat(ran.exitCode()).isEqualTo(2);
         assertThat(ran.err()).contains(caseOf.get(0)).doesNotContain("Exception");
@@ -76,7 +76,7 @@ class UsageTest {
     void journalThatIsThereIsNotOverwritten() throws Exception {
         Path journal = Files.writeString(folder.resolve("old.journal"), "precious");
 
-        Ran ran = Ran.crw("run", "clv", "--journal", journal.toString());
+        CommandResult ran = CommandResult.crw("run", "clv", "--journal", journal.toString());
 
         assertThat(ran.exitCode()).isEqualTo(2);
         assertThat(ran.err()).contains("is there already").contains("crw resume " + journal);
@@ -88,7 +88,8 @@ class UsageTest {
         Path file = Files.writeString(folder.resolve("report"), "a file");
         Path journal = folder.resolve("run.journal");
 
-        Ran ran = Ran.crw("run", "clv", "--report", file.toString(), "--journal", journal.toString());
+        CommandResult ran =
+                CommandResult.crw("run", "clv", "--report", file.toString(), "--journal", journal.toString());
 
         assertThat(ran.exitCode()).isEqualTo(2);
         assertThat(ran.err()).contains("--report: " + file).doesNotContain("running");
@@ -99,7 +100,7 @@ class UsageTest {
     void fileThatIsNoJournalIsRefused() throws Exception {
         Path file = Files.writeString(folder.resolve("text"), "not a journal");
 
-        Ran ran = Ran.crw("resume", file.toString());
+        CommandResult ran = CommandResult.crw("resume", file.toString());
 
         assertThat(ran.exitCode()).isEqualTo(4);
         assertThat(ran.err()).contains(file.toString()).doesNotContain("\tat ");
@@ -122,7 +123,7 @@ class UsageTest {
                 folder.resolve("answers.json"),
                 "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [\n           {\"event\": " + rule + "}]}");
 
-        Ran ran = Ran.crw("run", "clv", "--answers", answers.toString());
+        CommandResult ran = CommandResult.crw("run", "clv", "--answers", answers.toString());
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.err())
@@ -134,7 +135,7 @@ class UsageTest {
     @ParameterizedTest
     @ValueSource(strings = {"plans", "check", "run", "resume", "journal", "demo"})
     void helpOfEveryCommandHasExamples(String command) {
-        Ran ran = Ran.crw(command, "--help");
+        CommandResult ran = CommandResult.crw(command, "--help");
 
         assertThat(ran.exitCode()).isZero();
         assertThat(ran.out())
@@ -146,7 +147,7 @@ class UsageTest {
 
     @Test
     void helpOfTheWholeListsCommandsAndExitCodes() {
-        Ran ran = Ran.crw("--help");
+        CommandResult ran = CommandResult.crw("--help");
 
         assertThat(ran.exitCode()).isZero();
         assertThat(ran.out())
@@ -157,7 +158,7 @@ class UsageTest {
 
     @Test
     void runsHelpNamesEveryOptionWithItsDefault() {
-        String help = Ran.crw("run", "--help").out();
+        String help = CommandResult.crw("run", "--help").out();
 
         assertThat(help)
                 .contains("--boats", "--locations", "--area", "--seed", "--speed", "--for", "--set", "--answer-after")
@@ -168,7 +169,7 @@ class UsageTest {
 
     @Test
     void versionSaysWhatItRunsOn() {
-        Ran ran = Ran.crw("--version");
+        CommandResult ran = CommandResult.crw("--version");
 
         assertThat(ran.exitCode()).isZero();
         assertThat(ran.out()).startsWith("crw ").contains("Java 1");

@@ -19,7 +19,7 @@ class VocabularyCommandsTest {
     @TempDir
     Path folder;
 
-    private static Map<String, JsonNode> byName(Ran ran) throws Exception {
+    private static Map<String, JsonNode> byName(CommandResult ran) throws Exception {
         assertThat(ran.exitCode()).isZero();
         JsonNode array = JSON.readTree(ran.out());
         assertThat(array.isArray()).isTrue();
@@ -30,7 +30,7 @@ class VocabularyCommandsTest {
 
     @Test
     void eventsIsOneArrayOfAllWithNamesFieldsAndAnswers() throws Exception {
-        Map<String, JsonNode> events = byName(Ran.crw("events", "--json"));
+        Map<String, JsonNode> events = byName(CommandResult.crw("events", "--json"));
 
         assertThat(events).hasSizeGreaterThan(76).containsKeys("TakePanorama", "TaskCompleted");
         JsonNode timer = events.get("StartSystemTimer");
@@ -45,7 +45,7 @@ class VocabularyCommandsTest {
 
     @Test
     void eventsAsTextShowsOtherNamesFieldsAndAnswersOfThoseThatAreWanted() {
-        Ran ran = Ran.crw("events", "startproxytimer");
+        CommandResult ran = CommandResult.crw("events", "startproxytimer");
 
         assertThat(ran.exitCode()).isZero();
         assertThat(ran.out())
@@ -58,7 +58,7 @@ class VocabularyCommandsTest {
 
     @Test
     void markupsIsOneArrayWithTheWordsOfEnumerations() throws Exception {
-        Map<String, JsonNode> markups = byName(Ran.crw("markups", "--json"));
+        Map<String, JsonNode> markups = byName(CommandResult.crw("markups", "--json"));
 
         assertThat(markups).hasSize(19);
         assertThat(markups.get("Sort").get("aliases").toString()).contains("SortOptions");
@@ -68,13 +68,13 @@ class VocabularyCommandsTest {
                         .get("constants")
                         .toString())
                 .contains("EXECUTION_TIME");
-        assertThat(Ran.crw("markups", "optimize").out()).contains("criteria (COMPUTATION_TIME or ");
+        assertThat(CommandResult.crw("markups", "optimize").out()).contains("criteria (COMPUTATION_TIME or ");
     }
 
     @Test
     void unknownNamesAreWrongUsageAndNearOnesAreOffered() {
-        Ran events = Ran.crw("events", "StartTimmer");
-        Ran markups = Ran.crw("markups", "Priorty");
+        CommandResult events = CommandResult.crw("events", "StartTimmer");
+        CommandResult markups = CommandResult.crw("markups", "Priorty");
 
         assertThat(events.exitCode()).isEqualTo(2);
         assertThat(events.err()).contains("StartTimer");
@@ -84,7 +84,7 @@ class VocabularyCommandsTest {
 
     @Test
     void checkOffersNamesForAnEventThatIsMisspelt() throws Exception {
-        Ran ran = Ran.crw("check", plan("OperatorAproved").toString());
+        CommandResult ran = CommandResult.crw("check", plan("OperatorAproved").toString());
 
         assertThat(ran.exitCode()).isEqualTo(1);
         assertThat(ran.out()).contains("E-UNKNOWN-EVENT").contains("OperatorApprove meant?");
@@ -92,7 +92,8 @@ class VocabularyCommandsTest {
 
     @Test
     void aPlanMayUseOtherNames() throws Exception {
-        Ran ran = Ran.crw("check", plan("ProxyAddDescription").toString());
+        CommandResult ran =
+                CommandResult.crw("check", plan("ProxyAddDescription").toString());
 
         assertThat(ran.out()).doesNotContain("E-UNKNOWN-EVENT");
     }

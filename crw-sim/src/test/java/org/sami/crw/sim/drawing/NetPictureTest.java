@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.sami.crw.sim.cli.Ran;
+import org.sami.crw.sim.cli.CommandResult;
 import org.sami.crw.sim.drawing.NetDrawing.Kind;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.legacy.LegacyImport;
@@ -111,11 +111,11 @@ class NetPictureTest {
         Path svg = folder.resolve("new/clv.svg");
         Path png = folder.resolve("clv.png");
 
-        Ran first = Ran.crw("draw", "clv", "--svg", svg.toString(), "--png", png.toString());
-        Ran second = Ran.crw("draw", "clv", "--svg", svg.toString(), "--layout");
-        Ran nowhere = Ran.crw("draw", "clv");
+        CommandResult first = CommandResult.crw("draw", "clv", "--svg", svg.toString(), "--png", png.toString());
+        CommandResult second = CommandResult.crw("draw", "clv", "--svg", svg.toString(), "--layout");
+        CommandResult nowhere = CommandResult.crw("draw", "clv");
 
-        assertThat(first).isEqualTo(new Ran(0, "written to " + svg + "\nwritten to " + png + "\n", ""));
+        assertThat(first).isEqualTo(new CommandResult(0, "written to " + svg + "\nwritten to " + png + "\n", ""));
         assertThat(second.out()).isEqualTo("replaced " + svg + "\n");
         assertThat(nowhere.exitCode()).isEqualTo(2);
         assertThat(ImageIO.read(new ByteArrayInputStream(Files.readAllBytes(png)))

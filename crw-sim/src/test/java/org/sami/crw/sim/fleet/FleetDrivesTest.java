@@ -17,7 +17,7 @@ class FleetDrivesTest {
 
     @Test
     void boatVisitsItsPointsInOrderAndReportsProgressAndCompletion() {
-        World world = new World(1);
+        SimulatedTestWorld world = new SimulatedTestWorld(1);
         double[] path = {60, 0, 60, 80, -20, 80, -20, 10};
         world.proxy().submit(world.path(7, path));
 
@@ -49,7 +49,7 @@ class FleetDrivesTest {
 
     @Test
     void cruisesAtOneAndAHalfMetresASecondUnlessThePathSaysOtherwise() {
-        World world = new World(1);
+        SimulatedTestWorld world = new SimulatedTestWorld(1);
         world.proxy().submit(world.path(1, 0, 500));
         world.run(60);
 
@@ -65,7 +65,7 @@ class FleetDrivesTest {
 
     @Test
     void startsAtTheFirstUnvisitedPoint() {
-        World world = new World(1);
+        SimulatedTestWorld world = new SimulatedTestWorld(1);
         world.proxy().submit(world.path(1, 200, 0, 0, 60).startingAt(1));
         world.run(90);
 
@@ -76,7 +76,7 @@ class FleetDrivesTest {
 
     @Test
     void pathWithNothingLeftCompletesAtOnceWithoutTheBoat() {
-        World world = new World(1);
+        SimulatedTestWorld world = new SimulatedTestWorld(1);
         world.proxy().submit(world.path(1, 50, 0).startingAt(1));
         world.proxy().submit(world.path(2));
 
@@ -87,7 +87,7 @@ class FleetDrivesTest {
 
     @Test
     void newPathOfTheSameMissionReplacesTheOldOneOnTheWay() {
-        World world = new World(1);
+        SimulatedTestWorld world = new SimulatedTestWorld(1);
         world.proxy().submit(world.path("old", 1, Priority.MEDIUM, 0, 300));
         world.run(40);
         double northM = world.hull().northM();
@@ -105,7 +105,7 @@ class FleetDrivesTest {
     void withdrawingAtAnyMomentLeavesTheBoatStopped() {
         SplittableRandom random = new SplittableRandom(99);
         for (int trial = 0; trial < 150; trial++) {
-            World world = new World(1, trial, FleetConfig.DEFAULT);
+            SimulatedTestWorld world = new SimulatedTestWorld(1, trial, FleetConfig.DEFAULT);
             long atMs = random.nextLong(
                     trial < 60 ? 600 : 120_000); // many while the link is coming up and the path goes over
             if (random.nextBoolean()) {
@@ -127,7 +127,7 @@ class FleetDrivesTest {
 
     @Test
     void everyBoatOfAFleetIsStoppedWhenItsMissionIsWithdrawn() {
-        World world = new World(5);
+        SimulatedTestWorld world = new SimulatedTestWorld(5);
         for (SimulatedBoat boat : world.fleet.boats()) {
             String id = "m1-" + boat.id();
             boat.proxy().submit(FollowPath.of(id, 1, 1, world.points(0, 400), Priority.MEDIUM));
@@ -145,9 +145,9 @@ class FleetDrivesTest {
 
     @Test
     void equalSeedsGiveEqualTracksAndOtherSeedsOtherBatteries() {
-        World first = driveAround(17);
-        World second = driveAround(17);
-        World other = driveAround(18);
+        SimulatedTestWorld first = driveAround(17);
+        SimulatedTestWorld second = driveAround(17);
+        SimulatedTestWorld other = driveAround(18);
 
         for (int i = 0; i < 3; i++) {
             SimulatedBoat boat = first.fleet.boats().get(i);
@@ -161,8 +161,8 @@ class FleetDrivesTest {
         assertThat(first.recorders.get("boat2").lines).isEqualTo(second.recorders.get("boat2").lines);
     }
 
-    private static World driveAround(long seed) {
-        World world = new World(3, seed, FleetConfig.DEFAULT);
+    private static SimulatedTestWorld driveAround(long seed) {
+        SimulatedTestWorld world = new SimulatedTestWorld(3, seed, FleetConfig.DEFAULT);
         SplittableRandom random = new SplittableRandom(4);
         for (SimulatedBoat boat : world.fleet.boats()) {
             double[] path = random.doubles(10, -100, 100).toArray();
@@ -174,7 +174,7 @@ class FleetDrivesTest {
 
     @Test
     void boatsStartOnALineFiveMetresApart() {
-        World world = new World(3);
+        SimulatedTestWorld world = new SimulatedTestWorld(3);
 
         assertThat(world.fleet.boats()).extracting(SimulatedBoat::id).containsExactly("boat1", "boat2", "boat3");
         assertThat(world.fleet.boats()).extracting(boat -> boat.hull().eastM()).containsExactly(0.0, 5.0, 10.0);
@@ -183,7 +183,7 @@ class FleetDrivesTest {
 
     @Test
     void proxyKnowsWhatTelemetryTells() {
-        World world = new World(1);
+        SimulatedTestWorld world = new SimulatedTestWorld(1);
         world.proxy().submit(world.path(1, 0, 100));
         world.run(30.05);
 
@@ -202,7 +202,7 @@ class FleetDrivesTest {
 
     @Test
     void startingTwiceTicksOnce() {
-        World world = new World(1);
+        SimulatedTestWorld world = new SimulatedTestWorld(1);
         world.fleet.start();
         world.run(0.05);
         world.fleet.stop();

@@ -18,14 +18,14 @@ import org.sami.spn.protocol.Priority;
 
 class FleetLinksTest {
 
-    private static void cut(World world, boolean cut) {
+    private static void cut(SimulatedTestWorld world, boolean cut) {
         world.boat().toBoat().setCut(cut);
         world.boat().toBase().setCut(cut);
     }
 
     @Test
     void lostLinkIsShownWithinHalfASecondOfTheLimit() {
-        World world = new World(1);
+        SimulatedTestWorld world = new SimulatedTestWorld(1);
         world.run(10);
         cut(world, true); // the last frame came at 9.12 s
         world.clock.runUntil(12_600);
@@ -41,7 +41,8 @@ class FleetLinksTest {
     @ParameterizedTest
     @EnumSource(LostLinkAction.class)
     void pathGoesOnWhereItWasAfterALostLink(LostLinkAction action) {
-        World world = new World(1, 3, FleetConfig.DEFAULT.withServer(server -> server.lostLinkAction(action)));
+        SimulatedTestWorld world =
+                new SimulatedTestWorld(1, 3, FleetConfig.DEFAULT.withServer(server -> server.lostLinkAction(action)));
         world.proxy().submit(world.path(1, 0, 40, 0, 80, 0, 120));
         world.run(40);
         cut(world, true);
@@ -64,7 +65,7 @@ class FleetLinksTest {
 
     @Test
     void boatHoldsWhileTheLinkIsLost() {
-        World world = new World(1);
+        SimulatedTestWorld world = new SimulatedTestWorld(1);
         world.proxy().submit(world.path(1, 0, 400));
         world.run(40);
         cut(world, true);
@@ -79,7 +80,7 @@ class FleetLinksTest {
 
     @Test
     void boatThatLostItsCommanderAloneIsToldToGoOn() {
-        World world = new World(1);
+        SimulatedTestWorld world = new SimulatedTestWorld(1);
         world.proxy().submit(world.path(1, 0, 200));
         world.run(40);
         world.boat().toBoat().setCut(true); // telemetry still comes
@@ -95,7 +96,7 @@ class FleetLinksTest {
 
     @Test
     void missionWithdrawnDuringALostLinkLeavesTheBoatStoppedAfterwards() {
-        World world = new World(
+        SimulatedTestWorld world = new SimulatedTestWorld(
                 1, 3, FleetConfig.DEFAULT.withServer(server -> server.lostLinkAction(LostLinkAction.CONTINUE)));
         world.proxy().submit(world.path(1, 0, 400));
         world.run(30);
@@ -114,7 +115,7 @@ class FleetLinksTest {
         assertThat(starts(world)).isEqualTo(starts);
     }
 
-    private static int starts(World world) {
+    private static int starts(SimulatedTestWorld world) {
         return (int) world.boat().executed().stream()
                 .filter(e -> e.command() instanceof StartWaypoints)
                 .count();
@@ -124,7 +125,8 @@ class FleetLinksTest {
     @ValueSource(doubles = {0.05, 0.2, 0.5})
     void pathIsDrivenOverALinkThatLosesFrames(double loss) {
         for (long seed = 0; seed < 10; seed++) {
-            World world = new World(1, seed, FleetConfig.DEFAULT.withPipe(new PipeConfig(30, 40, loss)));
+            SimulatedTestWorld world =
+                    new SimulatedTestWorld(1, seed, FleetConfig.DEFAULT.withPipe(new PipeConfig(30, 40, loss)));
             world.proxy().submit(world.path(1, 0, 30, 30, 30, 30, 0));
             world.run(600);
 
@@ -140,7 +142,7 @@ class FleetLinksTest {
     void linkCutAtAnyStepOfAnUploadEndsWithTheWholePathDriven() {
         SplittableRandom random = new SplittableRandom(12);
         for (int trial = 0; trial < 40; trial++) {
-            World world = new World(1, trial, FleetConfig.DEFAULT);
+            SimulatedTestWorld world = new SimulatedTestWorld(1, trial, FleetConfig.DEFAULT);
             world.proxy().submit(world.path("a", 1, Priority.MEDIUM, 0, 200));
             world.run(20);
             world.proxy().submit(world.path("b", 1, Priority.MEDIUM, 10, 40, 20, 40));
@@ -157,7 +159,7 @@ class FleetLinksTest {
 
     @Test
     void handThatDrivesTakesTheBoatUntilItIsReleased() {
-        World world = new World(1);
+        SimulatedTestWorld world = new SimulatedTestWorld(1);
         world.proxy().submit(world.path(1, 0, 60));
         world.run(10);
         for (int i = 0; i < 100; i++) {
@@ -178,7 +180,7 @@ class FleetLinksTest {
 
     @Test
     void deadmanStopsTheMotorsTwoSecondsAfterTheLastSetting() {
-        World world = new World(1);
+        SimulatedTestWorld world = new SimulatedTestWorld(1);
         world.run(1);
         world.proxy().teleoperate(0.5, 0);
         world.run(2.0);
@@ -192,7 +194,7 @@ class FleetLinksTest {
 
     @Test
     void fleetStopHoldsEveryBoatUntilReleasedAndMissionsGoOn() {
-        World world = new World(2);
+        SimulatedTestWorld world = new SimulatedTestWorld(2);
         for (SimulatedBoat boat : world.fleet.boats()) {
             boat.proxy().submit(world.path("m1-" + boat.id(), 1, Priority.MEDIUM, 0, 60));
         }
@@ -218,7 +220,7 @@ class FleetLinksTest {
 
     @Test
     void fleetStopPressedWhileTheLinkIsLostReachesTheBoatLater() {
-        World world = new World(
+        SimulatedTestWorld world = new SimulatedTestWorld(
                 1, 1, FleetConfig.DEFAULT.withServer(server -> server.lostLinkAction(LostLinkAction.CONTINUE)));
         world.proxy().submit(world.path(1, 0, 300));
         world.run(20);
@@ -237,7 +239,7 @@ class FleetLinksTest {
 
     @Test
     void batteryClassesReachTheListenerAsTheyChange() {
-        World world = new World(1);
+        SimulatedTestWorld world = new SimulatedTestWorld(1);
         world.proxy().submit(world.path(1, 0, 400));
         world.hull().setBatteryPercent(30.2);
         world.run(20);

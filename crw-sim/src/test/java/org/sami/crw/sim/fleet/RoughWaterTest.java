@@ -39,7 +39,7 @@ class RoughWaterTest {
     })
     void boatReachesAllItsWaypointsAndKeepsItsStation(double gpsM, double compassDeg, String current, String wind) {
         for (long seed = 1; seed <= 5; seed++) {
-            World world = new World(1, seed, on(gpsM, compassDeg, current, wind));
+            SimulatedTestWorld world = new SimulatedTestWorld(1, seed, on(gpsM, compassDeg, current, wind));
             world.run(1);
             world.proxy().submit(world.path(1, 60, 40, -50, 80, -50, -60, 30, 0));
             List<Double> nearestM = new ArrayList<>(List.of(1e9, 1e9, 1e9, 1e9));
@@ -66,7 +66,7 @@ class RoughWaterTest {
     @Test
     void velocityMultiplierAndGainsSetByTheBaseChangeHowTheBoatDrives() {
         List<BoatTuning> told = new ArrayList<>();
-        World world = new World(1);
+        SimulatedTestWorld world = new SimulatedTestWorld(1);
         world.run(1);
         world.proxy().submit(world.path(1, 0, 400));
         world.run(30);
@@ -112,7 +112,7 @@ class RoughWaterTest {
     void equalSeedsGiveEqualTracksInRoughWaterToo() {
         List<List<TrackPoint>> tracks = new ArrayList<>();
         for (long seed : new long[] {4, 4, 5}) {
-            World world = new World(1, seed, on(1.5, 5, "0.4@45", "6@200", "temperature"));
+            SimulatedTestWorld world = new SimulatedTestWorld(1, seed, on(1.5, 5, "0.4@45", "6@200", "temperature"));
             world.run(1);
             world.proxy().submit(world.path(1, 60, 40, -50, 80));
             world.run(200);

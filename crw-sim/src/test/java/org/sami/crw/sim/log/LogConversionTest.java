@@ -39,7 +39,11 @@ class LogConversionTest {
 
         assertThat(summary.durationMillis()).isEqualTo(2400);
         assertThat(summary.poses().stretches())
-                .extracting(Stretch::number, Stretch::firstLine, Stretch::positions, Stretch::startMillis)
+                .extracting(
+                        TrackSegment::number,
+                        TrackSegment::firstLine,
+                        TrackSegment::positions,
+                        TrackSegment::startMillis)
                 .containsExactly(tuple(1, 1L, 2L, 0L), tuple(2, 3L, 3L, 400L));
         assertThat(summary.poses().distanceM()).isCloseTo(10 / 0.9996, within(0.01));
     }
@@ -124,7 +128,7 @@ class LogConversionTest {
 
         LogSummary summary = LogConversion.report(log, out);
 
-        Stretch stretch = summary.poses().stretches().get(0);
+        TrackSegment stretch = summary.poses().stretches().get(0);
         assertThat(stretch.positions()).isEqualTo(poses);
         assertThat(stretch.points()).hasSizeBetween(5_000, ThinnedWay.MOST_POINTS + 1);
         assertThat(stretch.last().lonDeg())
@@ -193,7 +197,7 @@ class LogConversionTest {
         LogSummary summary = LogConversion.summary(
                 log(pose(100, 480_000, 4_600_000), pose(300, 500_000, 4_482_700), pose(1300, 500_005, 4_482_700)));
 
-        assertThat(LogPicture.leftOut(summary)).extracting(Stretch::number).containsExactly(1);
+        assertThat(LogPicture.leftOut(summary)).extracting(TrackSegment::number).containsExactly(1);
         assertThat(LogSummaryText.text(summary)).contains("not in the picture");
     }
 

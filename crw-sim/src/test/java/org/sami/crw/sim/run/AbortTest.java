@@ -18,13 +18,13 @@ class AbortTest {
 
     @Test
     void abortAtAnyMomentLeavesEveryBoatStopped() {
-        RunPlan plan = Runs.plan("clv");
+        RunPlan plan = TestRuns.plan("clv");
         Random moments = new Random(20);
 
         for (int i = 0; i < MOMENTS; i++) {
             long at = 1_000 + (long) (moments.nextDouble() * LATEST_MILLIS);
             InProcessRun run =
-                    new InProcessRun(plan, Runs.settings(plan, 3, 20, 3), AnswersFile.EMPTY, RunJournal.none());
+                    new InProcessRun(plan, TestRuns.settings(plan, 3, 20, 3), AnswersFile.EMPTY, RunJournal.none());
             run.water().clock().at(at, () -> run.host().post(new Input.AbortMission(Ids.NONE)));
 
             RunReport report = run.run(Pacer.UNPACED, RunObserver.NONE);

@@ -43,7 +43,7 @@ class BatteryRunTest {
     @ParameterizedTest
     @ValueSource(strings = {"25", "100,25,25.1", "39.9", "40", "90"})
     void lowIsNotCritical(String charges) {
-        RunReport report = Runs.run(plan(), settings(charges, 1, "recharge@battery"));
+        RunReport report = TestRuns.run(plan(), settings(charges, 1, "recharge@battery"));
 
         // nobody drives before the allocation is accepted
         assertThat(report.interrupts())
@@ -82,7 +82,7 @@ class BatteryRunTest {
         RunPlan plan = plan();
 
         RunReport report =
-                Runs.run(plan, Runs.settings(plan, 2, 100, seed).withInterrupts(List.of("recharge@battery")));
+                TestRuns.run(plan, TestRuns.settings(plan, 2, 100, seed).withInterrupts(List.of("recharge@battery")));
 
         assertThat(report.result().outcome()).as(report.result().reason()).isEqualTo(RunOutcome.ENDED);
         assertThat(report.locations()).hasSize(100).allMatch(LocationResult::visited);
@@ -106,7 +106,7 @@ class BatteryRunTest {
         RunSettings settings = new RunSettings(
                         plan.plan().id(),
                         plan.plan().name(),
-                        new RunSettings.Fleet(1, 120, 400, 3).with(Charges.parse("25")),
+                        new RunSettings.Fleet(1, 120, 400, 3).with(InitialCharges.parse("25")),
                         Speed.MAX,
                         OptionalLong.of(20_000_000),
                         java.util.Map.of(),
@@ -114,7 +114,7 @@ class BatteryRunTest {
                         "")
                 .withInterrupts(List.of("recharge@battery"));
 
-        RunReport report = Runs.run(plan, settings);
+        RunReport report = TestRuns.run(plan, settings);
 
         assertThat(report.result().outcome()).as(report.result().reason()).isEqualTo(RunOutcome.ENDED);
         assertThat(report.locations()).hasSize(120).allMatch(LocationResult::visited);
@@ -124,11 +124,11 @@ class BatteryRunTest {
     }
 
     private static RunReport run(String charges, String... interrupts) {
-        return Runs.run(plan(), settings(charges, 12, interrupts));
+        return TestRuns.run(plan(), settings(charges, 12, interrupts));
     }
 
     private static RunPlan plan() {
-        return Runs.plan("clv-interrupts");
+        return TestRuns.plan("clv-interrupts");
     }
 
     private static RunSettings settings(String charges, int locations, String... interrupts) {
@@ -136,7 +136,7 @@ class BatteryRunTest {
         return new RunSettings(
                         plan.plan().id(),
                         plan.plan().name(),
-                        new RunSettings.Fleet(3, locations, 600, 1).with(Charges.parse(charges)),
+                        new RunSettings.Fleet(3, locations, 600, 1).with(InitialCharges.parse(charges)),
                         Speed.MAX,
                         OptionalLong.of(7_200_000),
                         java.util.Map.of(),

@@ -109,7 +109,7 @@ class CrashTest {
                     java.util.Map.of(),
                     4_000,
                     "");
-            RunReport refused = new InProcessRun(Runs.sample(), other, Runs.sampleAnswers(), journal)
+            RunReport refused = new InProcessRun(TestRuns.sample(), other, TestRuns.sampleAnswers(), journal)
                     .run(Pacer.UNPACED, RunObserver.NONE);
 
             assertThat(refused.result().outcome()).isEqualTo(RunOutcome.FAILED);
@@ -136,15 +136,16 @@ class CrashTest {
     }
 
     private static InProcessRun sample(RunJournal journal) {
-        return new InProcessRun(Runs.sample(), Runs.sampleSettings(), Runs.sampleAnswers(), journal);
+        return new InProcessRun(TestRuns.sample(), TestRuns.sampleSettings(), TestRuns.sampleAnswers(), journal);
     }
 
     private static RunRecord record() {
         return new RunRecord(
-                Runs.sampleSettings(),
+                TestRuns.sampleSettings(),
                 "sample-project.json",
-                new ProjectWriter(Runs.LIBRARY.vocabulary()).text(Runs.sample().project()),
-                Runs.LIBRARY.files().texts());
+                new ProjectWriter(TestRuns.LIBRARY.vocabulary())
+                        .text(TestRuns.sample().project()),
+                TestRuns.LIBRARY.files().texts());
     }
 
     private static List<String> commandsOf(InProcessRun run) {

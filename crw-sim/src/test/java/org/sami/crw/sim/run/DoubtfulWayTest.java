@@ -23,7 +23,7 @@ class DoubtfulWayTest {
     private static final String ON_LAND = "{\"boat1\": {\"lat\": 45.7005, \"lon\": 10.72}}";
     private static final String WANTED = "{\"event\": \"DoubtfulWay\", \"answer\": {\"yes\": true}}";
 
-    private static RunReport run(String there, Charges charges, String rules) {
+    private static RunReport run(String there, InitialCharges charges, String rules) {
         return ProblemRuns.run("goto", Map.of("@there", there), charges, rules);
     }
 
@@ -35,7 +35,7 @@ class DoubtfulWayTest {
 
     @Test
     void boatIsNotSentToExchangedCoordinatesUnlessTheOperatorWants() {
-        RunReport report = run(EXCHANGED, Charges.FULL, "");
+        RunReport report = run(EXCHANGED, InitialCharges.FULL, "");
 
         assertThat(asked(report))
                 .singleElement()
@@ -49,7 +49,7 @@ class DoubtfulWayTest {
 
     @Test
     void answersFileSendsItAllTheSame() {
-        RunReport report = run(EXCHANGED, Charges.FULL, WANTED);
+        RunReport report = run(EXCHANGED, InitialCharges.FULL, WANTED);
 
         assertThat(report.decisions()).extracting(DecisionResult::answer).containsExactly("yes");
         assertThat(report.distanceM()).isGreaterThan(100);
@@ -57,7 +57,7 @@ class DoubtfulWayTest {
 
     @Test
     void boatIsNotSentOntoLandThatItsPlanAvoids() {
-        RunReport report = run(ON_LAND, Charges.FULL, "");
+        RunReport report = run(ON_LAND, InitialCharges.FULL, "");
 
         assertThat(asked(report)).singleElement().asString().contains("lies in an area that the plan avoids");
         assertThat(report.distanceM()).isZero();
@@ -65,7 +65,7 @@ class DoubtfulWayTest {
 
     @Test
     void wayBeyondTheChargeIsAskedAboutAndDrivenWhereNobodySaysNo() {
-        RunReport report = run(NEAR, Charges.parse("1"), "");
+        RunReport report = run(NEAR, InitialCharges.parse("1"), "");
 
         assertThat(asked(report))
                 .singleElement()
@@ -80,7 +80,7 @@ class DoubtfulWayTest {
         InProcessRun run = ProblemRuns.of(
                 "goto",
                 Map.of("@there", EXCHANGED),
-                Charges.FULL,
+                InitialCharges.FULL,
                 "{\"event\": \"DoubtfulWay\", \"answer\": {\"silent\": true}}");
         run.addListener(new HostListener() {
             @Override
@@ -103,7 +103,7 @@ class DoubtfulWayTest {
 
     @Test
     void ordinaryWayIsNotAskedAbout() {
-        assertThat(asked(run(NEAR, Charges.FULL, ""))).isEmpty();
+        assertThat(asked(run(NEAR, InitialCharges.FULL, ""))).isEmpty();
     }
 
     @Test

@@ -22,7 +22,7 @@ class FailedPathRunTest {
     private static final Conditions TORRENT = new Conditions(0, 0, Flow.parse("5@90"), Flow.NONE, List.of());
 
     private static RunReport run(String id, Map<String, String> parameters, List<String> interrupts, String rules) {
-        RunPlan plan = Runs.plan(id);
+        RunPlan plan = TestRuns.plan(id);
         String answers = "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [" + rules + "]}";
         RunSettings settings = new RunSettings(
                         id,
@@ -35,7 +35,7 @@ class FailedPathRunTest {
                         answers)
                 .withInterrupts(interrupts);
         AnswersFile file =
-                AnswersFileReader.read(answers, Runs.LIBRARY.vocabulary()).orThrow();
+                AnswersFileReader.read(answers, TestRuns.LIBRARY.vocabulary()).orThrow();
         return new InProcessRun(plan, settings, file, RunJournal.none()).run(Pacer.UNPACED, RunObserver.NONE);
     }
 

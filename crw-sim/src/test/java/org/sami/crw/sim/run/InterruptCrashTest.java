@@ -19,11 +19,11 @@ import org.sami.spn.json.ProjectWriter;
 
 /** A run with interrupts that dies after any entry of its journal is, taken up again, the run that never died. */
 class InterruptCrashTest {
-    private static final RunPlan PLAN = Runs.plan("clv-interrupts");
+    private static final RunPlan PLAN = TestRuns.plan("clv-interrupts");
     private static final RunSettings SETTINGS = new RunSettings(
                     "clv-interrupts",
                     "visits",
-                    new RunSettings.Fleet(2, 5, 120, 4).with(Charges.parse("100,15.5")),
+                    new RunSettings.Fleet(2, 5, 120, 4).with(InitialCharges.parse("100,15.5")),
                     Speed.MAX,
                     OptionalLong.of(3_600_000),
                     Map.of(),
@@ -72,7 +72,7 @@ class InterruptCrashTest {
                 SETTINGS,
                 "clv-interrupts.json",
                 new ProjectWriter(PLAN.vocabulary()).text(PLAN.project()),
-                Runs.LIBRARY.files().texts());
+                TestRuns.LIBRARY.files().texts());
         try (WrittenJournal journal = WrittenJournal.create(file, record)) {
             run(new CrashingJournal(journal, entry));
             return false;

@@ -54,11 +54,11 @@ class InterruptRunTest {
 
     @Test
     void boatThatTurnsCriticalDuringAnAlarmIsRechargedAtOnce() {
-        RunPlan plan = Runs.plan("clv-interrupts");
-        RunSettings settings = Runs.settings(plan, 3, 12, 1);
-        RunReport report = Runs.run(
+        RunPlan plan = TestRuns.plan("clv-interrupts");
+        RunSettings settings = TestRuns.settings(plan, 3, 12, 1);
+        RunReport report = TestRuns.run(
                 plan,
-                settings.withFleet(settings.fleet().with(Charges.parse("100,37,100")))
+                settings.withFleet(settings.fleet().with(InitialCharges.parse("100,37,100")))
                         .withInterrupts(List.of("recharge@battery", "alarm@120")));
 
         assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
@@ -92,7 +92,7 @@ class InterruptRunTest {
     }
 
     private static RunReport run(String plan, String... interrupts) {
-        RunPlan runPlan = Runs.plan(plan);
-        return Runs.run(runPlan, Runs.settings(runPlan, 3, 6, 7).withInterrupts(List.of(interrupts)));
+        RunPlan runPlan = TestRuns.plan(plan);
+        return TestRuns.run(runPlan, TestRuns.settings(runPlan, 3, 6, 7).withInterrupts(List.of(interrupts)));
     }
 }

@@ -29,13 +29,13 @@ import org.sami.spn.protocol.Input;
 
 /** Cooperative Location Visit with interrupts (thesis, Figure 7.3), on simulated boats: what pressing its buttons does. */
 class InterruptedVisitsTest {
-    private static final RunPlan PLAN = Runs.plan("clv-interrupts");
+    private static final RunPlan PLAN = TestRuns.plan("clv-interrupts");
     private static final RunReport UNDISTURBED = run();
 
     @Test
     void withoutAPressItIsThePlanWithoutInterrupts() {
-        RunPlan plain = Runs.plan("clv");
-        RunReport clv = Runs.run(plain, Runs.settings(plain, 3, 12, 1));
+        RunPlan plain = TestRuns.plan("clv");
+        RunReport clv = TestRuns.run(plain, TestRuns.settings(plain, 3, 12, 1));
 
         assertThat(UNDISTURBED.result().simulatedMillis())
                 .isEqualTo(clv.result().simulatedMillis());
@@ -193,10 +193,11 @@ class InterruptedVisitsTest {
 
     @Test
     void abortOfOnlyTheSubMissionKeepsItsBoatIfTheOperatorSaysNo() {
-        AnswersFile no = AnswersFileReader.read("""
+        AnswersFile no =
+                AnswersFileReader.read("""
                         {"format": "crw-answers", "version": 1,
                          "rules": [{"event": "aborted:recharge", "answer": {"yes": false}}]}
-                        """, Runs.LIBRARY.vocabulary()).orThrow();
+                        """, TestRuns.LIBRARY.vocabulary()).orThrow();
 
         RunReport report = runAndAbortRecharge(no);
 
@@ -210,8 +211,8 @@ class InterruptedVisitsTest {
     void interruptsNest() {
         RunPlan nested = changed(PLAN, InterruptedVisitsTest::offerTheAlarmWhileRechargingToo);
 
-        RunReport report =
-                Runs.run(nested, Runs.settings(nested, 3, 12, 1).withInterrupts(List.of("recharge:2@60", "alarm@75")));
+        RunReport report = TestRuns.run(
+                nested, TestRuns.settings(nested, 3, 12, 1).withInterrupts(List.of("recharge:2@60", "alarm@75")));
 
         assertAllVisited(report);
         assertThat(report.firings())
@@ -230,7 +231,7 @@ class InterruptedVisitsTest {
     void planWithoutTheInterruptsEdgesTakesNobodyAndTheReportSaysSo() {
         RunPlan cut = changed(PLAN, project -> withoutEdges(project, "start-recharge", "start-late-recharge"));
 
-        RunReport report = Runs.run(cut, Runs.settings(cut, 3, 12, 1).withInterrupts(List.of("recharge:2@60")));
+        RunReport report = TestRuns.run(cut, TestRuns.settings(cut, 3, 12, 1).withInterrupts(List.of("recharge:2@60")));
 
         assertAllVisited(report);
         assertThat(recharges(report)).containsExactly(0, 0, 0);
@@ -259,9 +260,9 @@ class InterruptedVisitsTest {
         String first = first("Path completed", UNDISTURBED);
         long finished = timeOf("Path completed", UNDISTURBED);
 
-        RunReport report = Runs.run(
+        RunReport report = TestRuns.run(
                 noFinished,
-                Runs.settings(noFinished, 3, 12, 1)
+                TestRuns.settings(noFinished, 3, 12, 1)
                         .withInterrupts(List.of("recharge:" + first + "@" + seconds(finished + 1_000))));
 
         assertAllVisited(report);
@@ -273,11 +274,11 @@ class InterruptedVisitsTest {
     }
 
     private static RunReport run(String... interrupts) {
-        return Runs.run(PLAN, Runs.settings(PLAN, 3, 12, 1).withInterrupts(List.of(interrupts)));
+        return TestRuns.run(PLAN, TestRuns.settings(PLAN, 3, 12, 1).withInterrupts(List.of(interrupts)));
     }
 
     private static RunReport runAndAbortRecharge(AnswersFile answers) {
-        RunSettings settings = Runs.settings(PLAN, 3, 12, 1).withInterrupts(List.of("recharge:2@60"));
+        RunSettings settings = TestRuns.settings(PLAN, 3, 12, 1).withInterrupts(List.of("recharge:2@60"));
         InProcessRun run = new InProcessRun(PLAN, settings, answers, RunJournal.none());
         run.water().clock().at(80_000, () -> {
             MissionView recharge = run.host()

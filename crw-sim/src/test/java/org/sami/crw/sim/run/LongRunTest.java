@@ -35,7 +35,7 @@ class LongRunTest {
 
     @Test
     void holdsNoMoreObjectsAfterFourHoursThanAfterTwo() {
-        RunPlan plan = Runs.plan("station-keep");
+        RunPlan plan = TestRuns.plan("station-keep");
         InProcessRun run = new InProcessRun(plan, settings(plan), answers(), RunJournal.none());
         Map<Integer, Map<String, Long>> counts = countEveryHour(run);
 
@@ -53,14 +53,14 @@ class LongRunTest {
 
     @Test
     void journalKeepsTheNewestSnapshotsAndEveryTwentieth() throws Exception {
-        RunPlan plan = Runs.plan("station-keep");
+        RunPlan plan = TestRuns.plan("station-keep");
         Path file = folder.resolve("hours.journal");
         RunSettings settings = settings(plan);
         RunRecord record = new RunRecord(
                 settings,
                 "station-keep",
-                new ProjectWriter(Runs.LIBRARY.vocabulary()).text(plan.project()),
-                Runs.LIBRARY.files().texts());
+                new ProjectWriter(TestRuns.LIBRARY.vocabulary()).text(plan.project()),
+                TestRuns.LIBRARY.files().texts());
         try (WrittenJournal journal = WrittenJournal.create(file, record)) {
             new InProcessRun(plan, settings, answers(), journal).run(Pacer.UNPACED, RunObserver.NONE);
         }
@@ -73,11 +73,11 @@ class LongRunTest {
     }
 
     private static RunSettings settings(RunPlan plan) {
-        return Runs.settings(plan, 5, 1, 3).withLimit(OptionalLong.of(4 * HOUR_MS + 1000));
+        return TestRuns.settings(plan, 5, 1, 3).withLimit(OptionalLong.of(4 * HOUR_MS + 1000));
     }
 
     private static AnswersFile answers() {
-        return AnswersFileReader.read(NEVER_END, Runs.LIBRARY.vocabulary()).orThrow();
+        return AnswersFileReader.read(NEVER_END, TestRuns.LIBRARY.vocabulary()).orThrow();
     }
 
     private static Map<Integer, Map<String, Long>> countEveryHour(InProcessRun run) {

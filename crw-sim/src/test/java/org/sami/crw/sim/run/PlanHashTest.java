@@ -10,12 +10,12 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 
 class PlanHashTest {
-    private static final RunPlan SAMPLE = Runs.sample();
+    private static final RunPlan SAMPLE = TestRuns.sample();
 
     @Test
     void otherPlansOfTheProjectDoNotChangeIt() {
         Project project = SAMPLE.project();
-        List<Plan> more = new ArrayList<>(Runs.plan("clv").project().plans());
+        List<Plan> more = new ArrayList<>(TestRuns.plan("clv").project().plans());
         more.addAll(project.plans());
         Project larger =
                 new Project("other", "Other", project.domain(), project.globals(), project.missionTree(), more);
@@ -27,7 +27,7 @@ class PlanHashTest {
 
     @Test
     void aChangeInASubMissionChangesIt() {
-        String text = Runs.text("sample-project.json");
+        String text = TestRuns.text("sample-project.json");
         String changed = text.replaceFirst("(\"id\": \"leg\",\\s*\"name\": \")", "$1other ");
         Project project = new ProjectReader(SAMPLE.vocabulary()).read(changed).orThrow();
         RunPlan plan =

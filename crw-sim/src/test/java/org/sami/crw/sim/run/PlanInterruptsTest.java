@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class PlanInterruptsTest {
     private static final List<String> BOATS = List.of("boat1", "boat2", "7");
 
-    private static final RunPlan PLAN = Runs.plan("station-keep");
+    private static final RunPlan PLAN = TestRuns.plan("station-keep");
 
     @Test
     void namesInterruptsOfThePlan() {
@@ -55,7 +55,7 @@ class PlanInterruptsTest {
     }
 
     private static PlanInterrupts interrupts(String plan) {
-        RunPlan run = plan.equals("station-keep") ? PLAN : Runs.plan(plan);
+        RunPlan run = plan.equals("station-keep") ? PLAN : TestRuns.plan(plan);
         return new PlanInterrupts(run.vocabulary(), run.project(), run.plan());
     }
 }

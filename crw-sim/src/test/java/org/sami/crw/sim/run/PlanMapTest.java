@@ -26,9 +26,9 @@ class PlanMapTest {
 
     @Test
     void anAreaThatWasExploredIsCoveredByTheTracks() {
-        RunPlan plan = Runs.plan("explore-area");
+        RunPlan plan = TestRuns.plan("explore-area");
 
-        RunReport report = Runs.run(plan, settings(plan, 7_200_000));
+        RunReport report = TestRuns.run(plan, settings(plan, 7_200_000));
 
         assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
         Exploration explored = report.map().explorations().get(0);
@@ -45,10 +45,10 @@ class PlanMapTest {
 
     @Test
     void whatWasNotExploredWhenTheRunStoppedIsOnTheMap() {
-        RunPlan plan = Runs.plan("explore-area");
+        RunPlan plan = TestRuns.plan("explore-area");
 
         Exploration half =
-                Runs.run(plan, settings(plan, 120_000)).map().explorations().get(0);
+                TestRuns.run(plan, settings(plan, 120_000)).map().explorations().get(0);
 
         assertThat(half.uncoveredM2()).isBetween(0.2 * half.areaM2(), 0.99 * half.areaM2());
         assertThat(half.uncovered()).isNotEmpty().allMatch(piece -> piece.kind() == MapArea.Kind.UNCOVERED);
@@ -58,7 +58,7 @@ class PlanMapTest {
 
     @Test
     void whatIsToBeAvoidedIsOnTheMapAndNotToBeExplored() {
-        RunPlan library = Runs.plan("explore-area");
+        RunPlan library = TestRuns.plan("explore-area");
         String text = new ProjectWriter(library.vocabulary()).text(library.project());
         String avoiding = text.replaceFirst("(\"area\": \\{\\s*\"variable\": \"@area\"\\s*},?)", AVOIDED + "$1");
         assertThat(avoiding).isNotEqualTo(text);
@@ -66,7 +66,7 @@ class PlanMapTest {
         RunPlan plan = new RunPlan(
                 library.vocabulary(), project, project.plan("explore-area").orElseThrow());
 
-        RunReport report = Runs.run(plan, settings(plan, 60_000));
+        RunReport report = TestRuns.run(plan, settings(plan, 60_000));
 
         assertThat(report.map().areas())
                 .extracting(MapArea::kind)
@@ -76,9 +76,9 @@ class PlanMapTest {
 
     @Test
     void placesWhereBoatsGatherAreOnTheMap() {
-        RunPlan plan = Runs.plan("station-keep");
+        RunPlan plan = TestRuns.plan("station-keep");
 
-        RunReport report = Runs.run(plan, Runs.settings(plan, 3, 1, 1));
+        RunReport report = TestRuns.run(plan, TestRuns.settings(plan, 3, 1, 1));
 
         List<MapSpot> assembly = report.map().spots().stream()
                 .filter(spot -> spot.kind() == MapSpot.Kind.ASSEMBLY)
@@ -91,9 +91,10 @@ class PlanMapTest {
 
     @Test
     void locationsAreNotDrawnTwice() {
-        RunPlan plan = Runs.plan("clv");
+        RunPlan plan = TestRuns.plan("clv");
 
-        assertThat(Runs.run(plan, Runs.settings(plan, 3, 5, 1)).map().spots()).isEmpty();
+        assertThat(TestRuns.run(plan, TestRuns.settings(plan, 3, 5, 1)).map().spots())
+                .isEmpty();
     }
 
     private static double areaM2(MapArea area) {
@@ -112,7 +113,7 @@ class PlanMapTest {
     }
 
     private static RunSettings settings(RunPlan plan, long stopMillis) {
-        RunSettings usual = Runs.settings(plan, 2, 1, 1);
+        RunSettings usual = TestRuns.settings(plan, 2, 1, 1);
         return new RunSettings(
                 usual.plan(),
                 usual.mission(),

@@ -14,16 +14,16 @@ final class ProblemRuns {
 
     private ProblemRuns() {}
 
-    static RunReport run(String id, Map<String, String> parameters, Charges charges, String rules) {
+    static RunReport run(String id, Map<String, String> parameters, InitialCharges charges, String rules) {
         return of(id, parameters, charges, rules).run(Pacer.UNPACED, RunObserver.NONE);
     }
 
-    static InProcessRun of(String id, Map<String, String> parameters, Charges charges, String rules) {
-        Project project = new ProjectReader(Runs.LIBRARY.vocabulary())
-                .read(Runs.text("problem-project.json"))
+    static InProcessRun of(String id, Map<String, String> parameters, InitialCharges charges, String rules) {
+        Project project = new ProjectReader(TestRuns.LIBRARY.vocabulary())
+                .read(TestRuns.text("problem-project.json"))
                 .orThrow();
-        RunPlan plan =
-                new RunPlan(Runs.LIBRARY.vocabulary(), project, project.plan(id).orElseThrow());
+        RunPlan plan = new RunPlan(
+                TestRuns.LIBRARY.vocabulary(), project, project.plan(id).orElseThrow());
         RunSettings settings = new RunSettings(
                 id,
                 id,
@@ -35,7 +35,7 @@ final class ProblemRuns {
                 "");
         AnswersFile answers = AnswersFileReader.read(
                         "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [" + rules + "]}",
-                        Runs.LIBRARY.vocabulary())
+                        TestRuns.LIBRARY.vocabulary())
                 .orThrow();
         return new InProcessRun(plan, settings, answers, RunJournal.none());
     }

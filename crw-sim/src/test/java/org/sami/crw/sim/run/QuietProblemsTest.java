@@ -13,7 +13,7 @@ import org.sami.crw.sim.report.RunReport;
 /** A run that ends although something could not be done names it and is not green. */
 class QuietProblemsTest {
     private static RunReport run(String plan) {
-        return ProblemRuns.run(plan, Map.of(), Charges.FULL, "");
+        return ProblemRuns.run(plan, Map.of(), InitialCharges.FULL, "");
     }
 
     private static void assertProblem(RunReport report, String... words) {
@@ -42,14 +42,14 @@ class QuietProblemsTest {
 
     @Test
     void moreBoatsThanThereAreAreNotChosen() {
-        RunPlan plan = Runs.plan("clv");
+        RunPlan plan = TestRuns.plan("clv");
         RunReport report = new InProcessRun(
                         plan,
-                        Runs.settings(plan, 2, 3, 1),
+                        TestRuns.settings(plan, 2, 3, 1),
                         AnswersFileReader.read(
                                         "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": "
                                                 + "[{\"event\": \"OperatorSelectBoatList\", \"answer\": {\"boats\": 5}}]}",
-                                        Runs.LIBRARY.vocabulary())
+                                        TestRuns.LIBRARY.vocabulary())
                                 .orThrow(),
                         RunJournal.none())
                 .run(Pacer.UNPACED, RunObserver.NONE);

@@ -25,7 +25,7 @@ class RoughRunTest {
             List.of(SensorSetting.parse("temperature"), SensorSetting.parse("oxygen@0.1")));
 
     private static RunReport run(Conditions conditions, long seed) {
-        RunPlan plan = Runs.plan("clv");
+        RunPlan plan = TestRuns.plan("clv");
         RunSettings settings = new RunSettings(
                 "clv",
                 "clv",
@@ -35,7 +35,7 @@ class RoughRunTest {
                 Map.of(),
                 5_000,
                 "");
-        return Runs.run(plan, settings);
+        return TestRuns.run(plan, settings);
     }
 
     @Test

@@ -75,7 +75,7 @@ class RunSettingsTest {
         RunSettings low = new RunSettings(
                 "visit",
                 "visit",
-                FULL.fleet().with(Charges.parse(charges)),
+                FULL.fleet().with(InitialCharges.parse(charges)),
                 Speed.MAX,
                 OptionalLong.empty(),
                 Map.of(),
@@ -91,7 +91,7 @@ class RunSettingsTest {
     @ParameterizedTest
     @ValueSource(strings = {"", "full", "101", "-1", "NaN", "50,", "50,60"})
     void refusesChargesThatAreNoneOrTooFew(String charges) {
-        assertThatThrownBy(() -> FULL.fleet().with(Charges.parse(charges)))
+        assertThatThrownBy(() -> FULL.fleet().with(InitialCharges.parse(charges)))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining(", not ");
     }

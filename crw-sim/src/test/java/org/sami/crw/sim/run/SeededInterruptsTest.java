@@ -35,7 +35,7 @@ class SeededInterruptsTest {
         for (int i = random.nextInt(1, 9); i > 0; i--) {
             interrupts.add(press(random, boats));
         }
-        RunPlan plan = Runs.plan("clv-interrupts");
+        RunPlan plan = TestRuns.plan("clv-interrupts");
         RunSettings settings = new RunSettings(
                         plan.plan().id(),
                         plan.plan().name(),
@@ -47,7 +47,7 @@ class SeededInterruptsTest {
                         "")
                 .withInterrupts(interrupts);
 
-        RunReport report = Runs.run(plan, settings);
+        RunReport report = TestRuns.run(plan, settings);
 
         String what = boats + " boats, " + locations + " locations, " + interrupts;
         assertThat(report.result().outcome())
@@ -62,8 +62,8 @@ class SeededInterruptsTest {
         return name + boat + String.format(Locale.ROOT, "@%.1f", random.nextDouble(400));
     }
 
-    private static Charges charges(SplittableRandom random, int boats) {
-        return new Charges(IntStream.range(0, boats)
+    private static InitialCharges charges(SplittableRandom random, int boats) {
+        return new InitialCharges(IntStream.range(0, boats)
                 .mapToObj(i -> random.nextDouble(16, 100))
                 .toList());
     }

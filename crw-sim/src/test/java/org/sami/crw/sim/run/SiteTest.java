@@ -30,7 +30,7 @@ class SiteTest {
     @Test
     void aRunIsWhereItIsToldToBe() {
         GeoPoint centre = GeoPoint.of(-33.85, 151.2);
-        RunPlan plan = Runs.plan("clv");
+        RunPlan plan = TestRuns.plan("clv");
 
         RunReport report = run(plan, settings(plan, 200, Site.at(centre)));
 
@@ -48,7 +48,7 @@ class SiteTest {
     @Test
     void boatsLieAtTheQuayThatIsGiven() {
         GeoPoint quay = GeoPoint.of(45.7012, 10.7213);
-        RunPlan plan = Runs.plan("clv");
+        RunPlan plan = TestRuns.plan("clv");
 
         RunReport report = run(plan, settings(plan, 200, new Site(Optional.empty(), Optional.of(quay))));
 
@@ -79,12 +79,12 @@ class SiteTest {
     }
 
     private static RunReport run(RunPlan plan, RunSettings settings) {
-        return Runs.run(plan, settings.withLimit(OptionalLong.of(20_000)));
+        return TestRuns.run(plan, settings.withLimit(OptionalLong.of(20_000)));
     }
 
     private static RunSettings settings(RunPlan plan, double areaM, Site site) {
         RunSettings.Fleet fleet = new RunSettings.Fleet(3, 4, areaM, 1).at(site);
-        RunSettings usual = Runs.settings(plan, 3, 4, 1);
+        RunSettings usual = TestRuns.settings(plan, 3, 4, 1);
         return new RunSettings(
                 usual.plan(),
                 usual.mission(),
@@ -98,9 +98,10 @@ class SiteTest {
 
     /** A plan that names a point 334 m north of the usual centre. */
     private static RunPlan away() {
-        String text = Runs.text("allocation-at-once.json").replace("\"lat\": 45.7,", "\"lat\": 45.703,");
+        String text = TestRuns.text("allocation-at-once.json").replace("\"lat\": 45.7,", "\"lat\": 45.703,");
         Project project =
-                new ProjectReader(Runs.LIBRARY.vocabulary()).read(text).orThrow();
-        return new RunPlan(Runs.LIBRARY.vocabulary(), project, project.plans().get(0));
+                new ProjectReader(TestRuns.LIBRARY.vocabulary()).read(text).orThrow();
+        return new RunPlan(
+                TestRuns.LIBRARY.vocabulary(), project, project.plans().get(0));
     }
 }

@@ -22,14 +22,14 @@ class StuckRunTest {
 
     @Test
     void missionThatNobodyAnswersFailsWithTheQuestion() {
-        RunPlan plan = Runs.plan("clv");
+        RunPlan plan = TestRuns.plan("clv");
         AnswersFile silent = AnswersFileReader.read(
                         "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": "
                                 + "[{\"event\": \"OperatorCreateLocations\", \"answer\": {\"silent\": true}}]}",
-                        Runs.LIBRARY.vocabulary())
+                        TestRuns.LIBRARY.vocabulary())
                 .orThrow();
 
-        RunReport report = new InProcessRun(plan, Runs.settings(plan, 2, 3, 1), silent, RunJournal.none())
+        RunReport report = new InProcessRun(plan, TestRuns.settings(plan, 2, 3, 1), silent, RunJournal.none())
                 .run(Pacer.UNPACED, RunObserver.NONE);
 
         assertThat(report.result().outcome()).isEqualTo(RunOutcome.FAILED);
@@ -98,12 +98,12 @@ class StuckRunTest {
     }
 
     private static RunReport run(String id, Conditions water) {
-        Project project = new ProjectReader(Runs.LIBRARY.vocabulary())
-                .read(Runs.text("stuck-project.json"))
+        Project project = new ProjectReader(TestRuns.LIBRARY.vocabulary())
+                .read(TestRuns.text("stuck-project.json"))
                 .orThrow();
-        RunPlan plan =
-                new RunPlan(Runs.LIBRARY.vocabulary(), project, project.plan(id).orElseThrow());
-        RunSettings settings = Runs.settings(plan, 1, 3, 1);
-        return Runs.run(plan, settings.withFleet(settings.fleet().on(water)));
+        RunPlan plan = new RunPlan(
+                TestRuns.LIBRARY.vocabulary(), project, project.plan(id).orElseThrow());
+        RunSettings settings = TestRuns.settings(plan, 1, 3, 1);
+        return TestRuns.run(plan, settings.withFleet(settings.fleet().on(water)));
     }
 }

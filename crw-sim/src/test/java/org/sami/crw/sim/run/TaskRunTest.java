@@ -20,14 +20,14 @@ import org.sami.crw.sim.report.TaskResult;
 
 /** A plan of tasks on simulated boats, and what is reported of the tasks. */
 class TaskRunTest {
-    private static final RunPlan PLAN = Runs.plan("measure");
+    private static final RunPlan PLAN = TestRuns.plan("measure");
 
     @TempDir
     Path folder;
 
     @Test
     void everyTaskIsDoneByOneBoatAfterAnother() {
-        RunReport report = Runs.run(PLAN, Runs.settings(PLAN, 3, 9, 4));
+        RunReport report = TestRuns.run(PLAN, TestRuns.settings(PLAN, 3, 9, 4));
 
         assertThat(report.result().outcome()).as(report.result().reason()).isEqualTo(RunOutcome.ENDED);
         assertThat(report.tasks()).hasSize(9).allSatisfy(task -> {
@@ -55,8 +55,8 @@ class TaskRunTest {
 
     @Test
     void equalSeedsGiveEqualTasks() {
-        RunReport one = Runs.run(PLAN, Runs.settings(PLAN, 2, 5, 8));
-        RunReport other = Runs.run(PLAN, Runs.settings(PLAN, 2, 5, 8));
+        RunReport one = TestRuns.run(PLAN, TestRuns.settings(PLAN, 2, 5, 8));
+        RunReport other = TestRuns.run(PLAN, TestRuns.settings(PLAN, 2, 5, 8));
 
         assertThat(other.tasks()).isEqualTo(one.tasks());
         assertThat(other.result().runHash()).isEqualTo(one.result().runHash());
@@ -64,7 +64,7 @@ class TaskRunTest {
 
     @Test
     void theReportTellsOfEachTask() throws IOException {
-        RunReport report = Runs.run(PLAN, Runs.settings(PLAN, 2, 3, 8));
+        RunReport report = TestRuns.run(PLAN, TestRuns.settings(PLAN, 2, 3, 8));
 
         new ReportFolder(folder).write(report);
 
@@ -83,7 +83,7 @@ class TaskRunTest {
 
     @Test
     void tasksOfARunThatWasStoppedAreNotComplete() {
-        RunReport report = Runs.run(PLAN, Runs.settings(PLAN, 1, 6, 8).withLimit(OptionalLong.of(60_000)));
+        RunReport report = TestRuns.run(PLAN, TestRuns.settings(PLAN, 1, 6, 8).withLimit(OptionalLong.of(60_000)));
 
         assertThat(report.tasks()).hasSize(6);
         assertThat(report.tasks()).anyMatch(task -> task.startedAtMillis().isEmpty());

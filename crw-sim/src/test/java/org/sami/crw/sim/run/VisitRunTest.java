@@ -17,9 +17,9 @@ class VisitRunTest {
     @ParameterizedTest
     @CsvSource({"3,20", "3,30", "5,20", "5,30"})
     void cooperativeLocationVisitEndsWithAllLocationsVisited(int boats, int locations) {
-        RunPlan plan = Runs.plan("clv");
+        RunPlan plan = TestRuns.plan("clv");
 
-        RunReport report = Runs.run(plan, Runs.settings(plan, boats, locations, 1));
+        RunReport report = TestRuns.run(plan, TestRuns.settings(plan, boats, locations, 1));
 
         assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
         assertThat(report.locations()).hasSize(locations).allMatch(LocationResult::visited);
@@ -32,9 +32,9 @@ class VisitRunTest {
 
     @Test
     void clicksAreThoseOfTheTable() {
-        RunPlan plan = Runs.plan("clv");
+        RunPlan plan = TestRuns.plan("clv");
 
-        RunReport report = Runs.run(plan, Runs.settings(plan, 3, 20, 1));
+        RunReport report = TestRuns.run(plan, TestRuns.settings(plan, 3, 20, 1));
 
         // start 1, three boats and their confirmation 4, twenty locations and theirs 21, the allocation 1
         assertThat(report.result().clicks()).isEqualTo(27);
@@ -42,12 +42,12 @@ class VisitRunTest {
 
     @Test
     void equalSeedsGiveEqualRunsAtAnySpeed() {
-        RunPlan plan = Runs.plan("clv");
-        RunSettings settings = Runs.settings(plan, 3, 12, 5);
+        RunPlan plan = TestRuns.plan("clv");
+        RunSettings settings = TestRuns.settings(plan, 3, 12, 5);
         FakePacer pacer = new FakePacer();
 
-        RunReport fast = Runs.run(plan, settings);
-        RunReport again = Runs.run(plan, settings);
+        RunReport fast = TestRuns.run(plan, settings);
+        RunReport again = TestRuns.run(plan, settings);
         RunReport paced = new InProcessRun(plan, settings.withSpeed(new Speed(3)), AnswersFile.EMPTY, RunJournal.none())
                 .run(pacer, RunObserver.NONE);
 
@@ -59,19 +59,21 @@ class VisitRunTest {
 
     @Test
     void anotherSeedGivesAnotherRun() {
-        RunPlan plan = Runs.plan("clv");
+        RunPlan plan = TestRuns.plan("clv");
 
-        String first = Runs.run(plan, Runs.settings(plan, 3, 12, 5)).result().runHash();
-        String second = Runs.run(plan, Runs.settings(plan, 3, 12, 6)).result().runHash();
+        String first =
+                TestRuns.run(plan, TestRuns.settings(plan, 3, 12, 5)).result().runHash();
+        String second =
+                TestRuns.run(plan, TestRuns.settings(plan, 3, 12, 6)).result().runHash();
 
         assertThat(first).matches("[0-9a-f]{64}").isNotEqualTo(second);
     }
 
     @Test
     void stationKeepingEnds() {
-        RunPlan plan = Runs.plan("station-keep");
+        RunPlan plan = TestRuns.plan("station-keep");
 
-        RunReport report = Runs.run(plan, Runs.settings(plan, 3, 1, 1));
+        RunReport report = TestRuns.run(plan, TestRuns.settings(plan, 3, 1, 1));
 
         assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
         assertThat(report.boats())
@@ -81,7 +83,7 @@ class VisitRunTest {
     @Test
     void sampleWithSubMissionsEnds() {
         RunReport report = new InProcessRun(
-                        Runs.sample(), Runs.sampleSettings(), Runs.sampleAnswers(), RunJournal.none())
+                        TestRuns.sample(), TestRuns.sampleSettings(), TestRuns.sampleAnswers(), RunJournal.none())
                 .run(Pacer.UNPACED, RunObserver.NONE);
 
         assertThat(report.result().outcome()).as(report.result().reason()).isEqualTo(RunOutcome.ENDED);
@@ -92,10 +94,10 @@ class VisitRunTest {
 
     @Test
     void stopsAtTheSetTime() {
-        RunPlan plan = Runs.plan("clv");
-        RunSettings settings = Runs.settings(plan, 3, 12, 5).withLimit(java.util.OptionalLong.of(100_050));
+        RunPlan plan = TestRuns.plan("clv");
+        RunSettings settings = TestRuns.settings(plan, 3, 12, 5).withLimit(java.util.OptionalLong.of(100_050));
 
-        RunReport report = Runs.run(plan, settings);
+        RunReport report = TestRuns.run(plan, settings);
 
         assertThat(report.result().outcome()).isEqualTo(RunOutcome.RUNNING);
         assertThat(report.result().simulatedMillis()).isEqualTo(100_050);
@@ -103,11 +105,12 @@ class VisitRunTest {
 
     @Test
     void stopsWhenItIsAskedTo() {
-        RunPlan plan = Runs.plan("clv");
+        RunPlan plan = TestRuns.plan("clv");
         int[] asked = {0};
         RunObserver impatient = new RunObserver(progress -> {}, () -> ++asked[0] > 500);
 
-        RunReport report = new InProcessRun(plan, Runs.settings(plan, 3, 12, 5), AnswersFile.EMPTY, RunJournal.none())
+        RunReport report = new InProcessRun(
+                        plan, TestRuns.settings(plan, 3, 12, 5), AnswersFile.EMPTY, RunJournal.none())
                 .run(Pacer.UNPACED, impatient);
 
         assertThat(report.result().outcome()).isEqualTo(RunOutcome.RUNNING);

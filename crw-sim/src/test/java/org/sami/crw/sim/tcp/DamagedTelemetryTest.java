@@ -31,7 +31,7 @@ import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.crw.sim.boat.Await;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
-import org.sami.crw.sim.cli.Ran;
+import org.sami.crw.sim.cli.CommandResult;
 import org.sami.spn.journal.JournalOptions;
 import org.sami.spn.journal.SqliteJournal;
 import org.sami.spn.value.GeoPoint;
@@ -81,7 +81,8 @@ class DamagedTelemetryTest {
         Path journal = folder.resolve("over.journal");
         String firings;
         try (BoatOnTcp anna = boat("anna", 10.9)) {
-            Ran ran = Ran.crw(mission(journal, List.of(anna)).toArray(String[]::new));
+            CommandResult ran =
+                    CommandResult.crw(mission(journal, List.of(anna)).toArray(String[]::new));
             assertThat(ran.exitCode()).as(ran.err()).isZero();
             firings = JSON.readTree(ran.out()).path("firings").asText();
         }
@@ -91,14 +92,15 @@ class DamagedTelemetryTest {
             Path copy = Files.copy(journal, folder.resolve("page" + page + ".journal"));
             zero(copy, page);
 
-            Ran told = Ran.crw("resume", copy.toString(), "--json");
+            CommandResult told = CommandResult.crw("resume", copy.toString(), "--json");
 
             assertThat(told.exitCode()).as(told.err()).isZero();
             assertThat(told.err()).contains("telemetry: ", "left out", "this run was over already");
             assertThat(JSON.readTree(told.out()).path("firings").asText()).isEqualTo(firings);
         }
         empty(journal);
-        assertThat(Ran.crw("resume", journal.toString(), "--json").exitCode()).isZero();
+        assertThat(CommandResult.crw("resume", journal.toString(), "--json").exitCode())
+                .isZero();
     }
 
     private void assertGoesOnAfter(String named, Damage damage) throws Exception {
@@ -112,14 +114,14 @@ class DamagedTelemetryTest {
             SqliteJournal.open(journal, JournalOptions.DEFAULT).close(); // folds its log into one file
             damage.in(journal);
 
-            Ran resumed = Ran.crw("resume", journal.toString(), "--json", "--for", "150");
+            CommandResult resumed = CommandResult.crw("resume", journal.toString(), "--json", "--for", "150");
 
             assertThat(resumed.exitCode()).as(resumed.err()).isZero();
             assertThat(resumed.err()).contains(named);
             JsonNode report = JSON.readTree(resumed.out());
             assertThat(report.path("outcome").asText()).isEqualTo("ended");
             assertThat(report.path("locationsVisited").asInt()).isPositive();
-            Ran again = Ran.crw("resume", journal.toString(), "--json");
+            CommandResult again = CommandResult.crw("resume", journal.toString(), "--json");
             assertThat(again.exitCode()).as(again.err()).isZero();
         }
     }

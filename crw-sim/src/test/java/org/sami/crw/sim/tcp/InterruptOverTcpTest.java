@@ -23,7 +23,7 @@ import org.sami.boat.server.log.LogLines;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
-import org.sami.crw.sim.cli.Ran;
+import org.sami.crw.sim.cli.CommandResult;
 import org.sami.spn.value.GeoPoint;
 
 /** Interrupts in missions on boats behind TCP, whose process may die before, in and after them. */
@@ -41,7 +41,7 @@ class InterruptOverTcpTest {
     void criticalBoatIsPulledOutAndHasAFullBatteryWhenItComesBack() throws Exception {
         try (BoatOnTcp anna = boat("anna", folder, 10.9, 50);
                 BoatOnTcp bert = boat("bert", folder, 10.90006, 14)) {
-            Ran ran = Ran.crw(mission(List.of(anna, bert), "recharge@battery", "@swapTime=16s")
+            CommandResult ran = CommandResult.crw(mission(List.of(anna, bert), "recharge@battery", "@swapTime=16s")
                     .toArray(String[]::new));
 
             assertThat(ran.exitCode()).as(ran.err()).isZero();
@@ -85,7 +85,7 @@ class InterruptOverTcpTest {
                 run.kill();
             }
 
-            Ran resumed = Ran.crw("resume", journal.toString(), "--json");
+            CommandResult resumed = CommandResult.crw("resume", journal.toString(), "--json");
 
             String what = "killed after " + afterMillis + " ms: " + resumed.err();
             assertThat(resumed.exitCode()).as(what).isZero();

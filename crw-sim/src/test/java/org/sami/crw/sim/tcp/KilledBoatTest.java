@@ -60,7 +60,7 @@ class KilledBoatTest {
     @Execution(ExecutionMode.CONCURRENT)
     @ValueSource(booleans = {true, false})
     void killedInMidPathItWaitsForTheOperatorAndTheMissionEnds(boolean withItsState) throws Exception {
-        try (Fleet fleet = new Fleet(folder).with("anna", "bert");
+        try (BoatProcesses fleet = new BoatProcesses(folder).with("anna", "bert");
                 CrwProcess run = run(fleet.addresses())) {
             Await.until("bert is under way", 60, () -> executed(fleet, "bert", StartWaypoints.class) > 0);
             run.awaitErr("visited 1/4");
@@ -78,7 +78,7 @@ class KilledBoatTest {
     @Execution(ExecutionMode.CONCURRENT)
     @ValueSource(booleans = {true, false})
     void killedInMidUploadItWaitsForTheOperatorAndTheMissionEnds(boolean withItsState) throws Exception {
-        try (Fleet fleet = new Fleet(folder).with("anna", "bert");
+        try (BoatProcesses fleet = new BoatProcesses(folder).with("anna", "bert");
                 TestRelay relay = relayTo(fleet, "bert")) {
             relay.arm(new TestRelay.Cut(UploadWaypoints.class, TestRelay.Where.MIDDLE));
             try (CrwProcess run = run("127.0.0.1:" + fleet.port("anna") + ",127.0.0.1:"
@@ -96,17 +96,17 @@ class KilledBoatTest {
         }
     }
 
-    private static TestRelay relayTo(Fleet fleet, String boat) throws Exception {
+    private static TestRelay relayTo(BoatProcesses fleet, String boat) throws Exception {
         return new TestRelay(new InetSocketAddress(InetAddress.getLoopbackAddress(), fleet.port(boat)));
     }
 
-    private static long executed(Fleet fleet, String boat, Class<?> kind) {
+    private static long executed(BoatProcesses fleet, String boat, Class<?> kind) {
         return fleet.log(boat).stream()
                 .filter(entry -> kind.isInstance(entry.command()))
                 .count();
     }
 
-    private void assertEndedAfterTheOperatorWasAsked(Fleet fleet, CrwProcess run) throws Exception {
+    private void assertEndedAfterTheOperatorWasAsked(BoatProcesses fleet, CrwProcess run) throws Exception {
         JsonNode report = new ObjectMapper().readTree(run.out());
         assertThat(report.path("outcome").asText()).isEqualTo("ended");
         assertThat(report.path("locationsVisited").asInt()).isEqualTo(4);
@@ -128,9 +128,9 @@ class KilledBoatTest {
     }
 
     /** From when the operator was asked until the answer the boat lay at its quay. */
-    private void assertRested(Fleet fleet, double fromS, double toS) throws Exception {
+    private void assertRested(BoatProcesses fleet, double fromS, double toS) throws Exception {
         assertThat(toS).isGreaterThan(fromS + 1.5);
-        LocalFrame quay = new LocalFrame(Fleet.latDeg(), fleet.lonDeg("bert"));
+        LocalFrame quay = new LocalFrame(BoatProcesses.latDeg(), fleet.lonDeg("bert"));
         List<String> lines = Files.readAllLines(folder.resolve("report").resolve("tracks.csv"));
         lines.stream().skip(1).map(line -> line.split(",")).forEach(row -> {
             double atS = Double.parseDouble(row[1]);

@@ -24,7 +24,7 @@ import org.sami.boat.server.log.LogLines;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
-import org.sami.crw.sim.cli.Ran;
+import org.sami.crw.sim.cli.CommandResult;
 import org.sami.spn.value.GeoPoint;
 
 /** Real processes of {@code crw run --connect}, killed as by {@code kill -9}, and what the next process makes of their journals. */
@@ -85,7 +85,7 @@ class KilledRunTest {
                 run.kill();
             }
 
-            Ran resumed = Ran.crw("resume", journal.toString(), "--json");
+            CommandResult resumed = CommandResult.crw("resume", journal.toString(), "--json");
 
             String what = "killed after " + afterS + " s: " + resumed.err();
             assertThat(resumed.exitCode()).as(what).isZero();

@@ -28,7 +28,7 @@ import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.TcpBase;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
 import org.sami.crw.sim.boat.Await;
-import org.sami.crw.sim.cli.Ran;
+import org.sami.crw.sim.cli.CommandResult;
 
 /** Missions of {@code crw run --connect} on boats that are processes of their own. */
 @Timeout(240)
@@ -38,7 +38,7 @@ class RunOverTcpTest {
     @TempDir
     private Path folder;
 
-    private List<String> mission(Fleet fleet, String... more) {
+    private List<String> mission(BoatProcesses fleet, String... more) {
         List<String> arguments = new ArrayList<>(List.of(
                 "run",
                 "clv",
@@ -56,16 +56,16 @@ class RunOverTcpTest {
         return arguments;
     }
 
-    private static Ran crw(List<String> arguments) {
-        return Ran.crw(arguments.toArray(String[]::new));
+    private static CommandResult crw(List<String> arguments) {
+        return CommandResult.crw(arguments.toArray(String[]::new));
     }
 
     @Test
     @Execution(ExecutionMode.CONCURRENT)
     void missionOnThreeBoatsVisitsEverythingAndTheReportNamesEachLink() throws Exception {
-        try (Fleet fleet = new Fleet(folder).with("anna", "bert", "cleo")) {
+        try (BoatProcesses fleet = new BoatProcesses(folder).with("anna", "bert", "cleo")) {
             Path report = folder.resolve("report");
-            Ran ran = crw(mission(fleet, "--json", "--report", report.toString()));
+            CommandResult ran = crw(mission(fleet, "--json", "--report", report.toString()));
 
             assertThat(ran.exitCode()).as(ran.err()).isZero();
             JsonNode json = JSON.readTree(ran.out());
@@ -88,7 +88,7 @@ class RunOverTcpTest {
         }
     }
 
-    private Fleet underWay(Fleet fleet) {
+    private BoatProcesses underWay(BoatProcesses fleet) {
         Await.until(
                 "all are under way",
                 60,
@@ -102,7 +102,7 @@ class RunOverTcpTest {
     @Execution(ExecutionMode.CONCURRENT)
     void signalStopsTheBoatsAndTheRunCanBeTakenUp() throws Exception {
         Path journal = folder.resolve("journal");
-        try (Fleet fleet = new Fleet(folder).with("anna", "bert");
+        try (BoatProcesses fleet = new BoatProcesses(folder).with("anna", "bert");
                 CrwProcess run = CrwProcess.start(
                         folder,
                         mission(
@@ -135,7 +135,7 @@ class RunOverTcpTest {
     @Test
     @Execution(ExecutionMode.CONCURRENT)
     void whyABoatStandsStillIsSaidAtOnceAndInTheReport() throws Exception {
-        try (Fleet fleet = new Fleet(folder).with("anna", "bert");
+        try (BoatProcesses fleet = new BoatProcesses(folder).with("anna", "bert");
                 CrwProcess run = CrwProcess.start(folder, mission(fleet));
                 TcpBase other = new TcpBase(
                         TcpBaseConfig.of(ProxyConfig.DEFAULT.withClientId("other"), 1),

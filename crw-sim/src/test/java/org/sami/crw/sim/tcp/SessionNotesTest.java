@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.resume.RunRecord;
-import org.sami.crw.sim.run.Runs;
+import org.sami.crw.sim.run.TestRuns;
 
 /** What a run writes beside the engine's inputs. */
 class SessionNotesTest {
@@ -18,7 +18,7 @@ class SessionNotesTest {
     @Test
     void journalThatCannotBeWrittenIsAProblemOfTheRun() throws Exception {
         SessionJournal journal = SessionJournal.create(
-                folder.resolve("journal"), new RunRecord(Runs.sampleSettings(), "sample", "{}", Map.of()));
+                folder.resolve("journal"), new RunRecord(TestRuns.sampleSettings(), "sample", "{}", Map.of()));
         SessionNotes notes = new SessionNotes(journal, () -> 7_000);
         notes.lost("anna");
         assertThat(notes.problem()).isEmpty();

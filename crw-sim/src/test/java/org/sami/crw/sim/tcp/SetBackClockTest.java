@@ -28,8 +28,8 @@ import org.sami.crw.sim.run.BoatAddress;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.crw.sim.run.RunPlan;
 import org.sami.crw.sim.run.RunSettings;
-import org.sami.crw.sim.run.Runs;
 import org.sami.crw.sim.run.Speed;
+import org.sami.crw.sim.run.TestRuns;
 import org.sami.spn.value.GeoPoint;
 
 /** The clock under a run and its boat is set back by an hour while the mission's timer runs. */
@@ -52,7 +52,7 @@ class SetBackClockTest {
     @Execution(ExecutionMode.CONCURRENT)
     @ValueSource(longs = {0, HOUR_MS})
     void nothingFiresEarlyOrLate(long byMs) throws Exception {
-        RunPlan plan = Runs.plan("station-keep");
+        RunPlan plan = TestRuns.plan("station-keep");
         InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
         BoatSettings settings =
                 BoatSettings.of("anna", anyPort, GeoPoint.of(45.4, 10.9), 1).loggingTo(folder);

@@ -9,8 +9,8 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.sami.crw.sim.cli.Ran;
-import org.sami.crw.sim.run.Runs;
+import org.sami.crw.sim.cli.CommandResult;
+import org.sami.crw.sim.run.TestRuns;
 
 /** A run over TCP in which nothing can happen any longer ends and says why. */
 @Timeout(120)
@@ -20,9 +20,9 @@ class StuckOverTcpTest {
 
     @Test
     void missionThatWantsNothingOfItsBoatsIsStuckAtOnceAndSaysWhatItWaitsFor() throws Exception {
-        Path project = Files.writeString(folder.resolve("stuck.json"), Runs.text("stuck-project.json"));
-        try (Fleet fleet = new Fleet(folder).with("anna")) {
-            Ran ran = Ran.crw(
+        Path project = Files.writeString(folder.resolve("stuck.json"), TestRuns.text("stuck-project.json"));
+        try (BoatProcesses fleet = new BoatProcesses(folder).with("anna")) {
+            CommandResult ran = CommandResult.crw(
                     "run",
                     project.toString(),
                     "--plan",

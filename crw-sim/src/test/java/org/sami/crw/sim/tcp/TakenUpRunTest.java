@@ -14,7 +14,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.crw.sim.boat.Await;
-import org.sami.crw.sim.cli.Ran;
+import org.sami.crw.sim.cli.CommandResult;
 
 /** Runs over TCP that are taken up when not everything is as it was. */
 @Timeout(240)
@@ -31,7 +31,7 @@ class TakenUpRunTest {
     @Execution(ExecutionMode.CONCURRENT)
     void runGoesOnWithoutABoatThatComesLaterAndIsToldAgainAsItWas() throws Exception {
         String journal = folder.resolve("journal").toString();
-        try (Fleet fleet = new Fleet(folder).with("anna", "bert")) {
+        try (BoatProcesses fleet = new BoatProcesses(folder).with("anna", "bert")) {
             killRunUnderWay(fleet, journal);
             fleet.kill("bert");
             String first;
@@ -51,7 +51,7 @@ class TakenUpRunTest {
             assertThat(report.path("locationsVisited").asInt()).isEqualTo(4);
             assertThat(fleet.commandIds("bert")).doesNotHaveDuplicates();
 
-            Ran again = Ran.crw("resume", journal, "--json");
+            CommandResult again = CommandResult.crw("resume", journal, "--json");
 
             JsonNode told = JSON.readTree(again.out());
             assertThat(again.exitCode()).isZero();
@@ -65,7 +65,7 @@ class TakenUpRunTest {
         }
     }
 
-    private void killRunUnderWay(Fleet fleet, String journal) throws Exception {
+    private void killRunUnderWay(BoatProcesses fleet, String journal) throws Exception {
         try (CrwProcess run = CrwProcess.start(
                 folder,
                 List.of(
@@ -93,9 +93,9 @@ class TakenUpRunTest {
     @Execution(ExecutionMode.CONCURRENT)
     void runThatNeverBeganIsTakenUpOnceItsBoatsAreThere() throws Exception {
         String journal = folder.resolve("journal").toString();
-        try (Fleet fleet = new Fleet(folder).with("anna")) {
+        try (BoatProcesses fleet = new BoatProcesses(folder).with("anna")) {
             fleet.kill("anna");
-            Ran refused = Ran.crw(
+            CommandResult refused = CommandResult.crw(
                     "run",
                     "clv",
                     "--connect",
@@ -114,7 +114,7 @@ class TakenUpRunTest {
             assertThat(refused.err()).contains("does not answer", "once they are: crw resume " + journal);
             fleet.startAgain("anna", folder);
 
-            Ran resumed = Ran.crw("resume", journal, "--json");
+            CommandResult resumed = CommandResult.crw("resume", journal, "--json");
 
             assertThat(resumed.exitCode()).as(resumed.err()).isZero();
             assertThat(JSON.readTree(resumed.out()).path("locationsVisited").asInt())

@@ -46,7 +46,7 @@ public final class TcpBoatServer implements Closeable {
     private final Thread acceptor;
     private final Set<ClientConnection> connections = ConcurrentHashMap.newKeySet();
     private final Map<ClientConnection, Client> clients = new LinkedHashMap<>(); // for the boat's thread
-    private final Places places;
+    private final ConnectionSlots places;
     private long accepts; // for the accepting thread
     private volatile boolean stopping;
     private volatile Future<?> ticks = CompletableFuture.completedFuture(null);
@@ -72,7 +72,7 @@ public final class TcpBoatServer implements Closeable {
         this.clock = Objects.requireNonNull(clock, "clock");
         this.beforeTick = Objects.requireNonNull(beforeTick, "beforeTick");
         this.listener = Objects.requireNonNull(listener, "listener");
-        places = new Places(config.maxClients());
+        places = new ConnectionSlots(config.maxClients());
         boatThread = Executors.newSingleThreadScheduledExecutor(work -> daemon(work, name + "-boat"));
         acceptor = daemon(this::accept, name + "-accepts");
     }

@@ -71,7 +71,7 @@ public final class TcpServerConfig {
         return tickMs;
     }
 
-    /** How many clients there may be at a time; {@link Places} says who goes where more come. */
+    /** How many clients there may be at a time; {@link ConnectionSlots} says who goes where more come. */
     public int maxClients() {
         return maxClients;
     }

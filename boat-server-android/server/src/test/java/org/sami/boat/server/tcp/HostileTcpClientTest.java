@@ -54,7 +54,7 @@ import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.link.Welcome;
-import org.sami.boat.server.Framed;
+import org.sami.boat.server.FrameBytes;
 import org.sami.boat.server.tcp.TcpBench.Client;
 
 /** Streams that are cut, bent, doubled or never were frames: the boat stays whole, and serves the next client. */
@@ -237,11 +237,11 @@ class HostileTcpClientTest {
         Client client = commander();
         String nan = "{\"type\":\"upload\",\"seq\":1,\"command\":\"c1\",\"list\":\"l\",\"waypoints\":[[NaN,1,1]]}";
         String far = "{\"type\":\"upload\",\"seq\":2,\"command\":\"c2\",\"list\":\"l\",\"waypoints\":[[99,1,1]]}";
-        client.send(Framed.of(nan));
+        client.send(FrameBytes.of(nan));
         assertThat(client.await(Nack.class).reason()).isEqualTo(NackReason.MALFORMED);
-        client.send(Framed.of(far));
+        client.send(FrameBytes.of(far));
         assertThat(client.await(Nack.class).commandId()).isEqualTo("c2");
-        client.send(Framed.of(new byte[] {'{', '"', (byte) 0xc3, '(', '"', '}'}));
+        client.send(FrameBytes.of(new byte[] {'{', '"', (byte) 0xc3, '(', '"', '}'}));
         assertThat(client.await(Nack.class).reason()).isEqualTo(NackReason.MALFORMED);
 
         client.say(new StopMotors("s"));

@@ -37,7 +37,7 @@ import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.link.Welcome;
-import org.sami.boat.server.Framed;
+import org.sami.boat.server.FrameBytes;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.tcp.TcpBench.Client;
 
@@ -214,7 +214,7 @@ class TcpBoatServerTest {
             String number =
                     "{\"type\":\"hello\",\"seq\":9,\"boat\":\"boat1\",\"client\":\"base\",\"role\":\"COMMANDER\","
                             + "\"telemetryHz\":1,\"auth\":7}";
-            client.send(Framed.of(number));
+            client.send(FrameBytes.of(number));
             assertThat(client.await(Nack.class).detail()).contains("/auth");
         }
     }

@@ -1,0 +1,249 @@
+package org.sami.boat.server;
+
+import java.util.Optional;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.PanoramaReport;
+import org.sami.boat.link.TakePanorama;
+import org.sami.boat.link.Waypoint;
+
+/**
+ * Decides what the motors do: follows the waypoint track, keeps station, obeys the hand that drives, returns home, rests.
+ * Exactly one mode at a time; only {@link #tick} and the change to a resting mode touch the motors.
+ */
+final class ModeControl {
+    private static final double TURNING_EFFORT = 0.3; // slow enough for pictures
+
+    private final ServerConfig config;
+    private final Vehicle vehicle;
+    private final SteeringControl helm;
+    private final LocalFrame home;
+    private BoatMode mode = BoatMode.STOPPED;
+    private boolean moved; // since the server started
+    private WaypointTrack track = WaypointTrack.NONE;
+    private LocalFrame target;
+    private boolean drivingBack;
+    private double velocityMultiplier = 1;
+    private Optional<Panorama> panorama = Optional.empty(); // while it keeps a station
+    private Optional<PanoramaReport> completed = Optional.empty();
+    private double thrust;
+    private double rudder;
+    private long handMs;
+    private long lastTickMs = Long.MIN_VALUE;
+
+    ModeControl(ServerConfig config, Vehicle vehicle) {
+        this.config = config;
+        this.vehicle = vehicle;
+        helm = new SteeringControl(vehicle, config);
+        home = here();
+        target = home;
+    }
+
+    BoatMode mode() {
+        return mode;
+    }
+
+    WaypointTrack track() {
+        return track;
+    }
+
+    SteeringControl helm() {
+        return helm;
+    }
+
+    double velocityMultiplier() {
+        return velocityMultiplier;
+    }
+
+    void setVelocityMultiplier(double multiplier) {
+        velocityMultiplier = multiplier;
+    }
+
+    /** Takes a new list in place of the old one; a boat on its way along the old one keeps station. */
+    void replaceTrack(WaypointTrack newTrack) {
+        track = newTrack;
+        if (mode == BoatMode.PATH) {
+            hold();
+        }
+    }
+
+    void follow(int index) {
+        moved = true;
+        track.startAt(index);
+        if (track.isCompleted()) {
+            hold();
+        } else {
+            mode = BoatMode.PATH;
+            aimAtNext();
+        }
+    }
+
+    void hold() {
+        hold(here());
+    }
+
+    boolean hasCamera() {
+        return vehicle.hasCamera();
+    }
+
+    /** Keeps station here and turns all round; what was begun before is forgotten. */
+    void takePanorama(TakePanorama command) {
+        hold();
+        panorama = Optional.of(new Panorama(command));
+    }
+
+    /** The panorama that the last tick has completed. */
+    Optional<PanoramaReport> takeReport() {
+        Optional<PanoramaReport> report = completed;
+        completed = Optional.empty();
+        return report;
+    }
+
+    private void hold(LocalFrame station) {
+        moved = true;
+        panorama = Optional.empty();
+        mode = BoatMode.HOLD;
+        target = station;
+        drivingBack = false;
+        helm.rest();
+    }
+
+    void stop() {
+        mode = BoatMode.STOPPED;
+        helm.rest();
+    }
+
+    void fleetStop() {
+        mode = BoatMode.FLEET_STOP;
+        helm.rest();
+    }
+
+    void teleoperate(double newThrust, double newRudder, long nowMs) {
+        moved = true;
+        mode = BoatMode.TELEOPERATION;
+        thrust = newThrust;
+        rudder = newRudder;
+        handMs = nowMs;
+    }
+
+    /**
+     * Does what is set for a lost link, whatever the boat was doing. A fleet stop stays; so does a boat that no command has moved since
+     * its server started, which may have been in mid-path: whoever answers for it has not said that it may move again.
+     */
+    void linkLost(LostLinkAction action) {
+        if (mode == BoatMode.FLEET_STOP || !moved) {
+            return;
+        }
+        if (action == LostLinkAction.DRIFT) {
+            stop();
+        } else if (action == LostLinkAction.RETURN) {
+            mode = BoatMode.RETURN;
+            target = home;
+        } else if (mode != BoatMode.HOLD && (action == LostLinkAction.HOLD || mode != BoatMode.PATH)) {
+            hold(); // a boat that keeps a station already keeps that one
+        }
+    }
+
+    /**
+     * Drives on; with motors at zero if that fails.
+     *
+     * @return whether the progress along the track has changed
+     */
+    boolean tick(long nowMs) {
+        try {
+            return drive(nowMs);
+        } catch (RuntimeException e) {
+            helm.rest();
+            throw e;
+        }
+    }
+
+    private boolean drive(long nowMs) {
+        double seconds = lastTickMs == Long.MIN_VALUE ? 0 : (nowMs - lastTickMs) / 1000.0;
+        lastTickMs = nowMs;
+        switch (mode) {
+            case PATH:
+                return tickPath(seconds);
+            case HOLD:
+                tickHold(seconds);
+                return false;
+            case RETURN:
+                tickReturn(seconds);
+                return false;
+            case TELEOPERATION:
+                tickHand(nowMs);
+                return false;
+            default:
+                vehicle.setMotors(0, 0);
+                return false;
+        }
+    }
+
+    private boolean tickPath(double seconds) {
+        boolean reached = helm.distanceM(target) <= config.arrivalRadiusM();
+        if (reached) {
+            track.reached();
+            if (track.isCompleted()) {
+                hold(target);
+                return true;
+            }
+            aimAtNext();
+        }
+        helm.steerTo(target, track.target().speedMps() * velocityMultiplier, seconds);
+        return reached;
+    }
+
+    private void tickHold(double seconds) {
+        double distanceM = helm.distanceM(target);
+        if (drivingBack && distanceM < config.holdRadiusM() / 2) {
+            drivingBack = false;
+            helm.rest();
+        } else if (distanceM > config.holdRadiusM()) {
+            drivingBack = true;
+        }
+        if (drivingBack) {
+            helm.steerTo(target, config.returnSpeedMps(), seconds);
+        } else if (panorama.isPresent()) {
+            tickPanorama(panorama.get());
+        }
+    }
+
+    private void tickPanorama(Panorama turn) {
+        if (turn.look(vehicle.headingRad())) {
+            vehicle.takePicture();
+        }
+        if (turn.isDone()) {
+            panorama = Optional.empty();
+            helm.rest();
+            completed = Optional.of(new PanoramaReport(
+                    turn.command().commandId(), turn.command().pictures(), vehicle.latDeg(), vehicle.lonDeg()));
+        } else {
+            helm.drive(0, TURNING_EFFORT);
+        }
+    }
+
+    private void tickReturn(double seconds) {
+        if (helm.distanceM(home) <= config.arrivalRadiusM()) {
+            hold(home);
+        } else {
+            helm.steerTo(home, config.returnSpeedMps(), seconds);
+        }
+    }
+
+    private void tickHand(long nowMs) {
+        if (nowMs - handMs >= config.deadmanMs()) {
+            stop();
+        } else {
+            helm.drive(thrust, rudder);
+        }
+    }
+
+    private void aimAtNext() {
+        Waypoint next = track.target();
+        target = new LocalFrame(next.latDeg(), next.lonDeg());
+    }
+
+    private LocalFrame here() {
+        return new LocalFrame(vehicle.latDeg(), vehicle.lonDeg());
+    }
+}

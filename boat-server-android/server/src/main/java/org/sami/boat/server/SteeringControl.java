@@ -1,0 +1,73 @@
+package org.sami.boat.server;
+
+import org.sami.boat.link.GainAxis;
+import org.sami.boat.link.Gains;
+
+/**
+ * Steers the vehicle towards a target: heading by one loop, speed by feed-forward and another. Steering goes before
+ * thrust, and the boat slows down while it points elsewhere, so that it turns on the spot rather than circle a target.
+ */
+final class SteeringControl {
+    private final Vehicle vehicle;
+    private final double fullThrustSpeedMps;
+    private final ControlLoop heading;
+    private final ControlLoop speed;
+
+    SteeringControl(Vehicle vehicle, ServerConfig config) {
+        this.vehicle = vehicle;
+        fullThrustSpeedMps = config.fullThrustSpeedMps();
+        heading = new ControlLoop(config.headingGains());
+        speed = new ControlLoop(config.speedGains());
+    }
+
+    /** The loop's gains from now on; it forgets the past. */
+    void setGains(GainAxis axis, Gains gains) {
+        loop(axis).setGains(gains);
+    }
+
+    Gains gains(GainAxis axis) {
+        return loop(axis).gains();
+    }
+
+    private ControlLoop loop(GainAxis axis) {
+        return axis == GainAxis.HEADING ? heading : speed;
+    }
+
+    /** Metres to a target, which is the origin of its frame. */
+    double distanceM(LocalFrame target) {
+        return target.distanceM(vehicle.latDeg(), vehicle.lonDeg());
+    }
+
+    /** Steers towards a target for one tick; rests as long as the vehicle does not know where it is or what it does. */
+    void steerTo(LocalFrame target, double speedMps, double seconds) {
+        double eastM = target.eastM(vehicle.latDeg(), vehicle.lonDeg());
+        double northM = target.northM(vehicle.latDeg(), vehicle.lonDeg());
+        double error = turn(StrictMath.atan2(-eastM, -northM) - vehicle.headingRad());
+        if (Double.isNaN(error + vehicle.speedMps())) {
+            rest();
+            return;
+        }
+        double wantedMps = speedMps * Math.max(0, StrictMath.cos(error));
+        double thrust = wantedMps / fullThrustSpeedMps + speed.effort(wantedMps - vehicle.speedMps(), seconds);
+        drive(thrust, heading.effort(error, seconds));
+    }
+
+    /** Sets the motors for efforts ahead and to starboard; what both cannot have, steering gets. */
+    void drive(double thrust, double rudder) {
+        double room = 1 - Math.abs(rudder);
+        double ahead = Math.max(-room, Math.min(room, thrust));
+        vehicle.setMotors(ahead + rudder, ahead - rudder);
+    }
+
+    /** Motors to zero; the loops forget. */
+    void rest() {
+        vehicle.setMotors(0, 0);
+        heading.reset();
+        speed.reset();
+    }
+
+    /** The same turn in -π to π. */
+    private static double turn(double rad) {
+        return Math.IEEEremainder(rad, 2 * Math.PI);
+    }
+}

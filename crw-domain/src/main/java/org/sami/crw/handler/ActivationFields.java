@@ -1,0 +1,57 @@
+package org.sami.crw.handler;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.crw.event.Numbers;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
+
+/** Reads fields of activations; what is missing or of another type is an {@link IllegalArgumentException} that names it. */
+final class ActivationFields {
+    private ActivationFields() {}
+
+    static Value required(Activation activation, String field) {
+        return activation
+                .value(field)
+                .orElseThrow(() -> new IllegalArgumentException(
+                        activation.type() + " in " + activation.place() + " has no value for \"" + field + "\""));
+    }
+
+    static String text(Activation activation, String field) {
+        if (required(activation, field) instanceof TextValue text) {
+            return text.value();
+        }
+        throw new IllegalArgumentException("\"" + field + "\" is no text: " + activation.value(field));
+    }
+
+    static double metres(Activation activation, String field) {
+        return number(activation, field);
+    }
+
+    static double number(Activation activation, String field) {
+        return Numbers.real(required(activation, field));
+    }
+
+    static GeoPoint point(Activation activation, String field) {
+        return point(required(activation, field), field);
+    }
+
+    static GeoPoint point(Value value, String field) {
+        if (value instanceof GeoPoint point) {
+            return point;
+        }
+        throw new IllegalArgumentException("\"" + field + "\" is no point: " + value);
+    }
+
+    static List<GeoPoint> points(Value value, String field) {
+        if (!(value instanceof ListValue list)) {
+            throw new IllegalArgumentException("\"" + field + "\" is no list of points: " + value);
+        }
+        List<GeoPoint> points = new ArrayList<>();
+        list.items().forEach(item -> points.add(point(item, field)));
+        return points;
+    }
+}

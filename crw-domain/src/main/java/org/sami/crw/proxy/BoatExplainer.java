@@ -1,0 +1,131 @@
+package org.sami.crw.proxy;
+
+import java.util.List;
+import java.util.Optional;
+import org.sami.crw.proxy.BoatExplanation.Cause;
+
+/** Answers "why is this boat not moving?" from its proxy's link and queue. */
+final class BoatExplainer {
+    private static final int MOST_NAMED = 3;
+
+    private final BoatProxy proxy;
+    private final CommandDriver driver;
+
+    BoatExplainer(BoatProxy proxy) {
+        this.proxy = proxy;
+        driver = proxy.driver();
+    }
+
+    BoatExplanation explain() {
+        Optional<Obstacle> obstacle = proxy.obstacle();
+        if (obstacle.isPresent()) {
+            return still(obstacle.get().cause(), obstacle.get().text() + counted());
+        } else if (isBatteryEmpty()) {
+            return still(Cause.BATTERY_EMPTY, "its battery is empty" + wanted());
+        } else if (driver.run().isPresent()) {
+            return running(driver.run().get());
+        } else if (driver.isStopping()) {
+            return still(Cause.STOPPING, "no mission wants anything of it; it is being stopped");
+        } else if (driver.queue().blockedBy().isPresent()) {
+            long blocker = driver.queue().blockedBy().get();
+            return still(Cause.BLOCKED, "mission " + blocker + " keeps it where it is" + counted());
+        }
+        LastCommandOutcome last = driver.lastWord();
+        return still(
+                last.cause(), "no mission wants anything of it" + (last.text().isEmpty() ? "" : "; " + last.text()));
+    }
+
+    private boolean isBatteryEmpty() {
+        return proxy.status()
+                .battery()
+                .filter(battery -> battery.percent() <= 0)
+                .isPresent();
+    }
+
+    private String wanted() {
+        return driver.run().map(run -> "; it should do " + name(run.queued())).orElse("");
+    }
+
+    private BoatExplanation running(CommandRun run) {
+        String visited = visited(run.queued());
+        Optional<ProgressMonitor> stuck = run.headway().filter(ProgressMonitor::isShown);
+        if (stuck.isPresent()) {
+            return new BoatExplanation(
+                    false,
+                    Cause.NO_PROGRESS,
+                    proxy.boatId() + " does not get on: " + stuck.get().words() + "; it does " + name(run.queued())
+                            + visited + waiting(run.queued()));
+        }
+        String words = name(run.queued()) + ": " + run.state() + visited + sends() + waiting(run.queued());
+        if (run.isDriving()) {
+            return new BoatExplanation(true, Cause.UNDER_WAY, proxy.boatId() + " does " + words);
+        }
+        Cause cause = causeOf(run);
+        return cause == Cause.KEEPS_STATION || cause == Cause.TAKES_PICTURES
+                ? new BoatExplanation(false, cause, proxy.boatId() + " does " + words)
+                : new BoatExplanation(false, causeOf(run), proxy.boatId() + " waits: " + words);
+    }
+
+    private static Cause causeOf(CommandRun run) {
+        if (run.queued().command() instanceof Stop) {
+            return Cause.STOPPING;
+        }
+        if (run.queued().command() instanceof Panorama) {
+            return Cause.TAKES_PICTURES;
+        }
+        return run instanceof StationRun station && station.isThere() ? Cause.KEEPS_STATION : Cause.UPLOADING;
+    }
+
+    private static String name(QueuedCommand queued) {
+        return queued.command().commandId() + " of mission " + queued.command().mission();
+    }
+
+    private static String visited(QueuedCommand queued) {
+        return queued.command() instanceof FollowPath path
+                ? ", " + queued.visited() + " of " + path.points().size() + " points visited"
+                : "";
+    }
+
+    private String sends() {
+        int sends = driver.sends();
+        return sends > 1 ? ", sent " + sends + " times without an answer" : "";
+    }
+
+    /** Who waits for what runs, and why it does not run itself. */
+    private String waiting(QueuedCommand running) {
+        List<QueuedCommand> waiting = driver.queue().waiting();
+        StringBuilder text = new StringBuilder();
+        for (QueuedCommand queued : waiting.subList(0, Math.min(MOST_NAMED, waiting.size()))) {
+            text.append("; ").append(name(queued)).append(" waits: ").append(whyNot(queued, running));
+        }
+        if (waiting.size() > MOST_NAMED) {
+            text.append("; ").append(waiting.size() - MOST_NAMED).append(" more wait");
+        }
+        return text.toString();
+    }
+
+    private String whyNot(QueuedCommand queued, QueuedCommand running) {
+        Optional<Long> blocker = driver.queue().blockedBy();
+        if (queued.isInterrupted()) {
+            return "it is interrupted and returns afterwards";
+        } else if (blocker.isPresent() && blocker.get() != queued.command().mission()) {
+            return "mission " + blocker.get() + " keeps the boat";
+        } else if (queued.command().priority() != running.command().priority()) {
+            return "its priority is " + queued.command().priority() + ", not "
+                    + running.command().priority();
+        }
+        return "the other came first";
+    }
+
+    private String counted() {
+        int commands = driver.queue().size();
+        if (commands == 0) {
+            return "";
+        }
+        return commands == 1 ? "; one command waits" : "; " + commands + " commands wait";
+    }
+
+    private BoatExplanation still(Cause cause, String why) {
+        return new BoatExplanation(false, cause, proxy.boatId() + " does not move: " + why);
+    }
+}

@@ -1,0 +1,36 @@
+package org.sami.crw.proxy;
+
+import java.util.ArrayDeque;
+import java.util.function.Consumer;
+
+/**
+ * What is to be said to the listener once the proxy is done with a change, in order. A listener that calls back finds the
+ * proxy consistent, and what that causes is said after what is being said.
+ */
+final class DeferredNotifications {
+    private final BoatListener listener;
+    private final ArrayDeque<Consumer<BoatListener>> waiting = new ArrayDeque<>();
+    private boolean speaking;
+
+    DeferredNotifications(BoatListener listener) {
+        this.listener = listener;
+    }
+
+    void add(Consumer<BoatListener> announcement) {
+        waiting.add(announcement);
+    }
+
+    void deliver() {
+        if (speaking) {
+            return;
+        }
+        speaking = true;
+        try {
+            for (var next = waiting.poll(); next != null; next = waiting.poll()) {
+                next.accept(listener);
+            }
+        } finally {
+            speaking = false;
+        }
+    }
+}

@@ -1,0 +1,86 @@
+package org.sami.crw.service.allocation;
+
+import java.util.List;
+import java.util.Optional;
+import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.Interruption;
+import org.sami.crw.service.LocalPlane;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Distances between boats and work on a plane, straight, by their indices in a problem. Counts how many it was asked for: the
+ * measure of how much an algorithm computes, the same on every machine.
+ */
+final class DistanceTable {
+    private static final long LOOK_MASK = (1 << 16) - 1;
+
+    private final double[] boatX;
+    private final double[] boatY;
+    private final double[] begunM;
+    private final double[] x;
+    private final double[] y;
+    private long measured;
+    private Optional<String> shortfall = Optional.empty();
+
+    DistanceTable(AllocationProblem problem) {
+        List<Candidate> boats = problem.boats();
+        LocalPlane plane = new LocalPlane(
+                boats.isEmpty() ? GeoPoint.of(0, 0) : boats.get(0).at());
+        boatX = boats.stream().mapToDouble(boat -> plane.x(boat.freeAt())).toArray();
+        boatY = boats.stream().mapToDouble(boat -> plane.y(boat.freeAt())).toArray();
+        begunM = boats.stream().mapToDouble(DistanceTable::begunM).toArray();
+        x = problem.work().stream().mapToDouble(one -> plane.x(one.location())).toArray();
+        y = problem.work().stream().mapToDouble(one -> plane.y(one.location())).toArray();
+    }
+
+    private static double begunM(Candidate boat) {
+        return Geodesy.lengthM(
+                boat.at(), boat.begun().stream().map(WorkItem::location).toList());
+    }
+
+    /** Length of what a boat has begun; it counts as part of its path. */
+    double begun(int boat) {
+        return begunM[boat];
+    }
+
+    private void count() {
+        if ((++measured & LOOK_MASK) == 0) {
+            Interruption.check();
+        }
+    }
+
+    /** The algorithm came to its limit; what became of the rest, in words. */
+    void fallShort(String words) {
+        shortfall = Optional.of(words);
+    }
+
+    Optional<String> shortfall() {
+        return shortfall;
+    }
+
+    /** From where a boat is free to some work. */
+    double first(int boat, int to) {
+        count();
+        return distance(boatX[boat], boatY[boat], x[to], y[to]);
+    }
+
+    double between(int from, int to) {
+        count();
+        return distance(x[from], y[from], x[to], y[to]);
+    }
+
+    /** From a stop of a boat's path; {@code from} below zero is where the boat is free. */
+    double leg(int boat, int from, int to) {
+        return from < 0 ? first(boat, to) : between(from, to);
+    }
+
+    long measured() {
+        return measured;
+    }
+
+    private static double distance(double fromX, double fromY, double toX, double toY) {
+        double dx = toX - fromX;
+        double dy = toY - fromY;
+        return Math.sqrt(dx * dx + dy * dy);
+    }
+}

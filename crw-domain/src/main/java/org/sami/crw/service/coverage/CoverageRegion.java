@@ -1,0 +1,98 @@
+package org.sami.crw.service.coverage;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.locationtech.jts.algorithm.MinimumDiameter;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Geometry;
+import org.locationtech.jts.geom.Polygon;
+import org.locationtech.jts.operation.overlayng.OverlayNG;
+import org.locationtech.jts.operation.overlayng.OverlayNGRobust;
+import org.sami.crw.service.LocalPlane;
+import org.sami.crw.service.water.Areas;
+import org.sami.crw.service.water.Water;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+
+/** What of an area is to be covered and how lanes lie in it. */
+final class CoverageRegion {
+    private static final double MOST_MARGIN_M = 0.5;
+    private static final double MARGIN_OF_SPACING = 1.0 / 20;
+    /** A piece of rest with less than this part of a square spacing is not worth a lane. */
+    private static final double LEAST_REST = 0.25;
+
+    private final LocalPlane plane;
+    private final double spacingM;
+    private final Water water;
+    private final Geometry region;
+    /** The region without its rim: where lanes end. */
+    private final Geometry drivable;
+
+    private final SweepLanes sweep;
+
+    /** Refuses an area that is no simple polygon, or of which nothing may be entered. */
+    CoverageRegion(CoverageProblem problem) {
+        GeoPoint origin = problem.area().outline().get(0);
+        plane = new LocalPlane(origin);
+        spacingM = problem.spacingM();
+        Polygon area = Areas.polygon(problem.area(), plane, "The area");
+        List<GeoArea> avoid = new ArrayList<>(problem.avoid());
+        problem.area().holes().forEach(hole -> avoid.add(new GeoArea(hole, List.of())));
+        water = Water.of(origin, avoid, problem.within());
+        region = Water.of(origin, problem.avoid(), problem.within()).allowed(area);
+        if (region.isEmpty()) {
+            throw new IllegalArgumentException("Nothing of the area may be entered");
+        }
+        double narrowestM = new MinimumDiameter(region).getLength();
+        drivable = region.buffer(-Math.min(MOST_MARGIN_M, MARGIN_OF_SPACING * Math.min(spacingM, narrowestM)));
+        sweep = SweepLanes.best(region, drivable, spacingM)
+                .orElseThrow(() -> new IllegalArgumentException("The area is too narrow to be driven in"));
+    }
+
+    /** One track through everything. */
+    List<Coordinate> tour() {
+        List<Cell> cells = new ArrayList<>(Cell.of(sweep));
+        cells.addAll(cellsForRest(cells));
+        Geometry forbidden =
+                region instanceof Polygon ? Water.inside(plane, region).forbidden() : water.forbidden();
+        return CellTour.through(cells, new LaneConnections(forbidden));
+    }
+
+    /** Strips that are left beside holes and bays, as these do not care where lanes lie, get lanes of their own. */
+    private List<Cell> cellsForRest(List<Cell> cells) {
+        List<List<Coordinate>> lanes =
+                cells.stream().flatMap(cell -> cell.lanes().stream()).toList();
+        Geometry rest = UncoveredArea.of(region, lanes, spacingM / 2, sweep.angleRad());
+        List<Cell> more = new ArrayList<>();
+        for (int i = 0; i < rest.getNumGeometries(); i++) {
+            Geometry piece = rest.getGeometryN(i);
+            if (piece.getArea() >= LEAST_REST * spacingM * spacingM) {
+                Geometry within = OverlayNGRobust.overlay(piece, drivable, OverlayNG.INTERSECTION);
+                SweepLanes.best(piece, within, spacingM).map(Cell::of).ifPresent(more::addAll);
+            }
+        }
+        return more;
+    }
+
+    /** What shares leave uncovered. */
+    Geometry rest(List<CoverageShare> shares) {
+        List<List<Coordinate>> tracks = new ArrayList<>();
+        shares.forEach(share -> tracks.add(share.track().stream()
+                .map(point -> Areas.coordinate(point, plane))
+                .toList()));
+        return tracks.isEmpty() ? region : UncoveredArea.of(region, tracks, spacingM / 2, sweep.angleRad());
+    }
+
+    /** Where boats may go on their way to the area. */
+    Water water() {
+        return water;
+    }
+
+    LocalPlane plane() {
+        return plane;
+    }
+
+    double areaM2() {
+        return region.getArea();
+    }
+}

@@ -1,0 +1,72 @@
+package org.sami.crw.service.coverage;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Geometry;
+import org.locationtech.jts.geom.GeometryFactory;
+import org.locationtech.jts.geom.LineString;
+import org.locationtech.jts.geom.LinearRing;
+import org.locationtech.jts.geom.Polygon;
+import org.locationtech.jts.geom.util.AffineTransformation;
+import org.locationtech.jts.operation.buffer.BufferOp;
+import org.locationtech.jts.operation.buffer.BufferParameters;
+import org.locationtech.jts.operation.overlayng.OverlayNG;
+import org.locationtech.jts.operation.overlayng.OverlayNGRobust;
+import org.sami.crw.service.LocalPlane;
+import org.sami.crw.service.water.Areas;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+
+/** What of a region tracks leave uncovered. */
+final class UncoveredArea {
+    /** Round ends are polygons inside the circle: what they cover is covered. */
+    private static final int QUADRANT_SEGMENTS = 16;
+
+    private static final GeometryFactory FACTORY = new GeometryFactory();
+
+    private UncoveredArea() {}
+
+    /**
+     * All points of a region that are farther from every track than a distance. Works on a plane that is turned so that most lanes
+     * lie along its x-axis: boxes around slanting lanes would all overlap, and finding crossings would take their square.
+     *
+     * @param angleRad the direction of most lanes
+     */
+    static Geometry of(Geometry region, List<List<Coordinate>> tracks, double distanceM, double angleRad) {
+        BufferParameters parameters = new BufferParameters(QUADRANT_SEGMENTS);
+        parameters.setSimplifyFactor(0);
+        LineString[] lines = tracks.stream()
+                .map(track -> FACTORY.createLineString(track.toArray(Coordinate[]::new)))
+                .toArray(LineString[]::new);
+        AffineTransformation turn = AffineTransformation.rotationInstance(-angleRad);
+        Geometry covered =
+                BufferOp.bufferOp(turn.transform(FACTORY.createMultiLineString(lines)), distanceM, parameters);
+        Geometry rest = OverlayNGRobust.overlay(turn.transform(region), covered, OverlayNG.DIFFERENCE);
+        return AffineTransformation.rotationInstance(angleRad).transform(rest);
+    }
+
+    /** The polygons of a geometry as areas. */
+    static List<GeoArea> areas(Geometry geometry, LocalPlane plane) {
+        List<GeoArea> areas = new ArrayList<>();
+        for (int i = 0; i < geometry.getNumGeometries(); i++) {
+            if (geometry.getGeometryN(i) instanceof Polygon polygon && !polygon.isEmpty()) {
+                List<List<GeoPoint>> holes = new ArrayList<>();
+                for (int hole = 0; hole < polygon.getNumInteriorRing(); hole++) {
+                    holes.add(points(polygon.getInteriorRingN(hole), plane));
+                }
+                areas.add(new GeoArea(points(polygon.getExteriorRing(), plane), holes));
+            }
+        }
+        return areas;
+    }
+
+    private static List<GeoPoint> points(LinearRing ring, LocalPlane plane) {
+        List<GeoPoint> points = new ArrayList<>();
+        Coordinate[] coordinates = ring.getCoordinates();
+        for (int i = 0; i + 1 < coordinates.length; i++) {
+            points.add(Areas.point(coordinates[i], plane));
+        }
+        return points;
+    }
+}

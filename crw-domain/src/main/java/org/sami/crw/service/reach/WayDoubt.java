@@ -1,0 +1,23 @@
+package org.sami.crw.service.reach;
+
+import java.util.Objects;
+
+/**
+ * What is wrong with a way.
+ *
+ * @param words a clause that names the boat, such as "boat1 is to go 48 km from where it is"
+ */
+public record WayDoubt(Kind kind, String words) {
+    /** What a doubt is about. */
+    public enum Kind {
+        /** A point lies far away, or on land. */
+        PLACE,
+        /** The way is longer than the charge lasts. */
+        CHARGE
+    }
+
+    public WayDoubt {
+        Objects.requireNonNull(kind, "kind");
+        Objects.requireNonNull(words, "words");
+    }
+}

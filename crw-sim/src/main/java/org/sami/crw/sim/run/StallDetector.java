@@ -1,0 +1,78 @@
+package org.sami.crw.sim.run;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.EngineHost;
+import org.sami.spn.protocol.Decision;
+
+/**
+ * Finds out that nothing can happen any longer: no timer runs, no answer is on its way, no interrupt is to be pressed, and no boat does
+ * anything for a mission. Boats that nobody wants may drift. Without it a mission that is stuck would only end with the run's time.
+ */
+public final class StallDetector {
+    /** After so long without an input nothing comes of what was asked of services and sensors either. */
+    private static final long QUIET_MILLIS = 300_000;
+
+    /** Within this time everything has been asked and said that follows from an input. */
+    private static final long SETTLED_MILLIS = 5_000;
+
+    private static final double STILL_MPS = 0.05;
+
+    private final EngineHost host;
+    private final AwaitedNews news;
+    private final SimulatedOperatorDriver operator;
+    private final InterruptScheduler interrupts;
+    private final RunRecorder recorder;
+
+    /** A watch over one run. */
+    public StallDetector(
+            EngineHost host,
+            RunPlan plan,
+            SimulatedOperatorDriver operator,
+            InterruptScheduler interrupts,
+            RunRecorder recorder) {
+        this.host = host;
+        news = new AwaitedNews(plan.vocabulary(), plan.project());
+        this.operator = operator;
+        this.interrupts = interrupts;
+        this.recorder = recorder;
+    }
+
+    /**
+     * Why nothing can happen; empty while something can.
+     *
+     * @param isWanted whether a mission wants something of a boat, by its name
+     */
+    public Optional<String> look(long nowMillis, List<BoatState> boats, Predicate<String> isWanted) {
+        long quietMillis = nowMillis - recorder.lastInputMillis();
+        if (recorder.root().isEmpty()
+                || quietMillis <= SETTLED_MILLIS
+                || operator.isThinking()
+                || interrupts.hasPlans()
+                || host.ask(EngineView::nextDueMillis).isPresent()) {
+            return Optional.empty();
+        }
+        boolean nobodyMoves =
+                boats.stream().allMatch(boat -> !isWanted.test(boat.id()) || Math.abs(boat.speedMps()) < STILL_MPS);
+        boolean nobodyIsWanted = boats.stream().noneMatch(boat -> isWanted.test(boat.id()));
+        boolean atOnce = nobodyIsWanted && !interrupts.waitForBatteries() && !host.ask(news::isAwaited);
+        return atOnce || (nobodyMoves && quietMillis > QUIET_MILLIS) ? Optional.of(reason(boats)) : Optional.empty();
+    }
+
+    private String reason(List<BoatState> boats) {
+        List<Decision> open = operator.open();
+        if (!open.isEmpty()) {
+            return "nobody answers: "
+                    + open.stream().map(Decision::prompt).collect(Collectors.joining("; "))
+                    + operator.troubles().stream().map(t -> " (" + t + ")").collect(Collectors.joining());
+        }
+        String empty = boats.stream()
+                .filter(boat -> boat.batteryPercent() <= 0)
+                .map(BoatState::id)
+                .collect(Collectors.joining(", "));
+        return "nothing can happen in the mission any longer" + (empty.isEmpty() ? "" : "; empty battery: " + empty);
+    }
+}

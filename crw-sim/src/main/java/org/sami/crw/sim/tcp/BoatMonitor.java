@@ -1,0 +1,67 @@
+package org.sami.crw.sim.tcp;
+
+import java.util.HashMap;
+import java.util.Map;
+import org.sami.crw.proxy.BoatExplanation;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.sim.report.LinkResult;
+
+/**
+ * Looks after the boats' proxies from time to time: how many paths have gone to each boat, and why one that should be under way is
+ * not. Says the latter once for each reason that lasts. For the base's thread.
+ */
+final class BoatMonitor {
+    /** So many looks, a second apart, are the usual time of an upload and of a boat's answers. */
+    private static final int PATIENCE = 3;
+
+    private final FleetStatus desk;
+    private final SessionNotes notes;
+    private final OperatorNotices notices;
+    private final Map<String, Standstill> standstills = new HashMap<>();
+
+    private record Standstill(String reason, int looks) {}
+
+    BoatMonitor(FleetStatus desk, SessionNotes notes, OperatorNotices notices) {
+        this.desk = desk;
+        this.notes = notes;
+        this.notices = notices;
+    }
+
+    /** Looks at all boats; to be called once a second. */
+    void look(ProxyRegistry boats) {
+        boats.all().forEach(this::look);
+    }
+
+    private void look(BoatProxy boat) {
+        LinkResult.Uploads uploads = LinkResult.Uploads.of(boat.uploads());
+        if (desk.uploaded(boat.boatId(), uploads)) {
+            notes.uploads(boat.boatId(), uploads);
+        }
+        BoatExplanation explanation = boat.explain();
+        boolean isEmpty = boat.status()
+                .battery()
+                .filter(battery -> battery.percent() <= 0)
+                .isPresent();
+        desk.explained(boat.boatId(), explanation.text(), !boat.isAtRest() && !isEmpty);
+        boolean stands = !explanation.shouldMove()
+                && !boat.isAtRest()
+                && boat.status().link() != LinkState.LOST; // that was said at once
+        if (stands) {
+            stands(boat.boatId(), explanation.text());
+        } else {
+            standstills.remove(boat.boatId());
+        }
+    }
+
+    private void stands(String boat, String text) {
+        String reason = text.replaceAll("[0-9]+", "#"); // whatever is counted in it is not another reason
+        Standstill before = standstills.get(boat);
+        int looks = before != null && before.reason.equals(reason) ? before.looks + 1 : 1;
+        standstills.put(boat, new Standstill(reason, looks));
+        if (looks == PATIENCE) {
+            notices.show(text);
+        }
+    }
+}

@@ -1,0 +1,109 @@
+package org.sami.crw.sim.tcp;
+
+import java.net.InetSocketAddress;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.LongSupplier;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.tcp.LinkReport;
+import org.sami.crw.proxy.tcp.TcpBase;
+import org.sami.crw.sim.run.BoatAddress;
+
+/**
+ * Waits, for a bounded time, until every boat has answered, takes commands from this base, and has said where it is. For the
+ * thread that starts the run.
+ */
+final class FleetReadiness {
+    private static final long LOOK_MS = 50;
+
+    private final TcpBase base;
+    private final List<BoatAddress> addresses;
+    private final FleetStatus desk;
+    private final SessionNotes notes;
+
+    FleetReadiness(TcpBase base, List<BoatAddress> addresses, FleetStatus desk, SessionNotes notes) {
+        this.base = base;
+        this.addresses = addresses;
+        this.desk = desk;
+        this.notes = notes;
+    }
+
+    /**
+     * Connects to all and waits.
+     *
+     * @param clockMs milliseconds that never run back
+     * @return what keeps boats from being ready, in words that name the boat or its address; empty if nothing does
+     * @throws InterruptedException if somebody wants an end
+     */
+    List<String> await(LongSupplier clockMs, long withinMs) throws InterruptedException {
+        addresses.forEach(address -> base.connect(address.toSocketAddress()));
+        long end = clockMs.getAsLong() + withinMs;
+        List<String> missing = look();
+        while (!missing.isEmpty() && clockMs.getAsLong() < end) {
+            Thread.sleep(LOOK_MS);
+            missing = look();
+        }
+        return missing;
+    }
+
+    /** Keeps which address leads to which boat; returns what keeps boats from being ready. */
+    List<String> look() {
+        List<LinkReport> links = base.links().join();
+        List<String> missing = new ArrayList<>();
+        for (BoatAddress address : addresses) {
+            Optional<LinkReport> link = links.stream()
+                    .filter(report -> isAt(report.address(), address))
+                    .findFirst();
+            Optional<String> boat = link.flatMap(LinkReport::boatId);
+            boat.ifPresent(id -> keep(id, address));
+            String obstacle = boat.map(this::obstacle)
+                    .orElse("does not answer"
+                            + link.map(FleetReadiness::lastEvent).orElse(""));
+            if (!obstacle.isEmpty()) {
+                missing.add(boat.map(id -> id + " at " + address + ": ").orElse(address + " ") + obstacle);
+            }
+        }
+        return missing;
+    }
+
+    /** The boats that have answered, in the order of their addresses. */
+    List<String> boats() {
+        List<LinkReport> links = base.links().join();
+        return addresses.stream()
+                .flatMap(address -> links.stream()
+                        .filter(report -> isAt(report.address(), address))
+                        .flatMap(report -> report.boatId().stream()))
+                .toList();
+    }
+
+    private static boolean isAt(InetSocketAddress known, BoatAddress address) {
+        return known.getHostString().equals(address.host()) && known.getPort() == address.port();
+    }
+
+    private static String lastEvent(LinkReport link) {
+        if (link.connected()) {
+            return " (something listens there, and says nothing that a boat would say)";
+        }
+        return link.lastEvent().isEmpty() ? "" : " (" + link.lastEvent() + ")";
+    }
+
+    private void keep(String boat, BoatAddress address) {
+        if (desk.isAt(boat, address.toString())) {
+            notes.address(boat, address.toString());
+        }
+    }
+
+    private String obstacle(String boat) {
+        return base.query(
+                        boats -> boats.find(boat).map(FleetReadiness::obstacle).orElse("it is gone"))
+                .join();
+    }
+
+    private static String obstacle(BoatProxy boat) {
+        if (!boat.isCommanding()) {
+            return boat.explain().text();
+        }
+        return boat.status().pose().isEmpty() ? "it has not said where it is" : "";
+    }
+}

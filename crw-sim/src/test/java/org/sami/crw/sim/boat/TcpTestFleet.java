@@ -1,0 +1,290 @@
+package org.sami.crw.sim.boat;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Function;
+import java.util.function.LongSupplier;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.log.LogLines;
+import org.sami.boat.server.log.LoggedCommand;
+import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.BoatStatus;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.ProxyConfig;
+import org.sami.crw.proxy.Upload;
+import org.sami.crw.proxy.tcp.BaseListener;
+import org.sami.crw.proxy.tcp.LinkAlarm;
+import org.sami.crw.proxy.tcp.LinkReport;
+import org.sami.crw.proxy.tcp.TcpBase;
+import org.sami.crw.proxy.tcp.TcpBaseConfig;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
+
+/** Real boats on real ports of the loopback address, routers in between, and bases; all closed with the harbour. */
+final class TcpTestFleet implements AutoCloseable {
+    static final GeoPoint PIER = GeoPoint.of(45.4, 10.9);
+
+    private final Path logs;
+    private final LongSupplier clockMs;
+    private final List<AutoCloseable> opened = new ArrayList<>();
+
+    TcpTestFleet(Path logs) {
+        this(logs, () -> System.nanoTime() / 1_000_000);
+    }
+
+    /** A harbour where boats and bases live on a clock of milliseconds. */
+    TcpTestFleet(Path logs, LongSupplier clockMs) {
+        this.logs = logs;
+        this.clockMs = clockMs;
+    }
+
+    static InetSocketAddress port(int port) {
+        return new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
+    }
+
+    BoatOnTcp boat(String name) throws IOException {
+        return boat(name, 0, logs);
+    }
+
+    BoatOnTcp boat(String name, int port, Path logFolder) throws IOException {
+        BoatSettings settings = BoatSettings.of(name, port(port), PIER, 1).loggingTo(logFolder);
+        return keep(new BoatOnTcp(settings, new SteadyClock(clockMs), TcpServerListener.NONE));
+    }
+
+    DelayingRelay lateRelay(BoatOnTcp boat) throws IOException {
+        return keep(new DelayingRelay(boat.address()));
+    }
+
+    TestRelay relay(BoatOnTcp boat) throws IOException {
+        return keep(new TestRelay(boat.address()));
+    }
+
+    Base base(String clientId) {
+        return base(clientId, clockMs);
+    }
+
+    Base base(String clientId, LongSupplier ownClockMs) {
+        ProxyConfig proxy = ProxyConfig.DEFAULT.withClientId(clientId).withTelemetryHz(20);
+        return keep(new Base(proxy, new SteadyClock(ownClockMs)));
+    }
+
+    /** A base that sends again after so many ms what stays unanswered. */
+    Base impatientBase(String clientId, long resendMs) {
+        ProxyConfig proxy = new ProxyConfig(clientId, 0, 1.5, 20, 3500, resendMs, 20);
+        return keep(new Base(proxy, SteadyClock.ofThisMachine()));
+    }
+
+    private <C extends AutoCloseable> C keep(C closeable) {
+        opened.add(closeable);
+        return closeable;
+    }
+
+    /** What a boat has executed or refused, by its own log. */
+    List<LoggedCommand> log(String name) throws IOException {
+        List<LoggedCommand> entries = new ArrayList<>();
+        LogLines.read(logs.resolve(name + ".log"), entries::add);
+        return entries;
+    }
+
+    List<String> executedIds(String name) throws IOException {
+        return log(name).stream().map(entry -> entry.command().commandId()).toList();
+    }
+
+    /** How many commands of a kind a boat has executed. */
+    long executed(String name, String type) throws IOException {
+        return log(name).stream()
+                .filter(entry -> entry.command().type().equals(type))
+                .count();
+    }
+
+    /** The same, for conditions. */
+    long executedOf(String name, String type) {
+        try {
+            return executed(name, type);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** A path of points so many metres north of the pier, and far away eastward if there are none. */
+    static FollowPath path(String id, long mission, double... northM) {
+        List<GeoPoint> points = new ArrayList<>();
+        for (double north : northM) {
+            points.add(GeoPoint.of(PIER.latDeg() + north / 111_132.0, PIER.lonDeg()));
+        }
+        if (points.isEmpty()) {
+            points.add(GeoPoint.of(PIER.latDeg(), PIER.lonDeg() + 0.1));
+        }
+        return FollowPath.of(id, mission, 1, points, Priority.MEDIUM);
+    }
+
+    @Override
+    public void close() throws Exception {
+        for (int i = opened.size() - 1; i >= 0; i--) {
+            opened.get(i).close();
+        }
+    }
+
+    /** A base and all that it was told. */
+    static final class Base implements AutoCloseable, BaseListener {
+        final ConcurrentLinkedQueue<String> heard = new ConcurrentLinkedQueue<>();
+        final ConcurrentLinkedQueue<LinkAlarm> alarms = new ConcurrentLinkedQueue<>();
+        final ConcurrentLinkedQueue<String> failures = new ConcurrentLinkedQueue<>();
+        final Map<String, BoatStatus> statuses = new ConcurrentHashMap<>();
+        final TcpBase tcp;
+        volatile boolean onlyWatches;
+
+        Base(ProxyConfig proxy, SteadyClock clock) {
+            tcp = new TcpBase(new TcpBaseConfig(proxy, 5, 50, 1000, 20, 200, 256, 1 << 20), clock, this);
+        }
+
+        BoatProxy connect(InetSocketAddress address, String expected) {
+            tcp.connect(address);
+            linked(expected);
+            return ask(expected, proxy -> proxy);
+        }
+
+        void linked(String boatId) {
+            Await.until(boatId + " is linked", 15, () -> status(boatId).link() == LinkState.LINKED);
+        }
+
+        BoatStatus status(String boatId) {
+            return statuses.getOrDefault(boatId, BoatStatus.unknown(boatId));
+        }
+
+        Optional<BoatMode> mode(String boatId) {
+            return status(boatId).mode();
+        }
+
+        void awaitMode(String boatId, BoatMode mode) {
+            Await.until(boatId + " is at " + mode, 15, () -> mode(boatId).equals(Optional.of(mode)));
+        }
+
+        <T> T ask(String boatId, Function<BoatProxy, T> question) {
+            return tcp.query(proxies -> question.apply(proxies.find(boatId).orElseThrow()))
+                    .join();
+        }
+
+        void submit(String boatId, BoatCommand command) {
+            ask(boatId, proxy -> {
+                proxy.submit(command);
+                return true;
+            });
+        }
+
+        String explanation(String boatId) {
+            return ask(boatId, proxy -> proxy.explain().text());
+        }
+
+        Optional<Upload> upload(String boatId) {
+            return ask(boatId, BoatProxy::upload);
+        }
+
+        Optional<String> heldListId(String boatId) {
+            return ask(boatId, BoatProxy::heldListId);
+        }
+
+        List<LinkReport> links() {
+            return tcp.links().join();
+        }
+
+        long count(String line) {
+            return heard.stream().filter(line::equals).count();
+        }
+
+        @Override
+        public void close() {
+            tcp.close();
+        }
+
+        @Override
+        public BoatListener found(String boatId) {
+            return new Ear();
+        }
+
+        @Override
+        public void onBoat(BoatProxy proxy) {
+            if (onlyWatches) {
+                proxy.observe();
+            }
+        }
+
+        @Override
+        public void onMoved(String boatId, InetSocketAddress from, InetSocketAddress to) {
+            heard.add(boatId + " moved to port " + to.getPort());
+        }
+
+        @Override
+        public void onRemoved(String boatId) {
+            heard.add(boatId + " removed");
+        }
+
+        @Override
+        public void onAlarm(LinkAlarm alarm) {
+            alarms.add(alarm);
+        }
+
+        @Override
+        public void onFailure(String what, RuntimeException cause) {
+            failures.add(what + ": " + cause);
+        }
+
+        /** Writes down what a proxy tells. */
+        private final class Ear implements BoatListener {
+            @Override
+            public void onStatus(BoatStatus status) {
+                statuses.put(status.boatId(), status);
+            }
+
+            @Override
+            public void onLinkChange(BoatStatus status) {
+                statuses.put(status.boatId(), status);
+                heard.add(status.boatId() + " " + status.link());
+            }
+
+            @Override
+            public void onCompleted(String boatId, BoatCommand command) {
+                heard.add(boatId + " completed " + command.commandId());
+            }
+
+            @Override
+            public void onFailed(String boatId, BoatCommand command, String reason) {
+                heard.add(boatId + " failed " + command.commandId() + ": " + reason);
+            }
+
+            @Override
+            public void onRestarted(BoatStatus status) {
+                heard.add(status.boatId() + " restarted");
+            }
+
+            @Override
+            public void onCommanding(String boatId, boolean commands) {
+                heard.add(boatId + (commands ? " commanded" : " observed"));
+            }
+
+            @Override
+            public void onCommandAsked(String boatId, String clientId) {
+                heard.add(boatId + " asked for by " + clientId);
+            }
+
+            @Override
+            public void onRefused(String boatId, String reason) {
+                heard.add(boatId + " refused: " + reason);
+            }
+        }
+    }
+}

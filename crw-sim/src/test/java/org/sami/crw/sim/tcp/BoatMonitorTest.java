@@ -1,0 +1,61 @@
+package org.sami.crw.sim.tcp;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.ProxyConfig;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
+
+/** What is said of a boat that a mission wants something of and that does not move. */
+class BoatMonitorTest {
+    private static final String WHY = "anna does not move: the boat has not answered yet; one command waits";
+
+    private final FleetStatus desk = new FleetStatus();
+    private final SessionNotes notes = new SessionNotes(SessionJournal.none(), () -> 0);
+    private final OperatorNotices notices = new OperatorNotices(notes);
+    private final BoatMonitor watch = new BoatMonitor(desk, notes, notices);
+    private final BoatProxy anna = new BoatProxy("anna", frame -> {}, new BoatListener() {}, ProxyConfig.DEFAULT);
+    private final ProxyRegistry boats = new ProxyRegistry();
+
+    BoatMonitorTest() {
+        boats.add(anna);
+    }
+
+    private void look(int times) {
+        for (int i = 0; i < times; i++) {
+            watch.look(boats);
+        }
+    }
+
+    @Test
+    void whyABoatStandsStillIsSaidOnceWhenItLasts() {
+        anna.submit(FollowPath.of("m1-a1-anna", 1, 1, List.of(GeoPoint.of(45, 10)), Priority.MEDIUM));
+
+        look(2);
+        assertThat(notices.next()).isNull();
+        look(1);
+        assertThat(notices.next()).isEqualTo(WHY);
+        look(5);
+        assertThat(notices.next()).isNull();
+        assertThat(desk.link("anna").why()).isEqualTo(WHY);
+    }
+
+    @Test
+    void runIsNotStuckAsLongAsAMissionWantsSomethingOfABoat() {
+        assertThat(desk.someoneIsWanted()).isFalse();
+        anna.submit(FollowPath.of("m1-a1-anna", 1, 1, List.of(GeoPoint.of(45, 10)), Priority.MEDIUM));
+        look(1);
+        assertThat(desk.someoneIsWanted()).isTrue();
+
+        anna.withdraw(1);
+        look(1);
+
+        assertThat(desk.someoneIsWanted()).isFalse();
+    }
+}
