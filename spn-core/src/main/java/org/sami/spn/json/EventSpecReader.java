@@ -28,7 +28,7 @@ final class EventSpecReader {
         this.ids = ids;
     }
 
-    Optional<OutputEventSpec> output(Members m) {
+    Optional<OutputEventSpec> output(JsonObjectReader m) {
         String id = id(m);
         Optional<EventType> type = type(m, Direction.OUTPUT);
         Map<String, FieldSource> fields = new LinkedHashMap<>();
@@ -46,10 +46,10 @@ final class EventSpecReader {
         return type.map(t -> new OutputEventSpec(id, t.name(), fields, writes, markups));
     }
 
-    Optional<InputEventSpec> input(Members m) {
+    Optional<InputEventSpec> input(JsonObjectReader m) {
         String id = id(m);
         Optional<EventType> type = type(m, Direction.INPUT);
-        Map<String, Members.Element> given = m.map("fields");
+        Map<String, JsonObjectReader.Element> given = m.map("fields");
         Map<String, Value> fields = type.map(t -> parts.fields(given, t.fields(), "event " + t.name()))
                 .orElse(Map.of());
         Map<String, String> writes = writes(m, type);
@@ -63,13 +63,13 @@ final class EventSpecReader {
         return refused;
     }
 
-    private String id(Members m) {
+    private String id(JsonObjectReader m) {
         String id = m.text("id");
         ids.take(id, m.at("id"));
         return id;
     }
 
-    private Optional<EventType> type(Members m, Direction side) {
+    private Optional<EventType> type(JsonObjectReader m, Direction side) {
         String name = m.text("type");
         Optional<EventType> type = parts.vocabulary().event(name);
         if (type.isEmpty() && !name.isEmpty()) {
@@ -89,7 +89,7 @@ final class EventSpecReader {
         return type;
     }
 
-    private Map<String, String> writes(Members m, Optional<EventType> type) {
+    private Map<String, String> writes(JsonObjectReader m, Optional<EventType> type) {
         Map<String, String> writes = new LinkedHashMap<>();
         m.textMap("writes").forEach((field, variable) -> {
             String pointer = Problems.at(m.at("writes"), field);
@@ -102,12 +102,12 @@ final class EventSpecReader {
     }
 
     /** Exactly one of value, ask, variable says where a field comes from. */
-    private Optional<FieldSource> source(Members.Element element, FieldType field) {
-        Optional<Members> found = Members.of(element.node(), element.pointer(), parts.problems());
+    private Optional<FieldSource> source(JsonObjectReader.Element element, FieldType field) {
+        Optional<JsonObjectReader> found = JsonObjectReader.of(element.node(), element.pointer(), parts.problems());
         if (found.isEmpty()) {
             return Optional.empty();
         }
-        Members m = found.get();
+        JsonObjectReader m = found.get();
         int kinds = (m.has("value") ? 1 : 0) + (m.has("ask") ? 1 : 0) + (m.has("variable") ? 1 : 0);
         if (kinds == 0 && reportsUnknown(m)) {
             return Optional.empty();
@@ -125,7 +125,7 @@ final class EventSpecReader {
     }
 
     /** Reports members that none of the sources of a field has; one of them may be a misspelt source. */
-    private boolean reportsUnknown(Members m) {
+    private boolean reportsUnknown(JsonObjectReader m) {
         int before = parts.problems().count();
         for (String known : SOURCE) {
             m.node(known);
@@ -134,17 +134,17 @@ final class EventSpecReader {
         return parts.problems().count() > before;
     }
 
-    private Optional<FieldSource> fixed(Members m, FieldType field) {
+    private Optional<FieldSource> fixed(JsonObjectReader m, FieldType field) {
         return m.node("value")
-                .flatMap(n -> parts.value(new Members.Element(n, m.at("value")), field.type()))
+                .flatMap(n -> parts.value(new JsonObjectReader.Element(n, m.at("value")), field.type()))
                 .map(FieldSource.Fixed::new);
     }
 
-    private Optional<FieldSource> asked(Members m, FieldType field) {
+    private Optional<FieldSource> asked(JsonObjectReader m, FieldType field) {
         int before = parts.problems().count();
         Optional<Ask> ask = m.word("ask", Ask.class);
-        Optional<Value> value =
-                m.node("default").flatMap(n -> parts.value(new Members.Element(n, m.at("default")), field.type()));
+        Optional<Value> value = m.node("default")
+                .flatMap(n -> parts.value(new JsonObjectReader.Element(n, m.at("default")), field.type()));
         if (ask.isPresent() && ask.get() == Ask.LOCKED && !m.has("default")) {
             m.problem(Codes.MISSING, "", "The locked field " + field.name() + " needs a \"default\"");
         }
@@ -153,7 +153,7 @@ final class EventSpecReader {
                 : ask.map(a -> new FieldSource.Asked(value, a == Ask.EDITABLE));
     }
 
-    private Optional<FieldSource> variable(Members m) {
+    private Optional<FieldSource> variable(JsonObjectReader m) {
         String name = m.text("variable");
         if (name.equals(Reserved.TASK_VARIABLE)) {
             return Optional.of(new FieldSource.FromTask());

@@ -22,7 +22,7 @@ final class EventTypeReader {
         this.fields = fields;
     }
 
-    Optional<EventType> read(Members m, Names taken) {
+    Optional<EventType> read(JsonObjectReader m, Names taken) {
         String name = m.text("name");
         taken.take(name, m.pointer());
         List<String> aliases = m.texts("aliases");
@@ -43,7 +43,7 @@ final class EventTypeReader {
         return direction.map(d -> event);
     }
 
-    private Set<EventFlag> flags(Members m) {
+    private Set<EventFlag> flags(JsonObjectReader m) {
         Set<EventFlag> flags = EnumSet.noneOf(EventFlag.class);
         for (String word : m.texts("flags")) {
             Optional<EventFlag> flag = Words.parse(EventFlag.class, word);
@@ -55,7 +55,7 @@ final class EventTypeReader {
         return flags;
     }
 
-    private Optional<DecisionType> decision(Members m) {
+    private Optional<DecisionType> decision(JsonObjectReader m) {
         Optional<DecisionForm> form = m.word("form", DecisionForm.class);
         String accepted = m.text("accepted");
         String rejected = m.text("rejected", "");

@@ -24,7 +24,7 @@ final class FieldTypeReader {
         this.problems = problems;
     }
 
-    List<FieldType> fields(Members m, String member) {
+    List<FieldType> fields(JsonObjectReader m, String member) {
         Names taken = new Names(problems);
         return m.objects(member).stream()
                 .map(f -> field(f, taken))
@@ -32,7 +32,7 @@ final class FieldTypeReader {
                 .toList();
     }
 
-    private Optional<FieldType> field(Members m, Names taken) {
+    private Optional<FieldType> field(JsonObjectReader m, Names taken) {
         String name = m.text("name");
         taken.take(name, m.pointer());
         Optional<ValueType> type = type(m, "type");
@@ -65,7 +65,7 @@ final class FieldTypeReader {
     }
 
     /** A type that must be there and whose names must be declared. */
-    Optional<ValueType> type(Members m, String member) {
+    Optional<ValueType> type(JsonObjectReader m, String member) {
         String text = m.text(member);
         Optional<ValueType> type = TypeNames.parse(text);
         if (type.isEmpty() && !text.isEmpty()) {
@@ -90,7 +90,7 @@ final class FieldTypeReader {
         return guess.toString();
     }
 
-    Optional<MarkupType> markup(Members m, Names taken) {
+    Optional<MarkupType> markup(JsonObjectReader m, Names taken) {
         String name = m.text("name");
         taken.take(name, m.pointer());
         List<String> aliases = m.texts("aliases");
@@ -98,7 +98,7 @@ final class FieldTypeReader {
         return Optional.of(new MarkupType(name, aliases, fields(m, "options"), m.text("label"), m.text("help")));
     }
 
-    Optional<TaskClass> taskClass(Members m, Names taken) {
+    Optional<TaskClass> taskClass(JsonObjectReader m, Names taken) {
         String name = m.text("name");
         taken.take(name, m.pointer());
         return Optional.of(new TaskClass(name, fields(m, "fields"), m.text("help")));

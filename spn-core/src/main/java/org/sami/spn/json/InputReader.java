@@ -27,13 +27,13 @@ final class InputReader {
     }
 
     Optional<Input> read(JsonNode node) {
-        Optional<Members> members = Members.of(node, "", problems);
+        Optional<JsonObjectReader> members = JsonObjectReader.of(node, "", problems);
         Optional<Input> input = members.flatMap(this::read);
-        members.filter(m -> input.isPresent()).ifPresent(Members::done);
+        members.filter(m -> input.isPresent()).ifPresent(JsonObjectReader::done);
         return input;
     }
 
-    private Optional<Input> read(Members m) {
+    private Optional<Input> read(JsonObjectReader m) {
         String kind = m.text("input");
         return switch (kind) {
             case "received" -> Optional.of(new Input.Received(occurrence(m)));
@@ -64,7 +64,7 @@ final class InputReader {
         };
     }
 
-    private Occurrence occurrence(Members m) {
+    private Occurrence occurrence(JsonObjectReader m) {
         return new Occurrence(
                 m.text("type"),
                 m.has("mission") ? m.whole("mission") : 0,
@@ -77,7 +77,7 @@ final class InputReader {
                 values(m, "values"));
     }
 
-    private Optional<Input> answerDecision(Members m) {
+    private Optional<Input> answerDecision(JsonObjectReader m) {
         long decision = m.whole("decision");
         Optional<Answerer> by = m.word("by", Answerer.class);
         Optional<Answer> answer = m.object("answer").flatMap(this::answer);
@@ -87,7 +87,7 @@ final class InputReader {
         return by.flatMap(b -> answer.map(a -> new Input.AnswerDecision(decision, a, b)));
     }
 
-    private Optional<Answer> answer(Members m) {
+    private Optional<Answer> answer(JsonObjectReader m) {
         Optional<Answer> answer = Optional.empty();
         if (m.has("yes")) {
             answer = Optional.of(new Answer.YesNo(m.flag("yes")));
@@ -104,10 +104,11 @@ final class InputReader {
         return answer;
     }
 
-    private Input allocateTasks(Members m) {
+    private Input allocateTasks(JsonObjectReader m) {
         Map<TaskId, Optional<String>> allocation = new LinkedHashMap<>();
-        for (Members entry : m.objects("allocation")) {
-            Optional<TaskId> task = entry.node("task").flatMap(n -> task(new Members.Element(n, entry.at("task"))));
+        for (JsonObjectReader entry : m.objects("allocation")) {
+            Optional<TaskId> task =
+                    entry.node("task").flatMap(n -> task(new JsonObjectReader.Element(n, entry.at("task"))));
             Optional<String> proxy = entry.has("proxy") ? Optional.of(entry.text("proxy")) : Optional.empty();
             entry.done();
             task.ifPresent(t -> allocation.put(t, proxy));
@@ -115,21 +116,21 @@ final class InputReader {
         return new Input.AllocateTasks(allocation);
     }
 
-    private List<TaskSpec> tasks(Members m) {
+    private List<TaskSpec> tasks(JsonObjectReader m) {
         List<TaskSpec> tasks = new ArrayList<>();
-        for (Members t : m.objects("tasks")) {
+        for (JsonObjectReader t : m.objects("tasks")) {
             tasks.add(new TaskSpec(t.text("name"), t.text("class"), values(t, "fields")));
             t.done();
         }
         return tasks;
     }
 
-    private Optional<TaskId> task(Members.Element element) {
+    private Optional<TaskId> task(JsonObjectReader.Element element) {
         return values.read(element.node(), ValueType.Simple.TASK, element.pointer())
                 .map(TaskId.class::cast);
     }
 
-    private Optional<Value> value(Members m) {
+    private Optional<Value> value(JsonObjectReader m) {
         Optional<JsonNode> node = m.node("value");
         if (node.isEmpty()) {
             m.problem(Codes.MISSING, "", "The member \"value\" is missing");
@@ -137,7 +138,7 @@ final class InputReader {
         return node.flatMap(n -> new TaggedValues(problems).read(n, m.at("value")));
     }
 
-    private Map<String, Value> values(Members m, String member) {
+    private Map<String, Value> values(JsonObjectReader m, String member) {
         Map<String, Value> read = new LinkedHashMap<>();
         TaggedValues tagged = new TaggedValues(problems);
         m.map(member).forEach((name, e) -> tagged.read(e.node(), e.pointer()).ifPresent(v -> read.put(name, v)));

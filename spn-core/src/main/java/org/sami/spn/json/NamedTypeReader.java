@@ -17,7 +17,7 @@ final class NamedTypeReader {
         this.problems = problems;
     }
 
-    Optional<NamedType> read(Members m, Names taken) {
+    Optional<NamedType> read(JsonObjectReader m, Names taken) {
         boolean isEnum = m.has("enum");
         String name = m.text(isEnum ? "enum" : "record");
         if (!name.isEmpty() && !name.matches("[A-Z][A-Za-z0-9]*")) {
@@ -27,7 +27,7 @@ final class NamedTypeReader {
         return isEnum ? readEnum(m, name) : readRecord(m, name);
     }
 
-    private Optional<NamedType> readEnum(Members m, String name) {
+    private Optional<NamedType> readEnum(JsonObjectReader m, String name) {
         List<String> constants = m.texts("constants");
         if (constants.isEmpty()) {
             m.problem(Codes.MISSING, "", "The enumeration " + name + " has no \"constants\"");
@@ -37,7 +37,7 @@ final class NamedTypeReader {
         return Optional.of(new NamedType.Enumeration(name, constants));
     }
 
-    private Optional<NamedType> readRecord(Members m, String name) {
+    private Optional<NamedType> readRecord(JsonObjectReader m, String name) {
         Map<String, ValueType> fields = new LinkedHashMap<>();
         m.textMap("fields").forEach((field, text) -> {
             String where = Problems.at(m.at("fields"), field);

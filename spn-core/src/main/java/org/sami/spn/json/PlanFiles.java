@@ -20,9 +20,9 @@ record PlanFiles(String file, VocabularyFiles.Source beside, SourceTexts sources
     }
 
     /** The plans' objects by pointer; those in files of their own have pointers that begin with the file's name. */
-    Map<String, Members> plans(Members root, Problems problems) {
-        Map<String, Members> plans = new LinkedHashMap<>();
-        for (Members m : root.objects("plans")) {
+    Map<String, JsonObjectReader> plans(JsonObjectReader root, Problems problems) {
+        Map<String, JsonObjectReader> plans = new LinkedHashMap<>();
+        for (JsonObjectReader m : root.objects("plans")) {
             if (!m.has("file")) {
                 plans.put(m.pointer(), m);
                 continue;
@@ -44,7 +44,7 @@ record PlanFiles(String file, VocabularyFiles.Source beside, SourceTexts sources
                         inFile.addAll(syntax.findings(), prefix);
                         return node;
                     })
-                    .flatMap(node -> Members.of(node, name + "#", problems))
+                    .flatMap(node -> JsonObjectReader.of(node, name + "#", problems))
                     .ifPresent(members -> {
                         members.text(ProjectReader.SCHEMA, ""); // for editors, as in the project's document
                         plans.put(name, members);

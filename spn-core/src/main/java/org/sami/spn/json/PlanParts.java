@@ -38,11 +38,11 @@ final class PlanParts {
         return problems;
     }
 
-    Optional<Value> value(Members.Element element, ValueType type) {
+    Optional<Value> value(JsonObjectReader.Element element, ValueType type) {
         return values.read(element.node(), type, element.pointer());
     }
 
-    List<VariableSpec> variables(Members m, String member) {
+    List<VariableSpec> variables(JsonObjectReader m, String member) {
         Names taken = new Names(problems);
         return m.objects(member).stream()
                 .map(v -> variable(v, taken))
@@ -50,13 +50,13 @@ final class PlanParts {
                 .toList();
     }
 
-    private Optional<VariableSpec> variable(Members m, Names taken) {
+    private Optional<VariableSpec> variable(JsonObjectReader m, Names taken) {
         String name = m.text("name");
         boolean goodName = checkVariable(name, m.at("name"));
         taken.take(name, m.at("name"));
         Optional<ValueType> type = types.type(m, "type");
-        Optional<Value> initial =
-                m.node("initial").flatMap(n -> type.flatMap(t -> value(new Members.Element(n, m.at("initial")), t)));
+        Optional<Value> initial = m.node("initial")
+                .flatMap(n -> type.flatMap(t -> value(new JsonObjectReader.Element(n, m.at("initial")), t)));
         m.done();
         return goodName ? type.map(t -> new VariableSpec(name, t, initial)) : Optional.empty();
     }
@@ -80,17 +80,17 @@ final class PlanParts {
         return true;
     }
 
-    List<MarkupSpec> markups(Members m) {
+    List<MarkupSpec> markups(JsonObjectReader m) {
         return m.objects("markups").stream()
                 .map(this::markup)
                 .flatMap(Optional::stream)
                 .toList();
     }
 
-    private Optional<MarkupSpec> markup(Members m) {
+    private Optional<MarkupSpec> markup(JsonObjectReader m) {
         String name = m.text("type");
         Optional<MarkupType> type = vocabulary.markup(name);
-        Map<String, Members.Element> given = m.map("options");
+        Map<String, JsonObjectReader.Element> given = m.map("options");
         m.done();
         if (type.isEmpty()) {
             if (!name.isEmpty()) {
@@ -130,7 +130,7 @@ final class PlanParts {
         return Optional.of(new MarkupSpec(type.get().name(), options));
     }
 
-    List<TaskSpec> tasks(Members m) {
+    List<TaskSpec> tasks(JsonObjectReader m) {
         Names taken = new Names(problems);
         return m.objects("tasks").stream()
                 .map(t -> task(t, taken))
@@ -138,11 +138,11 @@ final class PlanParts {
                 .toList();
     }
 
-    private Optional<TaskSpec> task(Members m, Names taken) {
+    private Optional<TaskSpec> task(JsonObjectReader m, Names taken) {
         String name = m.text("name");
         taken.take(name, m.at("name"));
         String className = m.text("class");
-        Map<String, Members.Element> given = m.map("fields");
+        Map<String, JsonObjectReader.Element> given = m.map("fields");
         m.done();
         TaskClass taskClass = vocabulary.taskClasses().get(className);
         if (taskClass == null) {
@@ -158,7 +158,7 @@ final class PlanParts {
     }
 
     /** Values of declared fields; a field that is not declared is reported. */
-    Map<String, Value> fields(Map<String, Members.Element> given, List<FieldType> declared, String owner) {
+    Map<String, Value> fields(Map<String, JsonObjectReader.Element> given, List<FieldType> declared, String owner) {
         Map<String, Value> fields = new LinkedHashMap<>();
         given.forEach((name, element) -> field(name, declared, owner, element.pointer())
                 .flatMap(type -> value(element, type.type()))

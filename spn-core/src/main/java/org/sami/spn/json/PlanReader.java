@@ -20,7 +20,7 @@ import org.sami.spn.model.WaitFor;
 /** Reads one plan of a project. */
 final class PlanReader {
     private final PlanParts parts;
-    private final Members m;
+    private final JsonObjectReader m;
     private final List<VariableSpec> globals;
     private final Names planIds;
     private final Names ids;
@@ -29,7 +29,7 @@ final class PlanReader {
     private final EventSpecReader events;
     private final RequirementReader requirements;
 
-    PlanReader(PlanParts parts, Members plan, List<VariableSpec> globals, Names planIds) {
+    PlanReader(PlanParts parts, JsonObjectReader plan, List<VariableSpec> globals, Names planIds) {
         this.parts = parts;
         this.m = plan;
         this.globals = globals;
@@ -80,7 +80,7 @@ final class PlanReader {
                 cases);
     }
 
-    private Place place(Members p) {
+    private Place place(JsonObjectReader p) {
         String id = vertex(p, places);
         Place place = new Place(
                 id,
@@ -99,7 +99,7 @@ final class PlanReader {
         return place;
     }
 
-    private Transition transition(Members t) {
+    private Transition transition(JsonObjectReader t) {
         String id = vertex(t, transitions);
         Transition transition = new Transition(
                 id,
@@ -114,14 +114,14 @@ final class PlanReader {
         return transition;
     }
 
-    private String vertex(Members v, Names kind) {
+    private String vertex(JsonObjectReader v, Names kind) {
         String id = v.text("id");
         ids.take(id, v.at("id"));
         kind.take(id, v.pointer());
         return id;
     }
 
-    private SubMissionSpec subMission(Members s) {
+    private SubMissionSpec subMission(JsonObjectReader s) {
         String id = s.text("id");
         ids.take(id, s.at("id"));
         String plan = s.text("plan");
@@ -158,7 +158,7 @@ final class PlanReader {
         }
     }
 
-    private InEdge inEdge(Members e) {
+    private InEdge inEdge(JsonObjectReader e) {
         String id = e.text("id");
         ids.take(id, e.at("id"));
         String place = end(e, "place", places);
@@ -176,7 +176,7 @@ final class PlanReader {
         return edge;
     }
 
-    private OutEdge outEdge(Members e) {
+    private OutEdge outEdge(JsonObjectReader e) {
         String id = e.text("id");
         ids.take(id, e.at("id"));
         String transition = end(e, "transition", transitions);
@@ -194,7 +194,7 @@ final class PlanReader {
         return edge;
     }
 
-    private static String end(Members e, String member, Names vertices) {
+    private static String end(JsonObjectReader e, String member, Names vertices) {
         String id = e.text(member);
         if (!id.isEmpty() && !vertices.has(id)) {
             e.problem(

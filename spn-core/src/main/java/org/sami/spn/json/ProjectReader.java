@@ -83,7 +83,7 @@ public final class ProjectReader {
         SourceTexts sources = new SourceTexts();
         sources.add("", file, text);
         Optional<Project> project = JsonText.parse(text, problems)
-                .flatMap(node -> Members.of(node, "", problems))
+                .flatMap(node -> JsonObjectReader.of(node, "", problems))
                 .filter(root -> checkVersion(root, problems))
                 .map(root -> readProject(root, new PlanFiles(file, beside, sources), problems));
         if (!problems.none()) {
@@ -110,7 +110,7 @@ public final class ProjectReader {
     }
 
     /** An unknown version is the only finding about its document: nothing else in it can be judged. */
-    private static boolean checkVersion(Members root, Problems problems) {
+    private static boolean checkVersion(JsonObjectReader root, Problems problems) {
         Optional<JsonNode> version = root.node("formatVersion");
         if (version.isEmpty()) {
             problems.add(Codes.VERSION, "", "\"formatVersion\" is missing: this is not a SAMI project");
@@ -128,7 +128,7 @@ public final class ProjectReader {
         return problems.none();
     }
 
-    private Project readProject(Members root, PlanFiles files, Problems problems) {
+    private Project readProject(JsonObjectReader root, PlanFiles files, Problems problems) {
         Optional<String> schema = root.has(SCHEMA) ? Optional.of(root.text(SCHEMA, "")) : Optional.empty();
         String id = root.text("id");
         String name = root.text("name", "");
@@ -141,7 +141,7 @@ public final class ProjectReader {
         }
         PlanParts parts = new PlanParts(vocabulary, problems);
         List<VariableSpec> globals = parts.variables(root, "globals");
-        Map<String, Members> planMembers = files.plans(root, problems);
+        Map<String, JsonObjectReader> planMembers = files.plans(root, problems);
         Names planIds = new Names(problems);
         planMembers.forEach((where, m) -> planIds.take(m.text("id", ""), m.at("id")));
         List<Plan> plans = new ArrayList<>();
@@ -154,9 +154,9 @@ public final class ProjectReader {
         return new Project(id, name, domain, globals, tree, plans, schema, origin);
     }
 
-    private static ImportOrigin origin(Members m) {
+    private static ImportOrigin origin(JsonObjectReader m) {
         List<ImportOrigin.Remark> remarks = new ArrayList<>();
-        for (Members r : m.objects("remarks")) {
+        for (JsonObjectReader r : m.objects("remarks")) {
             remarks.add(new ImportOrigin.Remark(
                     r.text("code"), r.text("plan", ""), r.texts("elements"), r.text("message", "")));
             r.done();
@@ -166,7 +166,7 @@ public final class ProjectReader {
         return origin;
     }
 
-    private static MissionTreeNode treeNode(Members m, Names planIds) {
+    private static MissionTreeNode treeNode(JsonObjectReader m, Names planIds) {
         String label = m.text("label", "");
         Optional<String> plan = m.has("plan") ? Optional.of(m.text("plan")) : Optional.empty();
         plan.filter(p -> !p.isEmpty() && !planIds.has(p))

@@ -10,7 +10,7 @@ import org.sami.spn.model.TokenKind;
 
 /** Reads the requirements of edges and refuses combinations that mean nothing (SEMANTICS, Requirements). */
 final class RequirementReader {
-    Optional<InRequirement> in(Members m) {
+    Optional<InRequirement> in(JsonObjectReader m) {
         Optional<TokenKind> kind = m.word("kind", TokenKind.class);
         Optional<Match> match = m.has("match") ? m.word("match", Match.class) : Optional.empty();
         boolean counted = m.has("n");
@@ -60,7 +60,7 @@ final class RequirementReader {
                 : Optional.empty();
     }
 
-    Optional<OutRequirement> out(Members m) {
+    Optional<OutRequirement> out(JsonObjectReader m) {
         Optional<TokenKind> kind = m.word("kind", TokenKind.class);
         Optional<Action> action = m.has("action") ? m.word("action", Action.class) : Optional.empty();
         Optional<JsonNode> quantity = m.node("n");

@@ -170,7 +170,10 @@ final class TaggedValues {
     }
 
     private Optional<Value> wrong(JsonNode node, String expected, String pointer) {
-        problems.add(Codes.WRONG_TYPE, pointer, "Expected is " + expected + ", found was " + Members.describe(node));
+        problems.add(
+                Codes.WRONG_TYPE,
+                pointer,
+                "Expected is " + expected + ", found was " + JsonObjectReader.describe(node));
         return Optional.empty();
     }
 }

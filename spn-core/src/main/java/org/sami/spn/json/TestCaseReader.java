@@ -49,11 +49,11 @@ final class TestCaseReader {
         variables.forEach(v -> this.variables.put(v.name(), v.type()));
     }
 
-    TestCase read(Members m) {
+    TestCase read(JsonObjectReader m) {
         String name = m.text("name");
         List<String> proxies = m.texts("proxies");
         List<TestStep> steps = new ArrayList<>();
-        for (Members s : m.objects("steps")) {
+        for (JsonObjectReader s : m.objects("steps")) {
             step(s).ifPresent(steps::add);
             s.done();
         }
@@ -61,7 +61,7 @@ final class TestCaseReader {
         return new TestCase(name, proxies, steps);
     }
 
-    private Optional<TestStep> step(Members s) {
+    private Optional<TestStep> step(JsonObjectReader s) {
         String verb = s.has("expect") ? "expect " + s.text("expect") : s.text("do");
         return switch (verb) {
             case "answer" -> answer(s);
@@ -82,7 +82,7 @@ final class TestCaseReader {
         };
     }
 
-    private TestStep expectTokens(Members s) {
+    private TestStep expectTokens(JsonObjectReader s) {
         int generic = s.integer("generic", 0);
         if (generic < 0) {
             s.problem(Codes.BAD_VALUE, "generic", "A number of tokens is not negative: " + generic);
@@ -91,7 +91,7 @@ final class TestCaseReader {
                 known(s, "place", places), Math.max(0, generic), s.texts("proxies"), s.texts("tasks"));
     }
 
-    private Optional<TestStep> answer(Members s) {
+    private Optional<TestStep> answer(JsonObjectReader s) {
         String event = s.has("event") ? known(s, "event", outputs) : "";
         Optional<TestStep.Reply> reply = Optional.empty();
         if (s.has("yes")) {
@@ -130,13 +130,13 @@ final class TestCaseReader {
         return type;
     }
 
-    private Optional<TestStep> occur(Members s) {
+    private Optional<TestStep> occur(JsonObjectReader s) {
         String name = s.text("type");
         Optional<EventType> type = parts.vocabulary().event(name).filter(t -> t.direction() == Direction.INPUT);
         String answers = s.has("answers") ? known(s, "answers", outputs) : "";
         List<String> proxies = s.texts("proxies");
         List<String> tasks = s.texts("tasks");
-        Map<String, Members.Element> given = s.map("values");
+        Map<String, JsonObjectReader.Element> given = s.map("values");
         if (type.isEmpty()) {
             s.problem(
                     Codes.UNKNOWN_EVENT,
@@ -154,16 +154,16 @@ final class TestCaseReader {
                 parts.fields(given, fields, "event " + type.get().name())));
     }
 
-    private Optional<TestStep> advance(Members s) {
-        Optional<Value> by =
-                s.node("by").flatMap(n -> parts.value(new Members.Element(n, s.at("by")), ValueType.Simple.DURATION));
+    private Optional<TestStep> advance(JsonObjectReader s) {
+        Optional<Value> by = s.node("by")
+                .flatMap(n -> parts.value(new JsonObjectReader.Element(n, s.at("by")), ValueType.Simple.DURATION));
         if (!s.has("by")) {
             s.problem(Codes.MISSING, "", "\"by\" says how much time passes");
         }
         return by.map(v -> new TestStep.Advance(((DurationValue) v).millis()));
     }
 
-    private String known(Members s, String member, Map<String, ?> elements) {
+    private String known(JsonObjectReader s, String member, Map<String, ?> elements) {
         String id = s.text(member);
         if (!id.isEmpty() && !elements.containsKey(id) && !refused.contains(id)) {
             s.problem(

@@ -170,7 +170,7 @@ final class ValueReader {
     }
 
     private Optional<Value> readRecord(JsonNode node, NamedType.RecordType type, String pointer) {
-        Optional<Members> members = Members.of(node, pointer, problems);
+        Optional<JsonObjectReader> members = JsonObjectReader.of(node, pointer, problems);
         if (members.isEmpty()) {
             return Optional.empty();
         }
@@ -189,7 +189,7 @@ final class ValueReader {
     }
 
     private Optional<Value> readTask(JsonNode node, String pointer) {
-        Optional<Members> members = Members.of(node, pointer, problems);
+        Optional<JsonObjectReader> members = JsonObjectReader.of(node, pointer, problems);
         if (members.isEmpty()) {
             return Optional.empty();
         }
@@ -206,7 +206,7 @@ final class ValueReader {
     }
 
     private Optional<GeoPoint> readPoint(JsonNode node, String pointer) {
-        Optional<Members> members = Members.of(node, pointer, problems);
+        Optional<JsonObjectReader> members = JsonObjectReader.of(node, pointer, problems);
         if (members.isEmpty()) {
             return Optional.empty();
         }
@@ -229,7 +229,7 @@ final class ValueReader {
         }
     }
 
-    private Optional<Double> coordinate(Members members, String name, String pointer) {
+    private Optional<Double> coordinate(JsonObjectReader members, String name, String pointer) {
         Optional<JsonNode> node = members.node(name);
         if (node.isEmpty()) {
             problems.add(
@@ -251,14 +251,14 @@ final class ValueReader {
     }
 
     private Optional<Value> readArea(JsonNode node, String pointer) {
-        Optional<Members> members = Members.of(node, pointer, problems);
+        Optional<JsonObjectReader> members = JsonObjectReader.of(node, pointer, problems);
         if (members.isEmpty()) {
             return Optional.empty();
         }
         Optional<List<GeoPoint>> outline =
                 members.get().node("outline").flatMap(n -> readPoints(n, Problems.at(pointer, "outline")));
         List<List<GeoPoint>> holes = new ArrayList<>();
-        List<Members.Element> given = members.get().array("holes");
+        List<JsonObjectReader.Element> given = members.get().array("holes");
         given.forEach(h -> readPoints(h.node(), h.pointer()).ifPresent(holes::add));
         members.get().done();
         if (outline.isEmpty() || outline.get().size() < 3) {
@@ -320,7 +320,10 @@ final class ValueReader {
     }
 
     private Optional<Value> wrong(JsonNode node, String expected, String pointer) {
-        problems.add(Codes.WRONG_TYPE, pointer, "Expected is " + expected + ", found was " + Members.describe(node));
+        problems.add(
+                Codes.WRONG_TYPE,
+                pointer,
+                "Expected is " + expected + ", found was " + JsonObjectReader.describe(node));
         return Optional.empty();
     }
 }

@@ -52,7 +52,7 @@ public record VocabularyFiles(Map<String, String> texts) {
     List<String> library() {
         Problems ignored = new Problems();
         return JsonText.parse(texts.getOrDefault(INDEX, "{}"), ignored)
-                .flatMap(node -> Members.of(node, "", ignored))
+                .flatMap(node -> JsonObjectReader.of(node, "", ignored))
                 .map(m -> m.texts("library"))
                 .orElse(List.of());
     }
@@ -66,7 +66,7 @@ public record VocabularyFiles(Map<String, String> texts) {
             sources.add(INDEX + "#", folder + "/" + INDEX, texts.get(INDEX));
             Problems inIndex = new Problems();
             JsonText.parse(texts.get(INDEX), inIndex)
-                    .flatMap(node -> Members.of(node, "", inIndex))
+                    .flatMap(node -> JsonObjectReader.of(node, "", inIndex))
                     .ifPresent(m -> m.texts("files")
                             .forEach(name -> fetch(source, name, problems).ifPresent(t -> texts.put(name, t))));
             problems.addAll(inIndex.findings(), INDEX + "#");

@@ -23,7 +23,7 @@ public final class VocabularyReader {
 
     private final VocabularyFiles files;
     private final Problems problems = new Problems();
-    private final Map<String, Members> roots = new LinkedHashMap<>();
+    private final Map<String, JsonObjectReader> roots = new LinkedHashMap<>();
     private final Map<String, NamedType> types = new LinkedHashMap<>();
 
     private VocabularyReader(VocabularyFiles files) {
@@ -47,11 +47,11 @@ public final class VocabularyReader {
         files.texts().forEach((name, text) -> {
             Problems syntax = new Problems();
             JsonText.parse(text, syntax)
-                    .flatMap(node -> Members.of(node, name + "#", problems))
+                    .flatMap(node -> JsonObjectReader.of(node, name + "#", problems))
                     .ifPresent(m -> roots.put(name, m));
             problems.addAll(syntax.findings(), name + "#");
         });
-        Members index = roots.get(VocabularyFiles.INDEX);
+        JsonObjectReader index = roots.get(VocabularyFiles.INDEX);
         if (index == null) {
             return Reading.nothing(problems);
         }
@@ -74,7 +74,7 @@ public final class VocabularyReader {
         return Reading.of(vocabulary, problems);
     }
 
-    private String readIndex(Members index) {
+    private String readIndex(JsonObjectReader index) {
         int version = index.integer("formatVersion", 0);
         if (version != FORMAT_VERSION) {
             index.problem(
@@ -88,7 +88,7 @@ public final class VocabularyReader {
         return index.text("domain");
     }
 
-    private static Optional<Geography> geography(Members m) {
+    private static Optional<Geography> geography(JsonObjectReader m) {
         long farM = m.whole("farM");
         long rangeM = m.whole("rangeM");
         m.done();
@@ -108,13 +108,13 @@ public final class VocabularyReader {
     }
 
     /** Reads the items of a list that any of the files may hold; names taken so far are shared over the files. */
-    private <T> List<T> all(String member, BiFunction<Members, Names, Optional<T>> reader) {
+    private <T> List<T> all(String member, BiFunction<JsonObjectReader, Names, Optional<T>> reader) {
         return all(member, new Names(problems), reader);
     }
 
-    private <T> List<T> all(String member, Names taken, BiFunction<Members, Names, Optional<T>> reader) {
+    private <T> List<T> all(String member, Names taken, BiFunction<JsonObjectReader, Names, Optional<T>> reader) {
         List<T> items = new ArrayList<>();
-        for (Members root : roots.values()) {
+        for (JsonObjectReader root : roots.values()) {
             if (root.has(member)) {
                 root.objects(member).forEach(m -> {
                     reader.apply(m, taken).ifPresent(items::add);

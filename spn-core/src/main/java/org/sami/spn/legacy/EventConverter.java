@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.sami.spn.json.JsonObjectReader;
 import org.sami.spn.json.ValueJson;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.InputEventSpec;
@@ -93,7 +94,7 @@ final class EventConverter {
                     e.className(),
                     () -> findings.note(
                             LegacyCodes.BY_NAME,
-                            Findings.at(e.pointer(), "class"),
+                            JsonObjectReader.at(e.pointer(), "class"),
                             "The class " + e.className() + " is in no table; it is taken for its namesake here",
                             e.key()));
             return found;
@@ -106,7 +107,7 @@ final class EventConverter {
         String event = side == Direction.OUTPUT ? unknown.output() : unknown.input();
         findings.warning(
                 LegacyCodes.UNKNOWN_EVENT,
-                Findings.at(e.pointer(), "class"),
+                JsonObjectReader.at(e.pointer(), "class"),
                 "The event " + e.key() + " is of the class " + e.className() + ", which this system does not know; "
                         + (event.isEmpty()
                                 ? "it is not imported"
@@ -192,7 +193,7 @@ final class EventConverter {
         e.reads().forEach((name, variable) -> {
             findings.warning(
                     LegacyCodes.UNKNOWN_FIELD,
-                    Findings.at(Findings.at(e.pointer(), "readVariables"), name),
+                    JsonObjectReader.at(JsonObjectReader.at(e.pointer(), "readVariables"), name),
                     "The input event " + e.key() + " reads its field " + name + " from " + variable
                             + ", which it cannot here",
                     e.key());
@@ -235,14 +236,14 @@ final class EventConverter {
                     e.className() + "." + name,
                     () -> findings.note(
                             LegacyCodes.DROPPED,
-                            Findings.at(Findings.at(e.pointer(), "fieldValues"), name),
+                            JsonObjectReader.at(JsonObjectReader.at(e.pointer(), "fieldValues"), name),
                             "The field " + name + " of " + e.simpleName() + " is not kept, here and elsewhere: "
                                     + rule.reason(),
                             e.key()));
         } else if (field.isEmpty() && set) {
             findings.warning(
                     LegacyCodes.UNKNOWN_FIELD,
-                    Findings.at(Findings.at(e.pointer(), "fieldValues"), name),
+                    JsonObjectReader.at(JsonObjectReader.at(e.pointer(), "fieldValues"), name),
                     "The event " + e.key() + " (" + type.name() + ") has no field for " + name + "; it is not imported",
                     e.key());
         }
@@ -306,7 +307,7 @@ final class EventConverter {
             } else {
                 findings.warning(
                         LegacyCodes.UNKNOWN_FIELD,
-                        Findings.at(Findings.at(e.pointer(), "writeVariables"), name),
+                        JsonObjectReader.at(JsonObjectReader.at(e.pointer(), "writeVariables"), name),
                         "The event " + e.key() + " (" + type.name() + ") has no field " + name + " to write to "
                                 + variable,
                         e.key());

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.sami.spn.json.JsonObjectReader;
 import org.sami.spn.legacy.LegacyPlan.DrawingMode;
 import org.sami.spn.legacy.LegacyPlan.Kind;
 import org.sami.spn.legacy.LegacyPlan.Move;
@@ -49,7 +50,7 @@ final class LegacyPlanReader {
         this.findings = findings;
     }
 
-    LegacyPlan plan(Cursor p) {
+    LegacyPlan plan(JsonObjectReader p) {
         List<LegacyPlan.Vertex> vertices =
                 p.objects("vertices").stream().map(this::vertex).toList();
         List<LegacyPlan.Edge> edges =
@@ -71,14 +72,14 @@ final class LegacyPlanReader {
     }
 
     /** A word that may be missing. */
-    private static <E> E oneOf(Cursor c, String member, Map<String, E> words, E absent) {
+    private static <E> E oneOf(JsonObjectReader c, String member, Map<String, E> words, E absent) {
         String word = c.text(member, "");
         if (word.isEmpty() && !c.node(member).filter(JsonNode::isTextual).isPresent()) {
             return absent;
         }
         E constant = words.get(word);
         if (constant == null) {
-            c.error(
+            c.problem(
                     LegacyCodes.UNKNOWN_WORD,
                     member,
                     "\"" + word + "\" is none of: "
@@ -88,15 +89,15 @@ final class LegacyPlanReader {
         return constant;
     }
 
-    private LegacyPlan.Task task(Cursor t) {
+    private LegacyPlan.Task task(JsonObjectReader t) {
         LegacyPlan.Task task = new LegacyPlan.Task(t.pointer(), t.text("name"), t.text("class", ""));
         t.done();
         return task;
     }
 
-    private LegacyPlan.Vertex vertex(Cursor v) {
+    private LegacyPlan.Vertex vertex(JsonObjectReader v) {
         if (v.node("type").isEmpty()) {
-            v.error(LegacyCodes.MISSING, "", "The member \"type\" is missing");
+            v.problem(LegacyCodes.MISSING, "", "The member \"type\" is missing");
         }
         LegacyPlan.Vertex vertex = new LegacyPlan.Vertex(
                 v.pointer(),
@@ -119,11 +120,11 @@ final class LegacyPlanReader {
         return vertex;
     }
 
-    private static Optional<LegacyValue> value(Cursor c, String member) {
+    private static Optional<LegacyValue> value(JsonObjectReader c, String member) {
         return c.node(member).map(n -> new LegacyValue(c.at(member), n));
     }
 
-    private LegacyPlan.Event event(Cursor e) {
+    private LegacyPlan.Event event(JsonObjectReader e) {
         Map<String, Boolean> editable = new LinkedHashMap<>();
         e.map("editable")
                 .forEach((field, element) -> editable.put(field, element.node().asBoolean()));
@@ -142,46 +143,46 @@ final class LegacyPlanReader {
         return event;
     }
 
-    private static Map<String, LegacyValue> values(Cursor c, String member) {
+    private static Map<String, LegacyValue> values(JsonObjectReader c, String member) {
         Map<String, LegacyValue> values = new LinkedHashMap<>();
         c.map(member).forEach((field, e) -> values.put(field, new LegacyValue(e.pointer(), e.node())));
         return values;
     }
 
-    private static Map<String, String> variables(Cursor c, String member) {
+    private static Map<String, String> variables(JsonObjectReader c, String member) {
         Map<String, String> variables = c.textMap(member);
         variables.replaceAll((field, name) -> variable(c, member, name));
         return variables;
     }
 
     /** A variable's name; the export writes it with its sign, and a name without one is taken as if it had it. */
-    static String variable(Cursor c, String member, String name) {
+    static String variable(JsonObjectReader c, String member, String name) {
         if (!name.isEmpty() && !name.startsWith("@")) {
             return "@" + name;
         }
         if (name.equals("@")) {
-            c.error(LegacyCodes.WRONG_TYPE, member, "\"@\" is no name of a variable");
+            c.problem(LegacyCodes.WRONG_TYPE, member, "\"@\" is no name of a variable");
         }
         return name;
     }
 
-    private LegacyPlan.Markup markup(Cursor m) {
+    private LegacyPlan.Markup markup(JsonObjectReader m) {
         LegacyPlan.Markup markup =
                 new LegacyPlan.Markup(m.pointer(), m.text("class"), values(m, "options"), values(m, "parameters"));
         m.done();
         return markup;
     }
 
-    private LegacyPlan.SubMission subMission(Cursor s) {
+    private LegacyPlan.SubMission subMission(JsonObjectReader s) {
         Map<String, String> tasks = new LinkedHashMap<>();
-        for (Cursor entry : s.objects("taskMap")) {
+        for (JsonObjectReader entry : s.objects("taskMap")) {
             entry.skip("key", "value");
             tasks.put(taskName(entry, "key"), taskName(entry, "value"));
         }
         String mode = s.text("instanceMode", "");
         boolean shared = mode.isEmpty() ? s.flag("sharedInstanceFlag") : mode.equals("static");
         if (!mode.isEmpty() && !mode.equals("static") && !mode.equals("dynamic")) {
-            s.error(LegacyCodes.UNKNOWN_WORD, "instanceMode", "\"" + mode + "\" is none of: dynamic, static");
+            s.problem(LegacyCodes.UNKNOWN_WORD, "instanceMode", "\"" + mode + "\" is none of: dynamic, static");
         }
         LegacyPlan.SubMission spec = new LegacyPlan.SubMission(s.pointer(), s.text("plan"), shared, tasks);
         s.skip(
@@ -197,10 +198,10 @@ final class LegacyPlanReader {
     }
 
     /** A task in a task map: its name, or an object that has one. */
-    private static String taskName(Cursor entry, String member) {
+    private static String taskName(JsonObjectReader entry, String member) {
         JsonNode node = entry.node(member).orElse(null);
         if (node == null) {
-            entry.error(LegacyCodes.MISSING, "", "The member \"" + member + "\" is missing");
+            entry.problem(LegacyCodes.MISSING, "", "The member \"" + member + "\" is missing");
             return "";
         }
         for (JsonNode candidate : List.of(
@@ -209,14 +210,17 @@ final class LegacyPlanReader {
                 return candidate.textValue();
             }
         }
-        entry.error(LegacyCodes.WRONG_TYPE, member, "A task's name is expected here, not " + Cursor.describe(node));
+        entry.problem(
+                LegacyCodes.WRONG_TYPE,
+                member,
+                "A task's name is expected here, not " + JsonObjectReader.describe(node));
         return "";
     }
 
-    private LegacyPlan.Edge edge(Cursor e) {
+    private LegacyPlan.Edge edge(JsonObjectReader e) {
         String type = e.text("type");
         if (!type.isEmpty() && !type.equals("in") && !type.equals("out")) {
-            e.error(LegacyCodes.UNKNOWN_WORD, "type", "\"" + type + "\" is none of: in, out");
+            e.problem(LegacyCodes.UNKNOWN_WORD, "type", "\"" + type + "\" is none of: in, out");
         }
         LegacyPlan.Edge edge = new LegacyPlan.Edge(
                 e.pointer(),
@@ -231,9 +235,9 @@ final class LegacyPlanReader {
         return edge;
     }
 
-    private LegacyPlan.Requirement requirement(Cursor r) {
+    private LegacyPlan.Requirement requirement(JsonObjectReader r) {
         if (r.node("kind").isEmpty()) {
-            r.error(LegacyCodes.MISSING, "", "The member \"kind\" is missing");
+            r.problem(LegacyCodes.MISSING, "", "The member \"kind\" is missing");
         }
         LegacyPlan.Requirement requirement = new LegacyPlan.Requirement(
                 r.pointer(),
@@ -266,7 +270,10 @@ final class LegacyPlanReader {
     private void unique(Set<String> keys, String key, String pointer) {
         if (!key.isEmpty() && !keys.add(key)) {
             findings.error(
-                    LegacyCodes.DUPLICATE, Findings.at(pointer, "key"), "The key " + key + " is there twice", key);
+                    LegacyCodes.DUPLICATE,
+                    JsonObjectReader.at(pointer, "key"),
+                    "The key " + key + " is there twice",
+                    key);
         }
     }
 
@@ -274,7 +281,7 @@ final class LegacyPlanReader {
         if (!key.isEmpty() && !vertices.contains(key)) {
             findings.error(
                     LegacyCodes.DANGLING,
-                    Findings.at(e.pointer(), member),
+                    JsonObjectReader.at(e.pointer(), member),
                     "The edge " + e.key() + " hangs in the air: there is no " + what + " \"" + key + "\"",
                     e.key());
         }

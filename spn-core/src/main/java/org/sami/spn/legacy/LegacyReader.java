@@ -11,6 +11,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.sami.spn.json.JsonObjectReader;
 
 /**
  * Reads the neutral export of the earlier system's projects into a {@link LegacyProject}. Every problem is a finding with its
@@ -53,15 +54,16 @@ final class LegacyReader {
 
     /** The project; what it holds is complete only where the findings have no error. */
     Optional<LegacyProject> read(JsonNode document) {
-        Optional<Cursor> root = Cursor.of(document, "", findings).filter(this::isOfThisFormat);
+        Optional<JsonObjectReader> root =
+                JsonObjectReader.of(document, "", findings).filter(this::isOfThisFormat);
         return root.map(this::project);
     }
 
     /** A document of another format or version is named as that, and nothing else is said about it. */
-    private boolean isOfThisFormat(Cursor root) {
+    private boolean isOfThisFormat(JsonObjectReader root) {
         String format = root.text("format", "");
         if (!format.equals(FORMAT)) {
-            root.error(
+            root.problem(
                     LegacyCodes.FORMAT,
                     format.isEmpty() ? "" : "format",
                     "This is no export of the earlier system: \"format\" is "
@@ -70,7 +72,7 @@ final class LegacyReader {
         }
         int version = root.integer("version", 0);
         if (version != VERSION) {
-            root.error(
+            root.problem(
                     LegacyCodes.VERSION,
                     root.node("version").isPresent() ? "version" : "",
                     root.node("version").isEmpty()
@@ -82,24 +84,24 @@ final class LegacyReader {
         return true;
     }
 
-    private LegacyProject project(Cursor root) {
+    private LegacyProject project(JsonObjectReader root) {
         String source = root.object("source").map(s -> s.text("file", "")).orElse("");
         root.skip("source", "project");
         List<LegacyProject.Global> globals =
                 root.objects("globalVariables").stream().map(this::global).toList();
         Set<String> names = new HashSet<>();
         for (LegacyProject.Global g : globals) {
-            unique(names, g.name(), Findings.at(g.pointer(), "name"), "The global variable " + g.name());
+            unique(names, g.name(), JsonObjectReader.at(g.pointer(), "name"), "The global variable " + g.name());
         }
         if (root.node("plans").isEmpty()) {
-            root.error(LegacyCodes.MISSING, "", "The member \"plans\" is missing");
+            root.problem(LegacyCodes.MISSING, "", "The member \"plans\" is missing");
         }
         LegacyPlanReader planReader = new LegacyPlanReader(findings);
         List<LegacyPlan> plans =
                 root.objects("plans").stream().map(planReader::plan).toList();
         Set<String> ids = new HashSet<>();
         for (LegacyPlan plan : plans) {
-            unique(ids, plan.id(), Findings.at(plan.pointer(), "id"), "The plan id " + plan.id());
+            unique(ids, plan.id(), JsonObjectReader.at(plan.pointer(), "id"), "The plan id " + plan.id());
         }
         plans.forEach(plan -> checkReferences(plan, ids));
         new SubMissionCycles(plans).findings().forEach(findings::add);
@@ -115,7 +117,7 @@ final class LegacyReader {
         }
     }
 
-    private LegacyProject.Global global(Cursor g) {
+    private LegacyProject.Global global(JsonObjectReader g) {
         LegacyProject.Global global = new LegacyProject.Global(
                 g.pointer(),
                 LegacyPlanReader.variable(g, "name", g.text("name")),
@@ -125,10 +127,10 @@ final class LegacyReader {
         return global;
     }
 
-    private LegacyProject.TreeNode node(Cursor n, Set<String> planIds) {
+    private LegacyProject.TreeNode node(JsonObjectReader n, Set<String> planIds) {
         Optional<String> plan = n.node("plan").isPresent() ? Optional.of(n.text("plan")) : Optional.empty();
         plan.filter(p -> !p.isEmpty() && !planIds.contains(p))
-                .ifPresent(p -> n.error(LegacyCodes.DANGLING, "plan", "There is no plan \"" + p + "\"", p));
+                .ifPresent(p -> n.problem(LegacyCodes.DANGLING, "plan", "There is no plan \"" + p + "\"", p));
         List<LegacyProject.TreeNode> children = new ArrayList<>();
         n.objects("children").forEach(c -> children.add(node(c, planIds)));
         LegacyProject.TreeNode node = new LegacyProject.TreeNode(n.text("label", ""), plan, children);
@@ -142,7 +144,7 @@ final class LegacyReader {
                 if (!s.plan().isEmpty() && !planIds.contains(s.plan())) {
                     findings.error(
                             LegacyCodes.DANGLING,
-                            Findings.at(s.pointer(), "plan"),
+                            JsonObjectReader.at(s.pointer(), "plan"),
                             "There is no plan \"" + s.plan() + "\" for the place " + v.title() + " to run",
                             v.key());
                 }

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.sami.spn.json.JsonObjectReader;
 import org.sami.spn.json.Reading;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.ValueType;
@@ -52,14 +53,14 @@ public final class LegacyTableReader {
         LegacyTableReader reader = new LegacyTableReader(vocabulary);
         Optional<LegacyTable> table = new LegacyReader(reader.findings)
                 .parse(text)
-                .flatMap(node -> Cursor.of(node, "", reader.findings))
+                .flatMap(node -> JsonObjectReader.of(node, "", reader.findings))
                 .map(reader::table);
         return new Reading<>(reader.findings.hasErrors() ? Optional.empty() : table, reader.findings.list());
     }
 
-    private LegacyTable table(Cursor root) {
+    private LegacyTable table(JsonObjectReader root) {
         if (root.integer("formatVersion", 0) != 1) {
-            root.error(LegacyCodes.VERSION, "", "A table of classes has \"formatVersion\": 1");
+            root.problem(LegacyCodes.VERSION, "", "A table of classes has \"formatVersion\": 1");
         }
         Map<String, LegacyTable.EventRule> events = new LinkedHashMap<>();
         root.objects("events").forEach(e -> put(events, e, eventRule(e)));
@@ -78,29 +79,29 @@ public final class LegacyTableReader {
         return new LegacyTable(events, markups, types, records, taskClasses, unknown);
     }
 
-    private static <R> void put(Map<String, R> rules, Cursor c, R rule) {
+    private static <R> void put(Map<String, R> rules, JsonObjectReader c, R rule) {
         String name = c.text("class");
         if (rules.put(name, rule) != null) {
-            c.error(LegacyCodes.DUPLICATE, "class", "The class " + name + " is there twice", name);
+            c.problem(LegacyCodes.DUPLICATE, "class", "The class " + name + " is there twice", name);
         }
     }
 
-    private Optional<ValueType> type(Cursor root, String text) {
+    private Optional<ValueType> type(JsonObjectReader root, String text) {
         Optional<ValueType> type = TypeNames.parse(text);
         if (type.isEmpty()
                 || (type.get() instanceof ValueType.Named named
                         && !vocabulary.types().containsKey(named.name()))) {
-            root.error(LegacyCodes.TABLE, "types", "\"" + text + "\" is no type of the domain");
+            root.problem(LegacyCodes.TABLE, "types", "\"" + text + "\" is no type of the domain");
             return Optional.empty();
         }
         return type;
     }
 
-    private LegacyTable.EventRule eventRule(Cursor e) {
+    private LegacyTable.EventRule eventRule(JsonObjectReader e) {
         String name = e.text("event");
         Optional<EventType> type = vocabulary.event(name);
         if (type.isEmpty() && !name.isEmpty()) {
-            e.error(LegacyCodes.TABLE, "event", "The domain has no event " + name, name);
+            e.problem(LegacyCodes.TABLE, "event", "The domain has no event " + name, name);
         }
         Map<String, LegacyTable.FieldRule> fields = rules(e, "fields");
         Map<String, JsonNode> set = new LinkedHashMap<>();
@@ -112,9 +113,9 @@ public final class LegacyTableReader {
         return new LegacyTable.EventRule(name, fields, set);
     }
 
-    private static void checkField(Cursor e, EventType type, String field) {
+    private static void checkField(JsonObjectReader e, EventType type, String field) {
         if (!field.isEmpty() && type.field(field).isEmpty()) {
-            e.error(
+            e.problem(
                     LegacyCodes.TABLE,
                     "fields",
                     type.name() + " has no field " + field + "; it has "
@@ -123,17 +124,17 @@ public final class LegacyTableReader {
         }
     }
 
-    private LegacyTable.MarkupRule markupRule(Cursor m) {
+    private LegacyTable.MarkupRule markupRule(JsonObjectReader m) {
         String name = m.text("markup");
         Optional<MarkupType> type = vocabulary.markup(name);
         if (type.isEmpty() && !name.isEmpty()) {
-            m.error(LegacyCodes.TABLE, "markup", "The domain has no markup " + name, name);
+            m.problem(LegacyCodes.TABLE, "markup", "The domain has no markup " + name, name);
         }
         Map<String, List<LegacyTable.FieldRule>> options = alternatives(m, "options");
         type.ifPresent(t -> options.values().stream().flatMap(List::stream).forEach(rule -> {
             if (!rule.to().isEmpty()
                     && t.options().stream().noneMatch(o -> o.name().equals(rule.to()))) {
-                m.error(LegacyCodes.TABLE, "options", t.name() + " has no option " + rule.to(), t.name());
+                m.problem(LegacyCodes.TABLE, "options", t.name() + " has no option " + rule.to(), t.name());
             }
         }));
         Map<String, JsonNode> set = new LinkedHashMap<>();
@@ -141,7 +142,7 @@ public final class LegacyTableReader {
         return new LegacyTable.MarkupRule(name, options, set);
     }
 
-    private static Map<String, LegacyTable.FieldRule> rules(Cursor c, String member) {
+    private static Map<String, LegacyTable.FieldRule> rules(JsonObjectReader c, String member) {
         Map<String, LegacyTable.FieldRule> rules = new LinkedHashMap<>();
         c.object(member)
                 .ifPresent(all -> c.map(member)
@@ -151,11 +152,11 @@ public final class LegacyTableReader {
     }
 
     /** Rules of which each name has one, or a list of some. */
-    private static Map<String, List<LegacyTable.FieldRule>> alternatives(Cursor c, String member) {
+    private static Map<String, List<LegacyTable.FieldRule>> alternatives(JsonObjectReader c, String member) {
         Map<String, List<LegacyTable.FieldRule>> rules = new LinkedHashMap<>();
         c.object(member)
                 .ifPresent(all -> c.map(member).forEach((name, element) -> {
-                    List<Cursor> listed = element.node().isArray()
+                    List<JsonObjectReader> listed = element.node().isArray()
                             ? all.objects(name)
                             : all.object(name).stream().toList();
                     rules.put(name, listed.stream().map(r -> rule(name, r)).toList());
@@ -163,12 +164,12 @@ public final class LegacyTableReader {
         return rules;
     }
 
-    private static LegacyTable.FieldRule rule(String name, Cursor r) {
+    private static LegacyTable.FieldRule rule(String name, JsonObjectReader r) {
         String reason = r.text("drop", "");
         boolean waitForAll = r.flag("waitForAll");
         String unit = r.text("unit", "ms");
         if (!UNITS.containsKey(unit)) {
-            r.error(LegacyCodes.TABLE, "unit", "\"" + unit + "\" is none of: ms, s, min");
+            r.problem(LegacyCodes.TABLE, "unit", "\"" + unit + "\" is none of: ms, s, min");
         }
         Map<String, JsonNode> values = new LinkedHashMap<>();
         r.map("values").forEach((constant, e) -> values.put(constant, e.node()));
@@ -177,7 +178,7 @@ public final class LegacyTableReader {
                 to, UNITS.getOrDefault(unit, 1.0), values, waitForAll, reason, Set.copyOf(r.texts("only")));
     }
 
-    private LegacyTable.Unknown unknown(Cursor u) {
+    private LegacyTable.Unknown unknown(JsonObjectReader u) {
         LegacyTable.Unknown unknown = new LegacyTable.Unknown(
                 u.text("output"), u.text("input"), u.text("classField"), u.text("contentField"));
         checkUnknown(u, unknown.output(), Direction.OUTPUT, unknown);
@@ -185,10 +186,10 @@ public final class LegacyTableReader {
         return unknown;
     }
 
-    private void checkUnknown(Cursor u, String event, Direction side, LegacyTable.Unknown unknown) {
+    private void checkUnknown(JsonObjectReader u, String event, Direction side, LegacyTable.Unknown unknown) {
         Optional<EventType> type = vocabulary.event(event).filter(t -> t.direction() == side);
         if (type.isEmpty()) {
-            u.error(LegacyCodes.TABLE, "", "The domain has no such event for unknown ones: " + event, event);
+            u.problem(LegacyCodes.TABLE, "", "The domain has no such event for unknown ones: " + event, event);
         } else {
             checkField(u, type.get(), unknown.classField());
             checkField(u, type.get(), unknown.contentField());

@@ -1,6 +1,7 @@
 package org.sami.spn.legacy;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import org.sami.spn.json.JsonObjectReader;
 
 /** A value of the export, not yet understood: an object with a {@code type}, and where it stands. */
 record LegacyValue(String pointer, JsonNode node) {
@@ -15,7 +16,7 @@ record LegacyValue(String pointer, JsonNode node) {
     }
 
     LegacyValue member(String name) {
-        return new LegacyValue(Findings.at(pointer, name), node.path(name));
+        return new LegacyValue(JsonObjectReader.at(pointer, name), node.path(name));
     }
 
     boolean isNull() {

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.spn.json.JsonObjectReader;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.LayoutPoint;
@@ -245,7 +246,7 @@ final class PlanConverter {
                 explained.add(CountedKind.TASKS, 1);
                 findings.warning(
                         LegacyCodes.UNKNOWN_CLASS,
-                        Findings.at(task.pointer(), "class"),
+                        JsonObjectReader.at(task.pointer(), "class"),
                         "The task " + task.name() + " is of the class " + task.className()
                                 + ", which is not known here; it is not imported",
                         task.name());
