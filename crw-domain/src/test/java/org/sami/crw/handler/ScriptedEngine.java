@@ -89,6 +89,11 @@ final class ScriptedEngine implements EngineFunction, EngineView {
     }
 
     @Override
+    public List<Effect> markingAsEffects() {
+        return List.of();
+    }
+
+    @Override
     public Optional<MissionView> mission(long id) {
         return Optional.ofNullable(missions.get(id));
     }

@@ -113,9 +113,7 @@ final class Drops {
             return;
         }
         long before = rules.state.stamp;
-        for (Entry e : removed) {
-            rules.leaving.remove(e);
-        }
+        rules.leaving.remove(removed);
         withdrawCommands(m, token);
         for (Entry e : removed) {
             rules.work.withdrawn(e.place);

@@ -7,6 +7,7 @@ import java.util.OptionalLong;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Effect;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
@@ -20,6 +21,12 @@ public interface EngineView {
 
     /** One mission that has not ended. */
     Optional<MissionView> mission(long id);
+
+    /**
+     * What stands where, as the effects that would tell it to somebody who heard none before: each mission's start, then its
+     * visits with what is left of them. A {@code FollowedMarking} that begins in the middle of a session starts with them.
+     */
+    List<Effect> markingAsEffects();
 
     /** A plan of the project that the engine runs, by its id. */
     Optional<Plan> plan(String id);

@@ -139,9 +139,7 @@ final class Firing {
 
     /** Removes, then adds; the visits that begin, in out-edge order. */
     private List<Visit> move(Mission m, CompiledTransition t, Selection.Selected selected) {
-        for (Entry e : selected.removed) {
-            rules.leaving.remove(e);
-        }
+        rules.leaving.remove(selected.removed);
         List<Visit> entered = new ArrayList<>(t.outs.length);
         for (int i = 0; i < t.outs.length; i++) {
             CompiledTransition.Out out = t.outs[i];

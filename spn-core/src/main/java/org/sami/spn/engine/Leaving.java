@@ -1,5 +1,10 @@
 package org.sami.spn.engine;
 
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Token;
+
 /** What follows when a token leaves a place (SEMANTICS, Visits; Pending; Sub-missions). */
 final class Leaving {
     private final Rules rules;
@@ -8,8 +13,21 @@ final class Leaving {
         this.rules = rules;
     }
 
-    /** Takes a token out of the marking. */
-    void remove(Entry e) {
+    /** Takes tokens out of the marking and tells so, in one effect for neighbours of one visit. */
+    void remove(List<Entry> entries) {
+        for (int i = 0; i < entries.size(); ) {
+            Visit v = entries.get(i).visit;
+            List<Token> tokens = new ArrayList<>(entries.size() - i);
+            for (; i < entries.size() && entries.get(i).visit == v; i++) {
+                takeOut(entries.get(i));
+                tokens.add(entries.get(i).token);
+            }
+            PlaceState place = v.place;
+            rules.emit(new Effect.Left(place.mission.id, place.place.id(), v.id, tokens));
+        }
+    }
+
+    private void takeOut(Entry e) {
         e.place.remove(e);
         if (e.kind != Entry.GENERIC) {
             for (CompiledTransition t : e.place.place.barriers) {

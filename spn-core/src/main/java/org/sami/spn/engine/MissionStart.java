@@ -8,8 +8,6 @@ import java.util.Optional;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.TaskSpec;
 import org.sami.spn.model.VariableSpec;
-import org.sami.spn.protocol.Effect;
-import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.Value;
@@ -49,7 +47,7 @@ final class MissionStart {
             v.initial().ifPresent(value -> m.setVariable(v.name(), value));
         }
         rules.state.add(m);
-        rules.emit(new Effect.MissionStarted(m.id, parent == null ? Ids.NONE : parent.id, plan.plan.id(), name));
+        rules.emit(StateView.started(m));
         for (TaskSpec task : plan.plan.tasks()) {
             m.addTask(new TaskState(m.taskId(task.name()), task.taskClass(), task.fields(), null));
         }

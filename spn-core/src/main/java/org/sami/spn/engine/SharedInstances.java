@@ -80,9 +80,7 @@ final class SharedInstances {
         for (Entry e = v.first; e != null; e = e.nextOfVisit) {
             entries.add(e);
         }
-        for (Entry e : entries) {
-            rules.leaving.remove(e);
-        }
+        rules.leaving.remove(entries);
         for (Entry e : entries) {
             rules.leaving.left(e, before, false);
             Token token = SubMissions.toParent(child, e.token);

@@ -9,6 +9,7 @@ import java.util.OptionalLong;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
@@ -51,6 +52,32 @@ final class StateView implements EngineView {
                 m.name,
                 m.status,
                 marking);
+    }
+
+    /** The effect that tells the start of a mission. */
+    static Effect.MissionStarted started(Mission m) {
+        return new Effect.MissionStarted(
+                m.id,
+                m.parent == null ? Ids.NONE : m.parent.id,
+                m.instance == null ? "" : m.instance.place.place.id(),
+                m.plan.plan.id(),
+                m.name);
+    }
+
+    @Override
+    public List<Effect> markingAsEffects() {
+        List<Effect> effects = new ArrayList<>();
+        for (Mission m : state.missions.values()) {
+            effects.add(started(m));
+            for (Visit v = m.firstVisit(); v != null; v = v.next) {
+                List<Token> tokens = new ArrayList<>(v.live);
+                for (Entry e = v.first; e != null; e = e.nextOfVisit) {
+                    tokens.add(e.token);
+                }
+                effects.add(new Effect.Entered(m.id, v.place.place.id(), v.id, tokens));
+            }
+        }
+        return effects;
     }
 
     @Override

@@ -24,6 +24,7 @@ final class Visits {
         if (v.byNobody) {
             place.nobody.add(v);
         }
+        rules.emit(new Effect.Entered(place.mission.id, place.place.id(), v.id, v.entered));
         return v;
     }
 
@@ -49,6 +50,7 @@ final class Visits {
         place.mission.removeVisit(v);
         if (v.byNobody) {
             place.nobody.remove(v);
+            rules.emit(new Effect.Left(place.mission.id, place.place.id(), v.id, List.of()));
         }
         if (v.hasInstances()) {
             place.instanceVisits.remove(v.id);

@@ -31,6 +31,7 @@ final class EffectWriter {
             node.put("effect", "mission-started")
                     .put("mission", e.mission())
                     .put("parent", e.parent())
+                    .put("place", e.place())
                     .put("plan", e.plan())
                     .put("name", e.name());
         } else if (effect instanceof Effect.MissionEnded e) {
@@ -48,7 +49,11 @@ final class EffectWriter {
     }
 
     private static void writeRest(Effect effect, ObjectNode node) {
-        if (effect instanceof Effect.CommandsWithdrawn e) {
+        if (effect instanceof Effect.Entered e) {
+            visit(node.put("effect", "entered"), e.mission(), e.place(), e.visit(), e.tokens());
+        } else if (effect instanceof Effect.Left e) {
+            visit(node.put("effect", "left"), e.mission(), e.place(), e.visit(), e.tokens());
+        } else if (effect instanceof Effect.CommandsWithdrawn e) {
             node.put("effect", "commands-withdrawn")
                     .put("mission", e.mission())
                     .set("proxies", InputWriter.texts(e.proxies()));
@@ -91,6 +96,14 @@ final class EffectWriter {
         e.used().forEach(o -> used.add(InputWriter.occurrence(o)));
         ArrayNode moves = node.putArray("moves");
         e.moves().forEach(m -> moves.add(move(m)));
+    }
+
+    private static void visit(ObjectNode node, long mission, String place, long visit, List<Token> tokens) {
+        ArrayNode array = node.put("mission", mission)
+                .put("place", place)
+                .put("visit", visit)
+                .putArray("tokens");
+        tokens.forEach(t -> array.add(token(t)));
     }
 
     private static ObjectNode move(TokenMove move) {

@@ -12,8 +12,47 @@ import org.sami.spn.value.Value;
 /** Something that the engine did or asks for, in the order in which it happened. */
 public sealed interface Effect {
 
-    /** A mission or sub-mission instance began; parent is {@link Ids#NONE} for a root. */
-    record MissionStarted(long mission, long parent, String plan, String name) implements Effect {}
+    /**
+     * A mission or sub-mission instance began.
+     *
+     * @param parent the mission that it is an instance for; {@link Ids#NONE} for a root
+     * @param place the parent's place that runs it; empty text for a root
+     */
+    record MissionStarted(long mission, long parent, String place, String plan, String name) implements Effect {
+        public MissionStarted {
+            Objects.requireNonNull(place, "place");
+            Objects.requireNonNull(plan, "plan");
+            Objects.requireNonNull(name, "name");
+        }
+    }
+
+    /**
+     * Tokens, or nobody, entered a place: a visit began. Told for each visit, whatever began it: the start marking, a firing,
+     * tokens that join a static sub-mission. Together with {@link Left}, {@link MissionStarted} and {@link MissionEnded} it says
+     * all that changes a marking ({@link FollowedMarking}).
+     *
+     * @param tokens in order of entry; empty where nobody entered
+     */
+    record Entered(long mission, String place, long visit, List<Token> tokens) implements Effect {
+        public Entered {
+            Objects.requireNonNull(place, "place");
+            tokens = List.copyOf(tokens);
+        }
+    }
+
+    /**
+     * Tokens left a place, or a visit by nobody ended. Told whatever took them: a firing, a dropped robot, an interrupt in a
+     * parent, the return from a static sub-mission. Not told where the mission ends, for then nothing stands in it any longer.
+     *
+     * @param visit the visit by which they had entered; of equal tokens of one visit the oldest leaves
+     * @param tokens in the order in which they leave; empty where nobody had entered
+     */
+    record Left(long mission, String place, long visit, List<Token> tokens) implements Effect {
+        public Left {
+            Objects.requireNonNull(place, "place");
+            tokens = List.copyOf(tokens);
+        }
+    }
 
     /**
      * A transition fired.
@@ -91,6 +130,9 @@ public sealed interface Effect {
         }
     }
 
-    /** A mission or instance is over; it never reacts again. */
+    /**
+     * A mission or instance is over; it never reacts again. Nothing stands in it any longer, unless it was halted: then its
+     * marking stays, and a second effect tells that it was aborted.
+     */
     record MissionEnded(long mission, Outcome outcome) implements Effect {}
 }

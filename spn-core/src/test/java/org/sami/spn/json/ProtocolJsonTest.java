@@ -137,7 +137,7 @@ class ProtocolJsonTest {
                 Priority.MEDIUM,
                 List.of());
         List<Effect> effects = List.of(
-                new Effect.MissionStarted(1, 0, "clv", "x"),
+                new Effect.MissionStarted(1, 0, "", "clv", "x"),
                 new Effect.Fired(
                         1,
                         1,
@@ -153,6 +153,8 @@ class ProtocolJsonTest {
                 new Effect.TasksAllocated(Map.of(TASK, Optional.of("b2")), Map.of(TASK, "b1"), Priority.HIGH),
                 new Effect.VariableWritten(0, "@x", new RealValue(2)),
                 new Effect.Noted(NoteKind.LATE, 1, "late"),
+                new Effect.Entered(1, "b", 3, List.of(new Token.Proxy("b1"))),
+                new Effect.Left(1, "a", 2, List.of()),
                 new Effect.MissionEnded(1, Outcome.ENDED));
 
         List<String> written =
@@ -170,6 +172,10 @@ class ProtocolJsonTest {
         assertThat(written.get(1))
                 .isEqualTo("{\"effect\":\"fired\",\"firing\":1,\"mission\":1,\"transition\":\"t\","
                         + "\"used\":[{\"type\":\"N\"}],\"moves\":[{\"token\":\"generic\",\"from\":\"a\"}]}");
+        assertThat(written)
+                .contains(
+                        "{\"effect\":\"entered\",\"mission\":1,\"place\":\"b\",\"visit\":3,\"tokens\":[{\"proxy\":\"b1\"}]}",
+                        "{\"effect\":\"left\",\"mission\":1,\"place\":\"a\",\"visit\":2,\"tokens\":[]}");
         assertThat(written.get(4)).contains("\"deadlineMillis\":1000").contains("\"ask\":\"fill-in\"");
     }
 }

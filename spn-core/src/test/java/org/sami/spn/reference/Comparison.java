@@ -34,6 +34,7 @@ final class Comparison {
                         compare("commands sent and withdrawn", commands(expected), commands(actual)),
                         compare("tasks allocated", allocated(expected), allocated(actual)),
                         compare("markings", interpreter.markings(), other.markings()),
+                        compare("visits by nobody", interpreter.visitedByNobody(), other.visitedByNobody()),
                         compare("statuses", interpreter.statuses(), other.statuses()),
                         compare("variables written", written(expected), written(actual)),
                         compare("decisions opened", opened(expected), opened(actual)),
@@ -56,7 +57,7 @@ final class Comparison {
         List<String> found = new ArrayList<>();
         for (Effect effect : effects) {
             if (effect instanceof Effect.MissionStarted m) {
-                found.add(m.mission() + " of " + m.parent() + " runs " + m.plan());
+                found.add(m.mission() + " in '" + m.place() + "' of " + m.parent() + " runs " + m.plan());
             }
         }
         return found;

@@ -38,6 +38,7 @@ final class Differential {
         Project project = RandomPlans.project(seed);
         Subject interpreter = interpreter(project);
         Subject other = maker.make(project);
+        Following following = new Following();
         RandomInputs world = new RandomInputs(project, seed);
         List<Scenario.Timed> inputs = new ArrayList<>();
         for (int i = 0; i < length; i++) {
@@ -45,7 +46,7 @@ final class Differential {
             inputs.add(timed);
             try {
                 List<Effect> expected = interpreter.step(timed.nowMillis(), timed.input());
-                Optional<String> difference = step(interpreter, expected, other, timed);
+                Optional<String> difference = step(interpreter, expected, other, following, timed);
                 if (difference.isPresent()) {
                     return Optional.of(new Disagreement(new Scenario(seed, project, inputs), i, difference.get()));
                 }
@@ -59,10 +60,11 @@ final class Differential {
     }
 
     private static Optional<String> step(
-            Subject interpreter, List<Effect> expected, Subject other, Scenario.Timed timed) {
+            Subject interpreter, List<Effect> expected, Subject other, Following following, Scenario.Timed timed) {
         try {
             List<Effect> actual = other.step(timed.nowMillis(), timed.input());
-            return Comparison.difference(interpreter, expected, other, actual);
+            return Comparison.difference(interpreter, expected, other, actual)
+                    .or(() -> following.difference(other, actual));
         } catch (RuntimeException | StackOverflowError e) {
             return Optional.of("The other throws " + stack(e));
         }
@@ -71,10 +73,11 @@ final class Differential {
     static Optional<Disagreement> run(Scenario scenario, Maker maker) {
         Subject interpreter = interpreter(scenario.project());
         Subject other = maker.make(scenario.project());
+        Following following = new Following();
         for (int i = 0; i < scenario.inputs().size(); i++) {
             Scenario.Timed timed = scenario.inputs().get(i);
             List<Effect> expected = interpreter.step(timed.nowMillis(), timed.input());
-            Optional<String> difference = step(interpreter, expected, other, timed);
+            Optional<String> difference = step(interpreter, expected, other, following, timed);
             if (difference.isPresent()) {
                 return Optional.of(new Disagreement(scenario, i, difference.get()));
             }

@@ -13,6 +13,7 @@ import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.FollowedMarking;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -42,6 +43,20 @@ public final class EngineSubject implements Subject {
             markings.put(mission.id(), marking);
         }
         return markings;
+    }
+
+    @Override
+    public Map<Long, Set<String>> visitedByNobody() {
+        FollowedMarking told = retold();
+        Map<Long, Set<String>> places = new LinkedHashMap<>();
+        told.missions().forEach(mission -> places.put(mission, told.visitedByNobody(mission)));
+        return places;
+    }
+
+    private FollowedMarking retold() {
+        FollowedMarking told = new FollowedMarking();
+        engine.view(state).markingAsEffects().forEach(told);
+        return told;
     }
 
     @Override

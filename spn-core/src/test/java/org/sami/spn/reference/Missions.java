@@ -55,8 +55,12 @@ final class Missions {
         Mission m = new Mission(world.nextMission++, plan, name, asChild);
         world.missions.add(m);
         plan.tasks().forEach(task -> m.tasks.put(task.name(), task));
-        world.effects.add(
-                new Effect.MissionStarted(m.id, m.parent().map(p -> p.id).orElse(Ids.NONE), plan.id(), name));
+        world.effects.add(new Effect.MissionStarted(
+                m.id,
+                m.parent().map(p -> p.id).orElse(Ids.NONE),
+                asChild.map(instance -> instance.place.id()).orElse(""),
+                plan.id(),
+                name));
         return m;
     }
 

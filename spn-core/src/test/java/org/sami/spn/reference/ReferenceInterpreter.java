@@ -78,6 +78,19 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
     }
 
     @Override
+    public Map<Long, Set<String>> visitedByNobody() {
+        Map<Long, Set<String>> all = new LinkedHashMap<>();
+        for (Mission m : world.missions) {
+            if (m.status != Mission.Status.ENDED) {
+                Set<String> places = new LinkedHashSet<>();
+                m.visits.stream().filter(v -> v.byNobody).forEach(v -> places.add(v.place.id()));
+                all.put(m.id, places);
+            }
+        }
+        return all;
+    }
+
+    @Override
     public Map<Long, String> statuses() {
         Map<Long, String> all = new LinkedHashMap<>();
         world.missions.stream()

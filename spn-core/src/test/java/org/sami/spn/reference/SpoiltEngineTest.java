@@ -129,6 +129,41 @@ class SpoiltEngineTest {
                         "rules.pendings.over(r);",
                         ";"),
                 arguments(
+                        "nobody hears of the start marking and of other entries",
+                        "Visits.java",
+                        "rules.emit(new Effect.Entered(place.mission.id, place.place.id(), v.id, v.entered));",
+                        ";"),
+                arguments(
+                        "nobody hears that nobody left",
+                        "Visits.java",
+                        "rules.emit(new Effect.Left(place.mission.id, place.place.id(), v.id, List.of()));",
+                        ";"),
+                arguments(
+                        "the second token that leaves a visit is not told of",
+                        "Leaving.java",
+                        "tokens.add(entries.get(i).token);",
+                        "if (tokens.isEmpty()) { tokens.add(entries.get(i).token); }"),
+                arguments(
+                        "tokens are said to leave another visit of the place",
+                        "Leaving.java",
+                        "place.place.id(), v.id, tokens",
+                        "place.place.id(), v.id + 1, tokens"),
+                arguments(
+                        "a drop takes tokens without a word",
+                        "Drops.java",
+                        "rules.leaving.remove(removed);",
+                        "removed.forEach(e -> e.place.remove(e));"),
+                arguments(
+                        "a return takes tokens without a word",
+                        "SharedInstances.java",
+                        "rules.leaving.remove(entries);",
+                        "entries.forEach(e -> e.place.remove(e));"),
+                arguments(
+                        "a firing tells moves that it does not make",
+                        "Selection.java",
+                        "result.moves.add(new TokenMove(token, Optional.empty(), out.place().inMoves));",
+                        "result.moves.add(new TokenMove(token, out.place().inMoves, out.place().inMoves));"),
+                arguments(
                         "a mapped task keeps its parent's name",
                         "SubMissions.java",
                         "if (own.original != null && own.original.id.equals(task.task())) {",

@@ -16,6 +16,9 @@ public interface Subject {
     /** Markings of all missions that have not ended; places without tokens are left out. */
     Map<Long, Map<String, List<Token>>> markings();
 
+    /** Places with a visit by nobody that has not ended, of all missions that have not ended. */
+    Map<Long, Set<String>> visitedByNobody();
+
     /** WAITING, RUNNING or HALTED, by mission. */
     Map<Long, String> statuses();
 
