@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.spn.component.ComponentLibrary;
 import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -19,12 +20,15 @@ import org.sami.spn.vocabulary.Vocabulary;
  * it can also be opened, checked and run alone.
  *
  * @param files the vocabulary's files as text, for the journal
+ * @param components what windows show and ask values with; none where the domain names no file of them
  * @param projects the projects of the library, by the name of their file, in the order of the domain's index
  */
-public record DomainLibrary(Vocabulary vocabulary, VocabularyFiles files, Map<String, Project> projects) {
+public record DomainLibrary(
+        Vocabulary vocabulary, VocabularyFiles files, ComponentLibrary components, Map<String, Project> projects) {
     public DomainLibrary {
         Objects.requireNonNull(vocabulary, "vocabulary");
         Objects.requireNonNull(files, "files");
+        Objects.requireNonNull(components, "components");
         projects = Collections.unmodifiableMap(new LinkedHashMap<>(projects));
     }
 
@@ -69,13 +73,25 @@ public record DomainLibrary(Vocabulary vocabulary, VocabularyFiles files, Map<St
         });
         return vocabulary.map(v -> {
             VocabularyFiles found = files.orThrow();
-            VocabularyFiles.Source plans = name -> {
+            VocabularyFiles.Source located = name -> {
                 Optional<String> text = source.text(name);
                 text.ifPresent(t -> texts.add(name + "#", folder + "/" + name, t));
                 return text;
             };
-            return new DomainLibrary(v, found, readProjects(found, v, plans, problems));
+            return new DomainLibrary(
+                    v, found, readComponents(found, v, located, problems), readProjects(found, v, located, problems));
         });
+    }
+
+    private static ComponentLibrary readComponents(
+            VocabularyFiles files, Vocabulary vocabulary, VocabularyFiles.Source source, Problems problems) {
+        return files.components()
+                .flatMap(name -> VocabularyFiles.fetch(source, name, problems).flatMap(text -> {
+                    Reading<ComponentLibrary> reading = ComponentReader.read(text, vocabulary);
+                    problems.addAll(reading.findings(), name + "#");
+                    return reading.result();
+                }))
+                .orElse(ComponentLibrary.EMPTY);
     }
 
     private static Map<String, Project> readProjects(

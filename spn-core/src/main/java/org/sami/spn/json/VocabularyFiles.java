@@ -19,6 +19,9 @@ public record VocabularyFiles(Map<String, String> texts) {
     /** The file that names the others. */
     public static final String INDEX = "domain.json";
 
+    /** The index's member that names the file of components. No vocabulary: a journal does not need it. */
+    static final String COMPONENTS = "components";
+
     public VocabularyFiles {
         texts = Collections.unmodifiableMap(new LinkedHashMap<>(texts));
     }
@@ -55,6 +58,15 @@ public record VocabularyFiles(Map<String, String> texts) {
                 .flatMap(node -> JsonObjectReader.of(node, "", ignored))
                 .map(m -> m.texts("library"))
                 .orElse(List.of());
+    }
+
+    /** The name of the file that says which components windows have; empty where the index names none. */
+    Optional<String> components() {
+        Problems ignored = new Problems();
+        return JsonText.parse(texts.getOrDefault(INDEX, "{}"), ignored)
+                .flatMap(node -> JsonObjectReader.of(node, "", ignored))
+                .map(m -> m.text(COMPONENTS, ""))
+                .filter(name -> !name.isEmpty());
     }
 
     private static Reading<VocabularyFiles> load(String folder, Source source) {

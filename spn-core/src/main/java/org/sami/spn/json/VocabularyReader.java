@@ -85,6 +85,7 @@ public final class VocabularyReader {
         index.text("label");
         index.texts("files");
         index.texts("library");
+        index.text(VocabularyFiles.COMPONENTS, "");
         return index.text("domain");
     }
 

@@ -24,6 +24,7 @@ import picocli.CommandLine.Spec;
             DrawCommand.class,
             EventsCommand.class,
             MarkupsCommand.class,
+            ComponentsCommand.class,
             RunCommand.class,
             ResumeCommand.class,
             JournalCommand.class,

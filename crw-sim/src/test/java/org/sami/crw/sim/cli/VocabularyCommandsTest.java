@@ -11,6 +11,8 @@ import java.util.HashMap;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** {@code crw events}, {@code crw markups}, and what {@code crw check} says of events that nobody knows or handles. */
 class VocabularyCommandsTest {
@@ -69,6 +71,55 @@ class VocabularyCommandsTest {
                         .toString())
                 .contains("EXECUTION_TIME");
         assertThat(CommandResult.crw("markups", "optimize").out()).contains("criteria (COMPUTATION_TIME or ");
+    }
+
+    @Test
+    void componentsExplainsAChoiceAndHowTheOthersDid() {
+        CommandResult ran = CommandResult.crw(
+                "components",
+                "OperatorSelectBoatList",
+                "--markup",
+                "SortOptions.method=ALPHABETICAL",
+                "--markup",
+                "Filter");
+
+        assertThat(ran.exitCode()).isZero();
+        assertThat(ran.out())
+                .startsWith("OperatorSelectBoatList: the operator sees")
+                .contains("answer  list<proxy>")
+                .contains("BoatList with FilterBar; acts on Sort.method=ALPHABETICAL, Filter")
+                .contains("2  BoatList with FilterBar")
+                .contains("0  Map with BoatLayer")
+                .contains("-1  unable: TextField");
+        assertThat(CommandResult.crw("components", "--type", "list<BoatId>", "--create")
+                        .out())
+                .contains("for each element")
+                .contains("server: TextField");
+        assertThat(CommandResult.crw("components", "--type", "any").out())
+                .contains("score -1")
+                .contains("a warning: ");
+        assertThat(CommandResult.crw("components").out()).contains("OptionTabs").contains("FilterBar  (widget)");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "OperatorSelectBoatLst",
+                "OperatorApprove --markup Sotr",
+                "OperatorApprove --markup Sort.by",
+                "OperatorApprove --markup Sort..by",
+                "--type pnt",
+                "--create",
+                "--markup Sort",
+                "DefineVariables",
+                "OperatorApprove --type point"
+            })
+    void componentsThatCannotBeChosenAreWrongUsage(String arguments) {
+        CommandResult ran = CommandResult.crw(("components " + arguments).split(" "));
+
+        assertThat(ran.exitCode()).isEqualTo(2);
+        assertThat(ran.out()).isEmpty();
+        assertThat(ran.err()).startsWith("crw: ");
     }
 
     @Test

@@ -1,13 +1,14 @@
-package org.sami.crw.session;
+package org.sami.crw.sim.run;
 
+import org.sami.crw.sim.clock.Scheduler;
 import org.sami.spn.host.HostClock;
 
-/** A session's time, as a scheduler has it. For the thread that the scheduler's actions run on. */
+/** The session's time of a run: that of its world. For the thread that the scheduler's actions run on. */
 public final class ScheduledHostClock implements HostClock {
     private final Scheduler scheduler;
     private long latest;
 
-    /** A clock that shows the scheduler's time. */
+    /** A clock that shows the world's time. */
     public ScheduledHostClock(Scheduler scheduler) {
         this.scheduler = scheduler;
     }

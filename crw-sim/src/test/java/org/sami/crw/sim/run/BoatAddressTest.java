@@ -1,4 +1,4 @@
-package org.sami.crw.proxy.tcp;
+package org.sami.crw.sim.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

@@ -1,4 +1,4 @@
-package org.sami.crw.session;
+package org.sami.crw.sim.tcp;
 
 import java.util.Objects;
 import java.util.concurrent.BlockingQueue;
@@ -9,14 +9,15 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
+import org.sami.crw.sim.clock.Scheduler;
 
 /**
- * The engine's thread of a session in real time, as an executor and as a scheduler: does one after another what it is given and
- * what has come due. Time counts on from a start by a steady clock; setting the machine's clock changes nothing.
+ * The engine's thread of a run in real time, as an executor and as a scheduler: does one after another what it is given and what
+ * has come due. Time counts on from a start by a steady clock; setting the machine's clock changes nothing.
  *
  * <p>Work and actions may be given from any thread; one thread calls {@link #run}.
  */
-public final class RealTimeLoop implements Executor, Scheduler {
+final class RealTimeLoop implements Executor, Scheduler {
     /** No wait is longer, so that neither who wants an end nor who schedules from elsewhere need wake it. */
     private static final long LONGEST_WAIT_MS = 50;
 
@@ -33,7 +34,7 @@ public final class RealTimeLoop implements Executor, Scheduler {
      * @param startMs its time now: 0, or where an earlier process came to
      * @param steadyMs milliseconds that never run back
      */
-    public RealTimeLoop(long startMs, LongSupplier steadyMs) {
+    RealTimeLoop(long startMs, LongSupplier steadyMs) {
         this.startMs = startMs;
         this.clockMs = Objects.requireNonNull(steadyMs, "steadyMs");
         originMs = steadyMs.getAsLong();
@@ -55,13 +56,13 @@ public final class RealTimeLoop implements Executor, Scheduler {
     }
 
     /** Every so often from now on, the first time at once; never twice for a time that was missed. */
-    public void every(long periodMs, Runnable action) {
+    void every(long periodMs, Runnable action) {
         action.run();
         after(periodMs, () -> every(periodMs, action));
     }
 
     /** Works until somebody wants an end, which is asked before each piece of work, or the thread is interrupted. */
-    public void run(BooleanSupplier isOver) {
+    void run(BooleanSupplier isOver) {
         try {
             while (!isOver.getAsBoolean()) {
                 Runnable next = next();

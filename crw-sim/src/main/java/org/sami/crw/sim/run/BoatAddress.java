@@ -1,4 +1,4 @@
-package org.sami.crw.proxy.tcp;
+package org.sami.crw.sim.run;
 
 import java.net.InetSocketAddress;
 import java.util.ArrayList;

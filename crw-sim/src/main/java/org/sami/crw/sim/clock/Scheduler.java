@@ -1,14 +1,14 @@
-package org.sami.crw.session;
+package org.sami.crw.sim.clock;
 
 /**
- * Time in milliseconds, and the way to have something done at a later moment of it. Whose time it is depends on the session: this
- * machine's ({@link RealTimeLoop}), or that of a simulated world.
+ * Time in milliseconds, and the way to have something done at a later moment of it. Whose time it is depends on the world: the
+ * simulated one's ({@link VirtualScheduler}) or this machine's.
  *
  * <p>All actions run on one thread, one after another. They may be scheduled from that thread only.
  */
 public interface Scheduler {
 
-    /** The time in milliseconds since the start of the session. */
+    /** The time in milliseconds since the start of the world. */
     long nowMs();
 
     /**
