@@ -30,6 +30,7 @@ enum SamiModule {
                     "org.sami.crw.operator..",
                     "org.sami.crw.proxy..",
                     "org.sami.crw.service..",
+                    "org.sami.crw.session..",
                     "org.sami.crw.task.."),
             List.of(SPN_CORE, BOAT_LINK)),
     /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */

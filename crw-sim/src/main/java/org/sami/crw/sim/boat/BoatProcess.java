@@ -11,7 +11,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import org.sami.crw.sim.run.BoatAddress;
+import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.spn.value.GeoPoint;
 
 /**

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalLong;
 import java.util.concurrent.Callable;
-import org.sami.crw.sim.run.BoatAddress;
+import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.run.RunSettings;
 import org.sami.crw.sim.run.Speed;
 import picocli.CommandLine.Command;

@@ -9,7 +9,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
-import org.sami.crw.sim.run.BoatAddress;
+import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.tcp.FleetOrder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;

@@ -3,6 +3,7 @@ package org.sami.crw.sim.clock;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.PriorityQueue;
+import org.sami.crw.session.Scheduler;
 
 /**
  * The time of a run that is taken up: first that of its past, gone through again as fast as can be, and from {@link #goLive} on

@@ -1,5 +1,7 @@
 package org.sami.crw.sim.clock;
 
+import org.sami.crw.session.Scheduler;
+
 /**
  * The time of the simulated world: virtual milliseconds since its start. It stands still while an action runs, and moves on when
  * the thread that drives the clock says so.

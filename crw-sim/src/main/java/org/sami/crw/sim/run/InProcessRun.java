@@ -10,6 +10,7 @@ import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.OperatorDefaults;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.session.ScheduledHostClock;
 import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.fleet.SimulatedBoat;
 import org.sami.crw.sim.report.BoatResult;

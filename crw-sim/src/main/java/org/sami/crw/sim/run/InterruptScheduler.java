@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.crw.handler.EventNames;
-import org.sami.crw.sim.clock.Scheduler;
+import org.sami.crw.session.Scheduler;
 import org.sami.crw.sim.report.InterruptResult;
 import org.sami.crw.sim.run.InterruptPress.State;
 import org.sami.spn.engine.EngineView;

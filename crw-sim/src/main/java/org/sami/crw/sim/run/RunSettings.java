@@ -10,6 +10,7 @@ import java.util.OptionalLong;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.fleet.SimulatedFleet;
 import org.sami.crw.sim.hull.Conditions;
 

@@ -9,7 +9,7 @@ import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.sami.crw.decision.BoatFilter;
 import org.sami.crw.decision.SimulatedOperator;
-import org.sami.crw.sim.clock.Scheduler;
+import org.sami.crw.session.Scheduler;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.finding.Finding;

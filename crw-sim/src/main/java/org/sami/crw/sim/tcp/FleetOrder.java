@@ -12,10 +12,10 @@ import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.ProxyConfig;
 import org.sami.crw.proxy.tcp.BaseListener;
+import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
 import org.sami.crw.proxy.tcp.TcpBase;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
-import org.sami.crw.sim.run.BoatAddress;
 
 /**
  * Tells the boats at some addresses one thing, outside of any run: the fleet stop, its release, or nothing, to see how they are. Each

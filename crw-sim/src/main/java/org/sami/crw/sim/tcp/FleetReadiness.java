@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.LongSupplier;
 import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
 import org.sami.crw.proxy.tcp.TcpBase;
-import org.sami.crw.sim.run.BoatAddress;
 
 /**
  * Waits, for a bounded time, until every boat has answered, takes commands from this base, and has said where it is. For the

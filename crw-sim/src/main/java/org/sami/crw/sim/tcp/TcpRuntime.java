@@ -15,12 +15,13 @@ import org.sami.crw.proxy.ProxyConfig;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.tcp.TcpBase;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
+import org.sami.crw.session.RealTimeLoop;
+import org.sami.crw.session.ScheduledHostClock;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.ReadingResult;
 import org.sami.crw.sim.run.ReadingRecorder;
 import org.sami.crw.sim.run.RunPlan;
 import org.sami.crw.sim.run.RunSettings;
-import org.sami.crw.sim.run.ScheduledHostClock;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.host.EngineHost;
 

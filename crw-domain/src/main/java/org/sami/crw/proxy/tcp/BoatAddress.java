@@ -1,4 +1,4 @@
-package org.sami.crw.sim.run;
+package org.sami.crw.proxy.tcp;
 
 import java.net.InetSocketAddress;
 import java.util.ArrayList;

@@ -1,4 +1,4 @@
-package org.sami.crw.sim.tcp;
+package org.sami.crw.session;
 
 import java.util.Objects;
 import java.util.concurrent.BlockingQueue;
@@ -9,15 +9,14 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
-import org.sami.crw.sim.clock.Scheduler;
 
 /**
- * The engine's thread of a run in real time, as an executor and as a scheduler: does one after another what it is given and what
- * has come due. Time counts on from a start by a steady clock; setting the machine's clock changes nothing.
+ * The engine's thread of a session in real time, as an executor and as a scheduler: does one after another what it is given and
+ * what has come due. Time counts on from a start by a steady clock; setting the machine's clock changes nothing.
  *
  * <p>Work and actions may be given from any thread; one thread calls {@link #run}.
  */
-final class RealTimeLoop implements Executor, Scheduler {
+public final class RealTimeLoop implements Executor, Scheduler {
     /** No wait is longer, so that neither who wants an end nor who schedules from elsewhere need wake it. */
     private static final long LONGEST_WAIT_MS = 50;
 
@@ -34,7 +33,7 @@ final class RealTimeLoop implements Executor, Scheduler {
      * @param startMs its time now: 0, or where an earlier process came to
      * @param steadyMs milliseconds that never run back
      */
-    RealTimeLoop(long startMs, LongSupplier steadyMs) {
+    public RealTimeLoop(long startMs, LongSupplier steadyMs) {
         this.startMs = startMs;
         this.clockMs = Objects.requireNonNull(steadyMs, "steadyMs");
         originMs = steadyMs.getAsLong();
@@ -56,13 +55,13 @@ final class RealTimeLoop implements Executor, Scheduler {
     }
 
     /** Every so often from now on, the first time at once; never twice for a time that was missed. */
-    void every(long periodMs, Runnable action) {
+    public void every(long periodMs, Runnable action) {
         action.run();
         after(periodMs, () -> every(periodMs, action));
     }
 
     /** Works until somebody wants an end, which is asked before each piece of work, or the thread is interrupted. */
-    void run(BooleanSupplier isOver) {
+    public void run(BooleanSupplier isOver) {
         try {
             while (!isOver.getAsBoolean()) {
                 Runnable next = next();

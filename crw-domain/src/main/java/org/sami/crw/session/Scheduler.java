@@ -1,14 +1,14 @@
-package org.sami.crw.sim.clock;
+package org.sami.crw.session;
 
 /**
- * Time in milliseconds, and the way to have something done at a later moment of it. Whose time it is depends on the world: the
- * simulated one's ({@link VirtualScheduler}) or this machine's.
+ * Time in milliseconds, and the way to have something done at a later moment of it. Whose time it is depends on the session: this
+ * machine's ({@link RealTimeLoop}), or that of a simulated world.
  *
  * <p>All actions run on one thread, one after another. They may be scheduled from that thread only.
  */
 public interface Scheduler {
 
-    /** The time in milliseconds since the start of the world. */
+    /** The time in milliseconds since the start of the session. */
     long nowMs();
 
     /**

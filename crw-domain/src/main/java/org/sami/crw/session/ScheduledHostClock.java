@@ -1,14 +1,13 @@
-package org.sami.crw.sim.run;
+package org.sami.crw.session;
 
-import org.sami.crw.sim.clock.Scheduler;
 import org.sami.spn.host.HostClock;
 
-/** The session's time of a run: that of its world. For the thread that the scheduler's actions run on. */
+/** A session's time, as a scheduler has it. For the thread that the scheduler's actions run on. */
 public final class ScheduledHostClock implements HostClock {
     private final Scheduler scheduler;
     private long latest;
 
-    /** A clock that shows the world's time. */
+    /** A clock that shows the scheduler's time. */
     public ScheduledHostClock(Scheduler scheduler) {
         this.scheduler = scheduler;
     }

@@ -1,4 +1,4 @@
-package org.sami.crw.sim.run;
+package org.sami.crw.proxy.tcp;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
