@@ -15,6 +15,7 @@ import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.MissionView;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Token;
@@ -43,7 +44,7 @@ class AbortTest {
                             mission,
                             "plan",
                             "",
-                            MissionView.Status.RUNNING,
+                            MissionStatus.RUNNING,
                             Map.of("here", List.of(new Token.Proxy(boat)))));
         }
         world.run(1);

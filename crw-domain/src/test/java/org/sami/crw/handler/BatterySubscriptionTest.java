@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.DurationValue;
@@ -159,7 +160,7 @@ class BatterySubscriptionTest {
                 List.of(boats).stream().<Token>map(Token.Proxy::new).toList();
         engine.missions.put(
                 mission,
-                new MissionView(mission, 0, mission, "plan", "", MissionView.Status.RUNNING, Map.of("here", tokens)));
+                new MissionView(mission, 0, mission, "plan", "", MissionStatus.RUNNING, Map.of("here", tokens)));
     }
 
     private List<Tuple> answers() {

@@ -21,6 +21,7 @@ import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
@@ -73,13 +74,7 @@ class ComputationsTest {
         engine.missions.put(
                 1L,
                 new MissionView(
-                        1,
-                        0,
-                        1,
-                        "plan",
-                        "",
-                        MissionView.Status.RUNNING,
-                        Map.of(activation.place(), activation.tokens())));
+                        1, 0, 1, "plan", "", MissionStatus.RUNNING, Map.of(activation.place(), activation.tokens())));
         world.happens(engine, new Effect.Activated(activation));
         return activation;
     }

@@ -15,6 +15,7 @@ import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPath;
@@ -231,7 +232,7 @@ class MoreMotionTest {
     }
 
     private void missionRuns(long id) {
-        engine.missions.put(id, new MissionView(id, 0, id, "plan", "", MissionView.Status.RUNNING, Map.of()));
+        engine.missions.put(id, new MissionView(id, 0, id, "plan", "", MissionStatus.RUNNING, Map.of()));
     }
 
     private void happens(TestActivations asking) {

@@ -16,6 +16,7 @@ import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Token;
@@ -213,13 +214,7 @@ class MotionTest {
         engine.missions.put(
                 1L,
                 new MissionView(
-                        1,
-                        0,
-                        1,
-                        "plan",
-                        "",
-                        MissionView.Status.RUNNING,
-                        Map.of("here", List.of(new Token.Proxy("a")))));
+                        1, 0, 1, "plan", "", MissionStatus.RUNNING, Map.of("here", List.of(new Token.Proxy("a")))));
 
         world.host.resume();
         world.run(2);
@@ -299,7 +294,7 @@ class MotionTest {
 
     @Test
     void aBlockKeepsTheBoatForItsMissionUntilThatEnds() {
-        engine.missions.put(1L, new MissionView(1, 0, 1, "plan", "", MissionView.Status.RUNNING, Map.of()));
+        engine.missions.put(1L, new MissionView(1, 0, 1, "plan", "", MissionStatus.RUNNING, Map.of()));
         world.happens(engine, new TestActivations("BlockMovement").of("a").effect());
         world.run(2);
         world.happens(

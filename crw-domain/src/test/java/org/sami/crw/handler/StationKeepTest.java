@@ -12,6 +12,7 @@ import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
@@ -27,7 +28,7 @@ class StationKeepTest {
 
     @BeforeEach
     void aBoatOnItsStation() {
-        engine.missions.put(1L, new MissionView(1, 0, 1, "plan", "", MissionView.Status.RUNNING, Map.of()));
+        engine.missions.put(1L, new MissionView(1, 0, 1, "plan", "", MissionStatus.RUNNING, Map.of()));
         world.addBoat("a", 0, 0);
         world.run(1);
         happens(stationKeep());

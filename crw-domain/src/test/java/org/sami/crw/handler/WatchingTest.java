@@ -18,6 +18,7 @@ import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Question;
@@ -207,8 +208,7 @@ class WatchingTest {
     private void stand(String... boats) {
         List<Token> tokens =
                 List.of(boats).stream().<Token>map(Token.Proxy::new).toList();
-        engine.missions.put(
-                1L, new MissionView(1, 0, 1, "plan", "", MissionView.Status.RUNNING, Map.of("here", tokens)));
+        engine.missions.put(1L, new MissionView(1, 0, 1, "plan", "", MissionStatus.RUNNING, Map.of("here", tokens)));
     }
 
     private void happens(TestActivations asking) {

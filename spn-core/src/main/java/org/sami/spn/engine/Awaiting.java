@@ -15,9 +15,9 @@ import org.sami.spn.vocabulary.TokenNeed;
  * not know: such an answer counts as one that can come.
  */
 final class Awaiting {
-    private final EngineState state;
+    private final NetState state;
 
-    Awaiting(EngineState state) {
+    Awaiting(NetState state) {
         this.state = state;
     }
 

@@ -21,7 +21,7 @@ final class Combinations {
                 return null;
             }
         }
-        Scope.Reach reach = t.transition.reach();
+        Reach reach = t.transition.reach();
         if (!t.transition.checksReturns && !isPossible(t, Scope.of(reach))) {
             return null;
         }
@@ -45,7 +45,7 @@ final class Combinations {
         return rules.enabling.isReady(t, scope) && rules.enabling.meetsPlain(t, scope);
     }
 
-    private Found search(TransitionState t, List<Pending> chosen, Scope.Reach reach) {
+    private Found search(TransitionState t, List<Pending> chosen, Reach reach) {
         if (chosen.size() == t.queues.length) {
             return attempt(t, List.copyOf(chosen), reach);
         }
@@ -91,7 +91,7 @@ final class Combinations {
     }
 
     /** Waits until every robot or task in the watched places has reported, then uses all reports. */
-    private Found all(TransitionState t, Scope.Reach reach) {
+    private Found all(TransitionState t, Reach reach) {
         if (t.barrier.isEmpty()) {
             return null;
         }
@@ -124,7 +124,7 @@ final class Combinations {
         return false;
     }
 
-    private Found attempt(TransitionState t, List<Pending> used, Scope.Reach reach) {
+    private Found attempt(TransitionState t, List<Pending> used, Reach reach) {
         Relevant relevant = Relevant.of(used);
         Scope scope = Scope.of(reach, used);
         return rules.enabling.isEnabled(t, relevant, scope) ? new Found(used, relevant, scope) : null;

@@ -26,7 +26,7 @@ final class CompiledTransition {
     /** In places, each once, in in-edge order. */
     final CompiledPlace[] inPlaces;
 
-    private final Scope.Reach reach;
+    private final Reach reach;
     final boolean waitsForAll;
     /** Places in which every robot must report; empty where it does not wait for all. */
     final CompiledPlace[] watched;
@@ -64,7 +64,7 @@ final class CompiledTransition {
     }
 
     /** How far its firings reach: what its input events allow. */
-    Scope.Reach reach() {
+    Reach reach() {
         return reach;
     }
 
@@ -104,10 +104,10 @@ final class CompiledTransition {
         return transition.name().isEmpty() ? transition.id() : transition.name();
     }
 
-    private static Scope.Reach reachOf(CompiledInput[] inputs) {
-        Scope.Reach widest = Scope.Reach.FREE;
+    private static Reach reachOf(CompiledInput[] inputs) {
+        Reach widest = Reach.FREE;
         for (CompiledInput input : inputs) {
-            Scope.Reach own = Enabling.reachOf(input.role);
+            Reach own = Reach.of(input.role);
             widest = own.compareTo(widest) > 0 ? own : widest;
         }
         return widest;

@@ -5,7 +5,6 @@ import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Match;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.protocol.Token;
-import org.sami.spn.vocabulary.EventRole;
 
 /** Whether a transition can fire: requirements of its in edges, and sub-missions on its in places (thesis, Algorithm 1). */
 final class Enabling {
@@ -21,7 +20,7 @@ final class Enabling {
 
     /** Whether no in place makes it wait for a sub-mission. */
     boolean isReady(TransitionState t, Scope scope) {
-        if (scope.reach == Scope.Reach.ALL) {
+        if (scope.reach == Reach.ALL) {
             return true;
         }
         for (CompiledPlace place : t.transition.inPlaces) {
@@ -36,7 +35,7 @@ final class Enabling {
     boolean somethingReturned(TransitionState t, Scope scope) {
         boolean possible = false;
         for (CompiledPlace place : t.transition.inPlaces) {
-            if (scope.reach != Scope.Reach.FREE || !place.shared.isEmpty()) {
+            if (scope.reach != Reach.FREE || !place.shared.isEmpty()) {
                 return true; // its return is the completion
             }
             possible |= !place.dynamic.isEmpty();
@@ -78,7 +77,7 @@ final class Enabling {
     }
 
     private static boolean isOver(Visit v, Scope scope) {
-        return v.complete() || (scope.reach == Scope.Reach.ABORTED && v.leftByAborted());
+        return v.complete() || (scope.reach == Reach.ABORTED && v.leftByAborted());
     }
 
     /** Requirements that do not depend on occurrences. */
@@ -137,7 +136,7 @@ final class Enabling {
 
     /** What a requirement counts: the pool where it wants tokens, everything that stands here where it inhibits. */
     int count(PlaceState state, InRequirement r, Relevant relevant, Scope scope) {
-        Scope counted = r.match() == Match.AT_LEAST ? scope : Scope.of(Scope.Reach.ALL);
+        Scope counted = r.match() == Match.AT_LEAST ? scope : Scope.of(Reach.ALL);
         Pool pool = rules.pool;
         return switch (r.kind()) {
             case GENERIC -> pool.count(state, Entry.GENERIC, counted);
@@ -219,12 +218,5 @@ final class Enabling {
             case TASK -> isTask(r.task()).test(e.token);
             default -> false;
         };
-    }
-
-    static Scope.Reach reachOf(EventRole role) {
-        if (CompiledInput.isPress(role)) {
-            return Scope.Reach.ALL;
-        }
-        return role == EventRole.SUB_MISSION_ABORTED ? Scope.Reach.ABORTED : Scope.Reach.FREE;
     }
 }

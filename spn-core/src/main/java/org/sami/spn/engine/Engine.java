@@ -56,7 +56,7 @@ public final class Engine {
 
     /** A state in which nothing runs and no robot is known. */
     public EngineState newState() {
-        return new EngineState(project);
+        return new EngineState(new NetState(project));
     }
 
     /** Questions about a state; the view follows the state through further steps. */
@@ -83,7 +83,7 @@ public final class Engine {
      * @param effects told in order, while the state changes: it must not call back into the engine
      */
     public void step(EngineState state, long nowMillis, Input input, Consumer<? super Effect> effects) {
-        if (state.project != project) {
+        if (state.net.project != project) {
             throw new IllegalArgumentException("The state belongs to another engine");
         }
         Rules rules = state.rules();

@@ -82,14 +82,14 @@ final class Firing {
         boolean ending = ends(m, ct);
         List<Visit> nobody = endingVisitsByNobody(m, ct, used, scope.reach);
         List<Visit> entered = move(m, ct, selected);
-        if (scope.reach == Scope.Reach.ALL) {
+        if (scope.reach == Reach.ALL) {
             withdrawCommands(m, selected.removed);
         }
         List<Return> returns = useReturns(m, ct, selected, scope);
         for (Entry e : selected.removed) {
-            rules.leaving.left(e, before, scope.reach != Scope.Reach.FREE);
+            rules.leaving.left(e, before, scope.reach != Reach.FREE);
         }
-        if (scope.reach != Scope.Reach.FREE) {
+        if (scope.reach != Reach.FREE) {
             rules.sharedInstances.pulled(selected.removed, returns, before);
         }
         nobody.forEach(rules.visits::end);
@@ -162,7 +162,7 @@ final class Firing {
             if (state == null) {
                 continue;
             }
-            if (t.wantsSubTokens && scope.reach != Scope.Reach.ALL) {
+            if (t.wantsSubTokens && scope.reach != Reach.ALL) {
                 Visit bound = scope.visitIn(state);
                 for (Visit v : state.instanceVisits().values()) {
                     v.used |= v.complete() && (bound == null || bound == v);
@@ -201,8 +201,7 @@ final class Firing {
      * Visits by nobody end by an answer to them, by a transition without input event, or when all is taken. Where several visits of
      * a place have instances, one completion lets the transition fire: whose instances still run goes on.
      */
-    private static List<Visit> endingVisitsByNobody(
-            Mission m, CompiledTransition t, List<Pending> used, Scope.Reach reach) {
+    private static List<Visit> endingVisitsByNobody(Mission m, CompiledTransition t, List<Pending> used, Reach reach) {
         List<Visit> ending = List.of();
         for (CompiledPlace place : t.inPlaces) {
             PlaceState state = m.places[place.index];
@@ -210,7 +209,7 @@ final class Firing {
                 continue;
             }
             for (Visit v : state.nobody) {
-                boolean goesOn = reach != Scope.Reach.ALL && v.hasRunning();
+                boolean goesOn = reach != Reach.ALL && v.hasRunning();
                 if (!goesOn && (!t.hasInputs() || t.clears || answers(used, v))) {
                     ending = ending.isEmpty() ? new ArrayList<>() : ending;
                     ending.add(v);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
@@ -20,7 +21,7 @@ final class Mission {
     final Mission parent;
     final Mission root;
     final int depth;
-    MissionView.Status status = MissionView.Status.WAITING;
+    MissionStatus status = MissionStatus.WAITING;
     boolean ended;
     /** What was asked of it and is its outcome, however it ends: aborted or completed; null while neither was. */
     Outcome asked;
@@ -58,7 +59,7 @@ final class Mission {
     }
 
     boolean runs() {
-        return !ended && status == MissionView.Status.RUNNING;
+        return !ended && status == MissionStatus.RUNNING;
     }
 
     PlaceState place(int index) {

@@ -2,6 +2,7 @@ package org.sami.spn.engine;
 
 import java.util.List;
 import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Outcome;
 
@@ -95,7 +96,7 @@ final class MissionEnd {
 
     /** Stops a livelock: the marking stays, the mission does not react until it is aborted. */
     void halt(Mission m, String why) {
-        m.status = MissionView.Status.HALTED;
+        m.status = MissionStatus.HALTED;
         rules.note(NoteKind.LIVELOCK, m.id, "'" + m.name + "' is halted after " + why);
         rules.emit(new Effect.MissionEnded(m.id, Outcome.HALTED));
     }

@@ -9,6 +9,7 @@ import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.TaskSpec;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.Value;
 
@@ -66,7 +67,7 @@ final class MissionStart {
 
     /** All parameters are known: constants, static instances, start marking. */
     void begin(Mission m) {
-        m.status = MissionView.Status.RUNNING;
+        m.status = MissionStatus.RUNNING;
         writeConstants(m);
         rules.sharedInstances.start(m);
         if (m.instance == null) {

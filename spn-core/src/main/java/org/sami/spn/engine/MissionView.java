@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Token;
 
 /**
@@ -21,17 +22,8 @@ public record MissionView(
         String place,
         String plan,
         String name,
-        Status status,
+        MissionStatus status,
         Map<String, List<Token>> marking) {
-    /** How far a mission is. */
-    public enum Status {
-        /** Waits for its parameters. */
-        WAITING,
-        RUNNING,
-        /** Stopped as a livelock. */
-        HALTED
-    }
-
     public MissionView {
         Objects.requireNonNull(place, "place");
         Objects.requireNonNull(plan, "plan");
@@ -47,7 +39,7 @@ public record MissionView(
             long root,
             String plan,
             String name,
-            Status status,
+            MissionStatus status,
             Map<String, List<Token>> marking) {
         this(id, parent, root, "", plan, name, status, marking);
     }

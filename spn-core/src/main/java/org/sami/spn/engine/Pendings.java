@@ -80,6 +80,17 @@ final class Pendings {
         }
     }
 
+    /** Tells all unused returns of static instances anew. */
+    void tellUnused() {
+        for (Mission m : rules.state.missions.values()) {
+            for (PlaceState place : m.places) {
+                for (SharedRun run : place == null ? new SharedRun[0] : place.shared) {
+                    run.returns.forEach(this::tell);
+                }
+            }
+        }
+    }
+
     /** A return was used or is void: no transition hears of its value any longer. */
     void over(Return r) {
         r.over = true;

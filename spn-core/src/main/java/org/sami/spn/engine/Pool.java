@@ -13,10 +13,10 @@ final class Pool {
     /** How many tokens of a kind the pool has. */
     int count(PlaceState place, int kind, Scope scope) {
         if (scope.checked.isEmpty()) {
-            if (scope.reach == Scope.Reach.ALL) {
+            if (scope.reach == Reach.ALL) {
                 return place.count[kind];
             }
-            if (scope.reach == Scope.Reach.FREE && place.shared.length == 0) {
+            if (scope.reach == Reach.FREE && place.shared.length == 0) {
                 return place.count[kind] - place.held[kind];
             }
         }

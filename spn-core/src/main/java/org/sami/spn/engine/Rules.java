@@ -8,7 +8,7 @@ import org.sami.spn.value.TaskId;
 
 /** The rules for one state, each in its own class, and what they share during a step: effects, work list, own inputs. */
 final class Rules {
-    final EngineState state;
+    final NetState state;
     final WorkList work;
     final Pendings pendings;
     final Routing routing;
@@ -35,7 +35,7 @@ final class Rules {
 
     private Consumer<? super Effect> sink = e -> {};
 
-    Rules(EngineState state) {
+    Rules(NetState state) {
         this.state = state;
         work = new WorkList(this);
         pendings = new Pendings(this);

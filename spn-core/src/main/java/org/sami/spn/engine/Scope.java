@@ -8,16 +8,6 @@ import java.util.List;
  * to the tokens of their visit, or of their return, and to no others (SEMANTICS, Sub-missions).
  */
 final class Scope {
-    /** How far a firing reaches. */
-    enum Reach {
-        /** Not what instances hold; of a static place only what an unused return brought back. */
-        FREE,
-        /** Also what aborted instances left behind. */
-        ABORTED,
-        /** Everything: interrupts, abort and complete. */
-        ALL
-    }
-
     static final Scope FREE = new Scope(Reach.FREE, List.of());
     private static final Scope ABORTED = new Scope(Reach.ABORTED, List.of());
     private static final Scope ALL = new Scope(Reach.ALL, List.of());

@@ -3,6 +3,7 @@ package org.sami.spn.engine;
 import java.util.ArrayList;
 import java.util.List;
 import org.sami.spn.model.SubMissionSpec;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Token;
 
@@ -45,14 +46,14 @@ final class SharedInstances {
     /** Tokens, or nobody, that entered the parent's place join the start place. */
     void join(SharedRun run, Visit v) {
         Mission child = run.instance.child;
-        if (child == null || child.status == MissionView.Status.HALTED) {
+        if (child == null || child.status == MissionStatus.HALTED) {
             tellThatItIsOver(run.instance, v);
             return;
         }
         run.instance.starting.addAll(v.entered);
         List<Token> tokens = new ArrayList<>();
         v.entered.forEach(token -> tokens.add(SubMissions.toChild(child, token)));
-        if (child.status == MissionView.Status.WAITING) {
+        if (child.status == MissionStatus.WAITING) {
             child.addWaiting(tokens);
         } else if (child.runs()) {
             rules.missionStart.enter(child, tokens);

@@ -9,7 +9,7 @@ public final class StateCodec {
 
     /** A state as bytes; between two steps only. */
     public static byte[] encode(EngineState state) {
-        return new StateWriter().write(state);
+        return new StateWriter().write(state.net);
     }
 
     /**
@@ -20,7 +20,12 @@ public final class StateCodec {
      */
     public static EngineState decode(byte[] bytes, Engine engine) {
         try {
-            return new StateReader(bytes).read(engine.compiled());
+            StateReader reader = new StateReader(bytes);
+            EngineState state = new EngineState(reader.read(engine.compiled()));
+            if (reader.leavesReturnsUntold()) {
+                state.rules().pendings.tellUnused();
+            }
+            return state;
         } catch (IllegalArgumentException e) {
             throw e;
         } catch (RuntimeException e) {

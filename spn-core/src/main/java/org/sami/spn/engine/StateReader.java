@@ -8,6 +8,7 @@ import java.util.Map;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Token;
@@ -21,14 +22,14 @@ final class StateReader {
     private final Map<Long, Visit> visits = new HashMap<>();
     private final Map<Long, Sent> sent = new HashMap<>();
     private final Map<Instance, Return> returnsOfVisits = new HashMap<>();
-    private EngineState state;
+    private NetState state;
     private int version;
 
     StateReader(byte[] bytes) {
         this.in = new ProtocolReader(bytes);
     }
 
-    EngineState read(CompiledProject project) {
+    NetState read(CompiledProject project) {
         if (in.integer() != StateWriter.MAGIC) {
             throw new IllegalArgumentException("This is not an engine's state");
         }
@@ -37,7 +38,7 @@ final class StateReader {
             throw new IllegalArgumentException(
                     "The state is of version " + version + ", not of 1 to " + StateWriter.VERSION);
         }
-        state = new EngineState(project);
+        state = new NetState(project);
         state.now = in.number();
         state.lastMission = in.number();
         state.lastActivation = in.number();
@@ -67,10 +68,12 @@ final class StateReader {
         for (int i = version > 2 ? in.integer() : 0; i > 0; i--) {
             state.missions.get(in.number()).asked = Outcome.valueOf(in.text());
         }
-        if (version < 3) {
-            tellUnusedReturns();
-        }
         return state;
+    }
+
+    /** Whether unused returns of static instances are still to be told: before version 3 one's value replaced the one before. */
+    boolean leavesReturnsUntold() {
+        return version < 3;
     }
 
     private void mission() {
@@ -87,7 +90,7 @@ final class StateReader {
         if (instance != null) {
             instance.child = m;
         }
-        m.status = MissionView.Status.valueOf(in.text());
+        m.status = MissionStatus.valueOf(in.text());
         m.variables = in.values();
         m.memory = in.values();
         m.parameters = in.values();
@@ -215,7 +218,7 @@ final class StateReader {
             for (int i = in.integer(); i > 0; i--) {
                 Token token = in.token();
                 long order = in.number();
-                Visits.add(visits.get(in.number()), token, order);
+                visits.get(in.number()).enter(token, order);
             }
         }
     }
@@ -274,17 +277,6 @@ final class StateReader {
                         .findFirst()
                         .map(this::returnOf)
                         .orElse(null);
-    }
-
-    /** Before version 3 the value of a static return replaced the one before it: all unused returns are told anew. */
-    private void tellUnusedReturns() {
-        for (Mission m : state.missions.values()) {
-            for (PlaceState place : m.places) {
-                for (SharedRun run : place == null ? new SharedRun[0] : place.shared) {
-                    run.returns.forEach(state.rules().pendings::tell);
-                }
-            }
-        }
     }
 
     private void decision() {

@@ -18,10 +18,12 @@ import org.sami.spn.vocabulary.EventRole;
 
 /** Answers questions about a state. */
 final class StateView implements EngineView {
-    private final EngineState state;
+    private final EngineState whole;
+    private final NetState state;
 
     StateView(EngineState state) {
-        this.state = state;
+        this.whole = state;
+        this.state = state.net;
     }
 
     @Override
@@ -128,7 +130,7 @@ final class StateView implements EngineView {
 
     @Override
     public Optional<Value> variable(long mission, String name) {
-        return Optional.ofNullable(state.rules().variables.read(state.missions.get(mission), name));
+        return Optional.ofNullable(whole.rules().variables.read(state.missions.get(mission), name));
     }
 
     @Override
@@ -222,6 +224,6 @@ final class StateView implements EngineView {
 
     @Override
     public Explanation whyNotEnabled(long mission, String transition) {
-        return new WhyNot(state).explain(mission, transition);
+        return new WhyNot(whole).explain(mission, transition);
     }
 }

@@ -16,7 +16,7 @@ final class StateWriter {
 
     private final ProtocolWriter out = new ProtocolWriter();
 
-    byte[] write(EngineState s) {
+    byte[] write(NetState s) {
         out.integer(MAGIC);
         out.integer(VERSION);
         for (long n : new long[] {

@@ -37,6 +37,17 @@ final class Visit {
         this.entered = entered;
     }
 
+    /** Puts one of its tokens into the marking. */
+    void enter(Token token, long order) {
+        Entry e = new Entry(token, order, place, this);
+        place.add(e);
+        if (e.kind != Entry.GENERIC) {
+            for (CompiledTransition t : place.place.barriers) {
+                place.mission.transition(t.index).barrier.entered(token);
+            }
+        }
+    }
+
     void add(Entry e) {
         live++;
         e.previousOfVisit = last;

@@ -15,29 +15,17 @@ final class Visits {
 
     /** Tokens, or nobody, enter a place. */
     Visit begin(PlaceState place, List<Token> tokens) {
-        EngineState state = rules.state;
+        NetState state = rules.state;
         Visit v = new Visit(++state.lastVisit, place, List.copyOf(tokens));
         place.mission.addVisit(v);
         for (Token token : tokens) {
-            add(v, token, ++state.stamp);
+            v.enter(token, ++state.stamp);
         }
         if (v.byNobody) {
             place.nobody.add(v);
         }
         rules.emit(new Effect.Entered(place.mission.id, place.place.id(), v.id, v.entered));
         return v;
-    }
-
-    /** Puts one token of a visit into the marking. */
-    static void add(Visit v, Token token, long order) {
-        PlaceState place = v.place;
-        Entry e = new Entry(token, order, place, v);
-        place.add(e);
-        if (e.kind != Entry.GENERIC) {
-            for (CompiledTransition t : place.place.barriers) {
-                place.mission.transition(t.index).barrier.entered(token);
-            }
-        }
     }
 
     /** Ends a visit: timers and questions go, later answers are late, instances that still run are aborted. */

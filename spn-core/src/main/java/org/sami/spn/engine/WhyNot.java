@@ -5,18 +5,19 @@ import java.util.List;
 import java.util.Optional;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.TokenKind;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Token;
 
 /** Says in words why a transition cannot fire now. */
 final class WhyNot {
-    private final EngineState state;
+    private final NetState state;
     private final Rules rules;
     private final Awaiting awaiting;
 
     WhyNot(EngineState state) {
-        this.state = state;
+        this.state = state.net;
         this.rules = state.rules();
-        this.awaiting = new Awaiting(state);
+        this.awaiting = new Awaiting(state.net);
     }
 
     Explanation explain(long mission, String transition) {
@@ -28,10 +29,10 @@ final class WhyNot {
         if (t == null) {
             return no("The plan '" + m.plan.plan.name() + "' has no transition '" + transition + "'.");
         }
-        if (m.status == MissionView.Status.WAITING) {
+        if (m.status == MissionStatus.WAITING) {
             return no("The mission waits for its parameters.");
         }
-        if (m.status == MissionView.Status.HALTED) {
+        if (m.status == MissionStatus.HALTED) {
             return no("The mission was halted as a livelock; it can only be aborted.");
         }
         return explain(m.transition(t.index));
@@ -56,7 +57,7 @@ final class WhyNot {
         Scope scope = Scope.of(t.transition.reach(), received);
         List<String> subMissions = new ArrayList<>();
         for (CompiledPlace place : t.transition.inPlaces) {
-            if (scope.reach != Scope.Reach.ALL && !rules.enabling.isReady(t, place, scope)) {
+            if (scope.reach != Reach.ALL && !rules.enabling.isReady(t, place, scope)) {
                 Optional<String> over = Awaiting.endOf(t.mission.places[place.index]);
                 String how = over.orElse("which is not complete");
                 reasons.add("It waits for the sub-mission on '" + place + "', " + how + ".");
@@ -65,9 +66,7 @@ final class WhyNot {
                 }
             }
         }
-        if (scope.reach == Scope.Reach.FREE
-                && t.transition.wantsSubTokens
-                && !rules.enabling.somethingReturned(t, scope)) {
+        if (scope.reach == Reach.FREE && t.transition.wantsSubTokens && !rules.enabling.somethingReturned(t, scope)) {
             reasons.add("It waits for what a sub-mission brings back.");
         }
         Relevant relevant = Relevant.of(received);

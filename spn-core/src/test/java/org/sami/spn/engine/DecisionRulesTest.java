@@ -13,6 +13,7 @@ import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.testing.NetBuilder;
@@ -189,7 +190,7 @@ class DecisionRulesTest {
     void parametersAreAskedAndTheStartMarkingWaits() {
         Session s = asking();
         long m = s.join("A").start("net");
-        assertThat(s.view().mission(m).orElseThrow().status()).isEqualTo(MissionView.Status.WAITING);
+        assertThat(s.view().mission(m).orElseThrow().status()).isEqualTo(MissionStatus.WAITING);
         assertThat(s.marking(m)).isEmpty();
 
         s.decide(new Answer.Fields(Map.of("s.Do.number", new IntegerValue(9))));

@@ -208,7 +208,7 @@ class InputEventRulesTest {
         s.news("Pose", "A");
 
         assertThat(s.notes()).isEmpty();
-        assertThat(s.state().unwanted).containsEntry("Pose", 1L);
+        assertThat(s.state().net.unwanted).containsEntry("Pose", 1L);
     }
 
     @Test

@@ -10,6 +10,7 @@ import org.sami.spn.model.FieldSource;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Outcome;
@@ -239,7 +240,7 @@ class RulesOfFiringTest {
         assertThat(s.fired()).hasSize(100);
         assertThat(s.notes()).containsExactly(NoteKind.LIVELOCK);
         assertThat(s.outcome(m)).contains(Outcome.HALTED);
-        assertThat(s.view().mission(m).orElseThrow().status()).isEqualTo(MissionView.Status.HALTED);
+        assertThat(s.view().mission(m).orElseThrow().status()).isEqualTo(MissionStatus.HALTED);
         assertThat(s.marking(m)).isEqualTo(Map.of("p1", "generic"));
         s.step(new Input.AbortMission(m));
         assertThat(s.outcome(m)).contains(Outcome.ABORTED);

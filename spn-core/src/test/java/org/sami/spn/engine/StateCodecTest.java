@@ -156,7 +156,7 @@ class StateCodecTest {
                 new Input.Received(Occurrence.news("News", some.subList(0, 1), Map.of("value", new IntegerValue(3))));
             case 10 -> new Input.Interrupt(0, "Pull", some.subList(0, 1));
             case 11 -> {
-                long id = 1L + random.nextInt((int) Math.max(1, state.lastMission));
+                long id = 1L + random.nextInt((int) Math.max(1, state.net.lastMission));
                 yield random.nextBoolean() ? new Input.AbortMission(id) : new Input.CompleteMission(id);
             }
             case 12 ->

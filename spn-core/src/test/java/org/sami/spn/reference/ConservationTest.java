@@ -21,6 +21,7 @@ import org.sami.spn.model.Project;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.protocol.TokenMove;
 import org.sami.spn.testing.TestVocabulary;
@@ -91,7 +92,7 @@ class ConservationTest {
     private static Map<Long, Map<String, List<String>>> rootMarkings(Run run) {
         Map<Long, Map<String, List<String>>> markings = new LinkedHashMap<>();
         for (MissionView m : run.engine.view(run.state).missions()) {
-            if (m.parent() == 0 && m.status() != MissionView.Status.WAITING) {
+            if (m.parent() == 0 && m.status() != MissionStatus.WAITING) {
                 Map<String, List<String>> marking = new LinkedHashMap<>();
                 m.marking()
                         .forEach((place, tokens) -> marking.put(

@@ -19,6 +19,7 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.Transition;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.vocabulary.EventRole;
@@ -81,7 +82,7 @@ public final class BlockedPlaces {
                 standing.put(place.id(), tokens);
             }
         }
-        if (mission.status() != MissionView.Status.RUNNING) {
+        if (mission.status() != MissionStatus.RUNNING) {
             String place = standing.keySet().stream()
                     .findFirst()
                     .or(() -> plan.startPlace().map(Place::id))
@@ -91,7 +92,7 @@ public final class BlockedPlaces {
                     plan.id(),
                     name(plan, place),
                     List.of(),
-                    mission.status() == MissionView.Status.HALTED
+                    mission.status() == MissionStatus.HALTED
                             ? "nothing: halted as a livelock"
                             : "the values that the plan asks at its start",
                     List.of()));
