@@ -1,5 +1,10 @@
 package org.sami.spn.engine;
 
+import org.sami.spn.engine.codec.StateReader;
+import org.sami.spn.engine.codec.StateWriter;
+import org.sami.spn.engine.rule.Rules;
+import org.sami.spn.engine.state.NetState;
+
 /**
  * Everything that an engine knows between two steps. Changed in place by {@link Engine#step}; {@link #copy()} gives an
  * independent one; {@link EngineView} answers questions about it. Owned by one thread at a time.

@@ -1,5 +1,8 @@
 package org.sami.spn.engine;
 
+import org.sami.spn.engine.codec.StateReader;
+import org.sami.spn.engine.codec.StateWriter;
+
 /**
  * The whole state of an engine as bytes, exact: what is decoded behaves in the same way for all further inputs. The form is
  * versioned and of the engine's own; plans are not in it, they are those of the engine that decodes.

@@ -6,6 +6,18 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
+import org.sami.spn.engine.net.CompiledInput;
+import org.sami.spn.engine.net.CompiledTransition;
+import org.sami.spn.engine.rule.MissionStart;
+import org.sami.spn.engine.rule.Presses;
+import org.sami.spn.engine.rule.Routing;
+import org.sami.spn.engine.state.Entry;
+import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.NetState;
+import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.TaskState;
+import org.sami.spn.engine.state.Visit;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
@@ -56,21 +68,11 @@ final class StateView implements EngineView {
                 marking);
     }
 
-    /** The effect that tells the start of a mission. */
-    static Effect.MissionStarted started(Mission m) {
-        return new Effect.MissionStarted(
-                m.id,
-                m.parent == null ? Ids.NONE : m.parent.id,
-                m.instance == null ? "" : m.instance.place.place.id(),
-                m.plan.plan.id(),
-                m.name);
-    }
-
     @Override
     public List<Effect> markingAsEffects() {
         List<Effect> effects = new ArrayList<>();
         for (Mission m : state.missions.values()) {
-            effects.add(started(m));
+            effects.add(MissionStart.started(m));
             for (Visit v = m.firstVisit(); v != null; v = v.next) {
                 List<Token> tokens = new ArrayList<>(v.live);
                 for (Entry e = v.first; e != null; e = e.nextOfVisit) {

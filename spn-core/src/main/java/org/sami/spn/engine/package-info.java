@@ -1,7 +1,12 @@
 /**
  * The engine: a deterministic function from state and input to state and effects (SEMANTICS; thesis, Algorithms 1 to 3).
  *
- * <p>Belongs here: firing rules, one class per rule, the state they work on and questions about it. Does not belong here:
- * threads, clocks, files, and anything that knows one domain.
+ * <p>Belongs here: what other packages may use. {@code Engine} takes a step, {@code EngineState} is what it changes, {@code
+ * EngineView} and {@code MissionView} answer questions about it, {@code StateCodec} makes bytes of it. Does not belong here:
+ * threads, clocks, files, and anything that knows one domain. Below lie four packages that only the engine uses: {@code net}
+ * (compiled plans), {@code state} (what changes), {@code rule} (who changes it) and {@code codec} (its bytes); each knows only
+ * those that it names.
+ *
+ * <p>Read {@code Engine.step} first, then the packages in the order {@code net}, {@code state}, {@code rule}.
  */
 package org.sami.spn.engine;

@@ -136,7 +136,7 @@ class FollowedMarkingTest {
         long mission = ring.start("ring");
         ring.effects().forEach(followed);
 
-        assertThat(ring.view().mission(mission).map(MissionView::status)).contains(MissionView.Status.HALTED);
+        assertThat(ring.view().mission(mission).map(MissionView::status)).contains(MissionStatus.HALTED);
         assertThat(followed.marking(mission)).isEqualTo(Map.of("a", List.of(Token.GENERIC)));
 
         ring.step(new Input.AbortMission(mission)).forEach(followed);

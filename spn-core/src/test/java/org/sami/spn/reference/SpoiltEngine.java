@@ -17,7 +17,7 @@ import org.sami.spn.testing.TestVocabulary;
  * hooks for this.
  */
 final class SpoiltEngine extends ClassLoader {
-    private static final Path SOURCES = Path.of("src/main/java/org/sami/spn/engine");
+    private static final Path SOURCES = Path.of("src/main/java/org/sami/spn/engine/rule");
     private static final String ENGINE = "org.sami.spn.engine.";
 
     private final Path classes;

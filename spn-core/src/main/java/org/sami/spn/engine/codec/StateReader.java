@@ -1,0 +1,333 @@
+package org.sami.spn.engine.codec;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.sami.spn.engine.net.CompiledInput;
+import org.sami.spn.engine.net.CompiledOutput;
+import org.sami.spn.engine.net.CompiledPlace;
+import org.sami.spn.engine.net.CompiledPlan;
+import org.sami.spn.engine.net.CompiledProject;
+import org.sami.spn.engine.net.CompiledTransition;
+import org.sami.spn.engine.state.Instance;
+import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.Name;
+import org.sami.spn.engine.state.NetState;
+import org.sami.spn.engine.state.OpenDecision;
+import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.Return;
+import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.SharedRun;
+import org.sami.spn.engine.state.TaskState;
+import org.sami.spn.engine.state.Timer;
+import org.sami.spn.engine.state.TransitionState;
+import org.sami.spn.engine.state.Visit;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.MissionStatus;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Outcome;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.EventRole;
+
+/** Reads what {@link StateWriter} wrote. */
+public final class StateReader {
+    private final ProtocolReader in;
+    private final Map<Long, Visit> visits = new HashMap<>();
+    private final Map<Long, Sent> sent = new HashMap<>();
+    private final Map<Instance, Return> returnsOfVisits = new HashMap<>();
+    private NetState state;
+    private int version;
+
+    public StateReader(byte[] bytes) {
+        this.in = new ProtocolReader(bytes);
+    }
+
+    public NetState read(CompiledProject project) {
+        if (in.integer() != StateWriter.MAGIC) {
+            throw new IllegalArgumentException("This is not an engine's state");
+        }
+        version = in.integer();
+        if (version < 1 || version > StateWriter.VERSION) {
+            throw new IllegalArgumentException(
+                    "The state is of version " + version + ", not of 1 to " + StateWriter.VERSION);
+        }
+        state = new NetState(project);
+        state.now = in.number();
+        state.lastMission = in.number();
+        state.lastActivation = in.number();
+        state.lastVisit = in.number();
+        state.lastDecision = in.number();
+        state.lastTimer = in.number();
+        state.firings = in.number();
+        state.stamp = in.number();
+        state.proxies.addAll(in.texts());
+        state.globals.clear();
+        state.globals.putAll(in.values());
+        if (version > 1) {
+            state.memory.putAll(in.values()); // before, there was none
+        }
+        for (int i = in.integer(); i > 0; i--) {
+            state.unwanted.put(in.text(), in.number());
+        }
+        for (int i = in.integer(); i > 0; i--) {
+            mission();
+        }
+        for (int i = in.integer(); i > 0; i--) {
+            decision();
+        }
+        for (int i = in.integer(); i > 0; i--) {
+            timer();
+        }
+        for (int i = version > 2 ? in.integer() : 0; i > 0; i--) {
+            state.missions.get(in.number()).asked = Outcome.valueOf(in.text());
+        }
+        return state;
+    }
+
+    /** Whether unused returns of static instances are still to be told: before version 3 one's value replaced the one before. */
+    public boolean leavesReturnsUntold() {
+        return version < 3;
+    }
+
+    private void mission() {
+        long id = in.number();
+        String planId = in.text();
+        CompiledPlan plan = state.project.plan(planId);
+        if (plan == null) {
+            throw new IllegalArgumentException("The state speaks of the plan '" + planId + "', which is not there");
+        }
+        String name = in.text();
+        Mission parent = state.missions.get(in.number());
+        Instance instance = parent == null ? null : instanceReference(parent);
+        Mission m = new Mission(id, plan, name, parent, instance);
+        if (instance != null) {
+            instance.child = m;
+        }
+        m.status = MissionStatus.valueOf(in.text());
+        m.variables = in.values();
+        m.memory = in.values();
+        m.parameters = in.values();
+        m.returnValue = in.text();
+        m.generatedTasks = in.integer();
+        state.add(m);
+        for (int i = in.integer(); i > 0; i--) {
+            task(m);
+        }
+        for (int i = in.integer(); i > 0; i--) {
+            m.addWaiting(in.tokens());
+        }
+        shared(m);
+        visits(m);
+        marking(m);
+        pending(m);
+    }
+
+    private void task(Mission m) {
+        TaskId id = (TaskId) in.value();
+        String taskClass = in.text();
+        Map<String, Value> fields = in.values();
+        if (in.flag()) {
+            m.addTask(new TaskState(id, taskClass, fields, state.task((TaskId) in.value())));
+        } else {
+            TaskState task = new TaskState(id, taskClass, fields, null);
+            task.allocate(in.text());
+            m.addTask(task);
+        }
+    }
+
+    private Instance instanceReference(Mission parent) {
+        PlaceState place = parent.place(in.integer());
+        long visit = in.number();
+        int spec = in.integer();
+        return visit == Ids.NONE
+                ? place.shared[spec].instance
+                : visits.get(visit).instances.get(spec);
+    }
+
+    private Instance instance(Visit visit, PlaceState place, int spec) {
+        Instance.Status status = Instance.Status.valueOf(in.text());
+        Instance i = new Instance(visit, place, spec, in.tokens());
+        i.status = status;
+        i.returned.addAll(in.tokens());
+        i.returnValue = in.text();
+        return i;
+    }
+
+    private void shared(Mission m) {
+        for (CompiledPlace place : m.plan.places) {
+            if (place.shared.isEmpty()) {
+                continue;
+            }
+            PlaceState state = m.place(place.index);
+            state.shared = new SharedRun[in.integer()];
+            for (int i = 0; i < state.shared.length; i++) {
+                state.shared[i] = new SharedRun(instance(null, state, i));
+                for (int r = in.integer(); r > 0; r--) {
+                    List<Token> tokens = in.tokens();
+                    state.shared[i].returns.add(new Return(state.shared[i].instance, tokens, in.text()));
+                }
+            }
+        }
+    }
+
+    private void visits(Mission m) {
+        for (int i = in.integer(); i > 0; i--) {
+            visit(m);
+        }
+        for (int p = 0; p < m.places.length; p++) {
+            int size = in.integer();
+            if (size > 0) {
+                m.place(p).lastVisits = new LinkedHashMap<>();
+            }
+            for (int i = 0; i < size; i++) {
+                Token token = in.token();
+                m.place(p).lastVisits.put(token, visits.get(in.number()));
+            }
+        }
+    }
+
+    private void visit(Mission m) {
+        long id = in.number();
+        PlaceState place = m.place(in.integer());
+        boolean ended = in.flag();
+        boolean held = in.flag();
+        boolean used = in.flag();
+        int remembered = in.integer();
+        Visit v = new Visit(id, place, List.copyOf(in.tokens()));
+        v.ended = ended;
+        v.held = held;
+        v.used = used;
+        v.remembered = remembered;
+        visits.put(id, v);
+        int instances = in.integer();
+        if (instances > 0) {
+            v.instances = new ArrayList<>();
+            place.addInstanceVisit(v);
+            for (int i = 0; i < instances; i++) {
+                v.instances.add(instance(v, place, i));
+            }
+        }
+        for (int i = in.integer(); i > 0; i--) {
+            CompiledOutput output = place.place.outputs[in.integer()];
+            Activation activation = in.activation();
+            Sent s = new Sent(activation, v, output);
+            s.open = !ended;
+            v.sent.add(s);
+            sent.put(activation.id(), s);
+            if (!ended || remembered > 0) {
+                state.sent.put(activation.id(), s);
+            }
+        }
+        if (!ended) {
+            m.addVisit(v);
+            if (v.byNobody) {
+                place.nobody.add(v);
+            }
+        }
+    }
+
+    private void marking(Mission m) {
+        for (int p = 0; p < m.places.length; p++) {
+            for (int i = in.integer(); i > 0; i--) {
+                Token token = in.token();
+                long order = in.number();
+                visits.get(in.number()).enter(token, order);
+            }
+        }
+    }
+
+    private void pending(Mission m) {
+        for (CompiledTransition t : m.plan.transitions) {
+            for (int i = in.integer(); i > 0; i--) {
+                pending(m.transition(t.index));
+            }
+        }
+    }
+
+    private void pending(TransitionState t) {
+        CompiledInput input = t.transition.inputs[in.integer()];
+        Occurrence occurrence = in.occurrence();
+        Sent answered = sent.get(in.number());
+        Visit bound = visits.get(in.number());
+        Return told = version > 2 ? told(t.mission) : toldBefore(input, bound);
+        Pending p =
+                told == null ? new Pending(occurrence, input, answered, bound) : new Pending(occurrence, input, told);
+        p.names = new Name[in.integer()];
+        for (int i = 0; i < p.names.length; i++) {
+            Name n = new Name(p, in.token());
+            n.tokens = in.tokens().toArray(Token[]::new);
+            n.struck = in.flag();
+            n.stood = in.flag();
+            p.names[i] = n;
+            p.namesLeft += n.struck ? 0 : 1;
+        }
+        if (version > 2 || input.role != EventRole.CHECK_RETURN || told != null) {
+            t.add(p);
+        }
+    }
+
+    private Return told(Mission m) {
+        if (!in.flag()) {
+            return null;
+        }
+        Instance instance = instanceReference(m);
+        if (instance.isShared()) {
+            return instance.place.shared[instance.specIndex].returns.get(in.integer());
+        }
+        return returnOf(instance);
+    }
+
+    private Return returnOf(Instance instance) {
+        return returnsOfVisits.computeIfAbsent(instance, i -> new Return(i, List.of(), i.returnValue));
+    }
+
+    /** Before version 3 an occurrence that told the value of a visit's instance said only of which visit. */
+    private Return toldBefore(CompiledInput input, Visit bound) {
+        return bound == null
+                ? null
+                : bound.instances.stream()
+                        .filter(i -> input.checks(i.returnValue))
+                        .findFirst()
+                        .map(this::returnOf)
+                        .orElse(null);
+    }
+
+    private void decision() {
+        Decision decision = in.decision();
+        OpenDecision.Purpose purpose = OpenDecision.Purpose.valueOf(in.text());
+        Mission m = state.missions.get(in.number());
+        Sent asking = sent.get(in.number());
+        Instance instance = in.flag() ? instanceReference(m) : null;
+        OpenDecision d = new OpenDecision(decision, purpose, m, asking, instance, in.text());
+        state.decisions.put(decision.id(), d);
+        if (purpose != OpenDecision.Purpose.DOMAIN) {
+            m.addDecision(d);
+        }
+        if (asking != null && purpose == OpenDecision.Purpose.ACTIVATION) {
+            asking.decision = d;
+        }
+    }
+
+    private void timer() {
+        long due = in.number();
+        long id = in.number();
+        Sent asking = sent.get(in.number());
+        Token token = in.token();
+        OpenDecision decision = state.decisions.get(in.number());
+        Timer timer = new Timer(due, id, asking, token, decision);
+        state.timers.add(timer);
+        if (asking != null) {
+            asking.add(timer);
+        }
+        if (decision != null) {
+            decision.deadline = timer;
+        }
+    }
+}

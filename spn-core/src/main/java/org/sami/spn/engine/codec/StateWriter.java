@@ -1,0 +1,254 @@
+package org.sami.spn.engine.codec;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import org.sami.spn.engine.net.CompiledPlace;
+import org.sami.spn.engine.state.Entry;
+import org.sami.spn.engine.state.Instance;
+import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.Name;
+import org.sami.spn.engine.state.NetState;
+import org.sami.spn.engine.state.OpenDecision;
+import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.Return;
+import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.SharedRun;
+import org.sami.spn.engine.state.TaskState;
+import org.sami.spn.engine.state.Timer;
+import org.sami.spn.engine.state.TransitionState;
+import org.sami.spn.engine.state.Visit;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Token;
+
+/** Writes a whole state between two steps. What can be worked out again from the rest is left out. */
+public final class StateWriter {
+    /** First bytes of every encoded state: "SPNS". */
+    public static final int MAGIC = 0x53504e53;
+    /** Version of the form. */
+    public static final int VERSION = 3;
+
+    private final ProtocolWriter out = new ProtocolWriter();
+
+    public byte[] write(NetState s) {
+        out.integer(MAGIC);
+        out.integer(VERSION);
+        for (long n : new long[] {
+            s.now, s.lastMission, s.lastActivation, s.lastVisit, s.lastDecision, s.lastTimer, s.firings, s.stamp
+        }) {
+            out.number(n);
+        }
+        out.texts(s.proxies);
+        out.values(s.globals);
+        out.values(s.memory);
+        out.integer(s.unwanted.size());
+        s.unwanted.forEach((type, n) -> {
+            out.text(type);
+            out.number(n);
+        });
+        out.integer(s.missions.size());
+        s.missions.values().forEach(this::mission);
+        out.integer(s.decisions.size());
+        s.decisions.values().forEach(this::decision);
+        out.integer(s.timers.size());
+        for (Timer t : s.timers) {
+            out.number(t.due());
+            out.number(t.id());
+            out.number(t.sent() == null ? Ids.NONE : t.sent().activation.id());
+            out.token(t.token() == null ? Token.GENERIC : t.token());
+            out.number(t.decision() == null ? Ids.NONE : t.decision().decision.id());
+        }
+        List<Mission> asked =
+                s.missions.values().stream().filter(m -> m.asked != null).toList();
+        out.integer(asked.size());
+        for (Mission m : asked) {
+            out.number(m.id);
+            out.text(m.asked.name());
+        }
+        return out.bytes();
+    }
+
+    private void mission(Mission m) {
+        out.number(m.id);
+        out.text(m.plan.plan.id());
+        out.text(m.name);
+        out.number(m.parent == null ? Ids.NONE : m.parent.id);
+        if (m.parent != null) {
+            instanceReference(m.instance);
+        }
+        out.text(m.status.name());
+        out.values(m.variables);
+        out.values(m.memory);
+        out.values(m.parameters);
+        out.text(m.returnValue);
+        out.integer(m.generatedTasks);
+        out.integer(m.tasks.size());
+        m.tasks.values().forEach(this::task);
+        out.integer(m.waiting.size());
+        m.waiting.forEach(out::tokens);
+        shared(m);
+        visits(m);
+        marking(m);
+        pending(m);
+    }
+
+    private void task(TaskState t) {
+        out.value(t.id);
+        out.text(t.taskClass);
+        out.values(t.fields);
+        out.flag(t.original != null);
+        if (t.original != null) {
+            out.value(t.original.id);
+        } else {
+            out.text(t.proxy());
+        }
+    }
+
+    private void instanceReference(Instance i) {
+        out.integer(i.place.place.index);
+        out.number(i.visit == null ? Ids.NONE : i.visit.id);
+        out.integer(i.specIndex);
+    }
+
+    private void instance(Instance i) {
+        out.text(i.status.name());
+        out.tokens(i.starting);
+        out.tokens(i.returned);
+        out.text(i.returnValue);
+    }
+
+    private void shared(Mission m) {
+        for (CompiledPlace place : m.plan.places) {
+            if (place.shared.isEmpty()) {
+                continue;
+            }
+            PlaceState state = m.place(place.index);
+            out.integer(state.shared.length);
+            for (SharedRun run : state.shared) {
+                instance(run.instance);
+                out.integer(run.returns.size());
+                run.returns.forEach(r -> {
+                    out.tokens(r.tokens);
+                    out.text(r.value);
+                });
+            }
+        }
+    }
+
+    /** Visits that go on, and ended ones of which something still speaks. */
+    private void visits(Mission m) {
+        TreeSet<Visit> visits = new TreeSet<>(Comparator.comparingLong((Visit v) -> v.id));
+        for (Visit v = m.firstVisit(); v != null; v = v.next) {
+            visits.add(v);
+        }
+        for (PlaceState place : m.places) {
+            if (place != null && place.lastVisits != null) {
+                visits.addAll(place.lastVisits.values());
+            }
+        }
+        for (TransitionState t : m.transitions) {
+            if (t != null) {
+                for (TransitionState.Queue q : t.queues) {
+                    for (Pending p = q.first; p != null; p = p.next) {
+                        if (p.visit() != null) {
+                            visits.add(p.visit());
+                        }
+                    }
+                }
+            }
+        }
+        out.integer(visits.size());
+        visits.forEach(this::visit);
+        for (PlaceState place : m.places) {
+            Map<Token, Visit> last = place == null || place.lastVisits == null ? Map.of() : place.lastVisits;
+            out.integer(last.size());
+            last.forEach((token, v) -> {
+                out.token(token);
+                out.number(v.id);
+            });
+        }
+    }
+
+    private void visit(Visit v) {
+        out.number(v.id);
+        out.integer(v.place.place.index);
+        out.flag(v.ended);
+        out.flag(v.held);
+        out.flag(v.used);
+        out.integer(v.remembered);
+        out.tokens(v.entered);
+        List<Instance> instances = v.ended ? List.of() : v.instances;
+        out.integer(instances.size());
+        instances.forEach(this::instance);
+        out.integer(v.sent.size());
+        for (Sent s : v.sent) {
+            out.integer(List.of(v.place.place.outputs).indexOf(s.output));
+            out.activation(s.activation);
+        }
+    }
+
+    private void marking(Mission m) {
+        for (PlaceState place : m.places) {
+            List<Entry> entries = place == null ? List.of() : place.inOrder();
+            out.integer(entries.size());
+            for (Entry e : entries) {
+                out.token(e.token);
+                out.number(e.order);
+                out.number(e.visit.id);
+            }
+        }
+    }
+
+    private void pending(Mission m) {
+        for (TransitionState t : m.transitions) {
+            out.integer(t == null ? 0 : t.pending);
+            if (t == null || t.pending == 0) {
+                continue;
+            }
+            for (TransitionState.Queue q : t.queues) {
+                for (Pending p = q.first; p != null; p = p.next) {
+                    pending(p);
+                }
+            }
+        }
+    }
+
+    private void pending(Pending p) {
+        out.integer(p.input.index);
+        out.occurrence(p.occurrence);
+        out.number(p.answered == null ? Ids.NONE : p.answered.activation.id());
+        out.number(p.bound == null ? Ids.NONE : p.bound.id);
+        out.flag(p.told != null);
+        if (p.told != null) {
+            told(p.told);
+        }
+        out.integer(p.names.length);
+        for (Name n : p.names) {
+            out.token(n.token);
+            out.tokens(List.of(n.tokens));
+            out.flag(n.struck);
+            out.flag(n.stood);
+        }
+    }
+
+    private void told(Return r) {
+        instanceReference(r.instance);
+        if (r.instance.isShared()) {
+            out.integer(r.place().shared[r.instance.specIndex].returns.indexOf(r));
+        }
+    }
+
+    private void decision(OpenDecision d) {
+        out.decision(d.decision);
+        out.text(d.purpose.name());
+        out.number(d.mission == null ? Ids.NONE : d.mission.id);
+        out.number(d.sent == null ? Ids.NONE : d.sent.activation.id());
+        out.flag(d.instance != null);
+        if (d.instance != null) {
+            instanceReference(d.instance);
+        }
+        out.text(d.subject);
+    }
+}

@@ -1,0 +1,73 @@
+package org.sami.spn.engine.net;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/** Plans of a project in index form, made once: names are resolved here, so that a step only follows references. */
+public final class CompiledProject {
+    public final Vocabulary vocabulary;
+    public final Project project;
+    public final int livelockLimit;
+    public final Map<String, VariableSpec> globals = new HashMap<>();
+    private final Map<String, Integer> typeIds = new HashMap<>();
+    private final List<String> typeNames = new ArrayList<>();
+    private final Map<EventRole, String> inputTypeByRole = new HashMap<>();
+    private final Map<String, CompiledPlan> plans = new HashMap<>();
+
+    public CompiledProject(Vocabulary vocabulary, Project project, int livelockLimit) {
+        this.vocabulary = vocabulary;
+        this.project = project;
+        this.livelockLimit = livelockLimit;
+        for (EventType type : vocabulary.events().values()) {
+            inputTypeByRole.putIfAbsent(type.role(), type.name());
+        }
+        project.globals().forEach(v -> globals.put(v.name(), v));
+        for (Plan plan : project.plans()) {
+            plans.putIfAbsent(plan.id(), new CompiledPlan(this, plan));
+        }
+    }
+
+    /** The plan of that id, or null. */
+    public CompiledPlan plan(String id) {
+        return plans.get(id);
+    }
+
+    /** The number of an input event type, by name or alias; given at first sight. */
+    public int typeId(String nameOrAlias) {
+        String name = vocabulary.event(nameOrAlias).map(EventType::name).orElse(nameOrAlias);
+        return typeIds.computeIfAbsent(name, n -> {
+            typeNames.add(n);
+            return typeNames.size() - 1;
+        });
+    }
+
+    /** The number of an input event type that some plan of the project speaks of; -1 for others. */
+    public int knownTypeId(String nameOrAlias) {
+        Integer direct = typeIds.get(nameOrAlias);
+        if (direct != null) {
+            return direct;
+        }
+        Optional<EventType> type = vocabulary.event(nameOrAlias);
+        Integer id = type.isEmpty() ? null : typeIds.get(type.get().name());
+        return id == null ? -1 : id;
+    }
+
+    public int typeCount() {
+        return typeNames.size();
+    }
+
+    /** The input event type with which the engine itself speaks in a role; the role's name where none is declared. */
+    public String typeOf(EventRole role) {
+        String type = inputTypeByRole.get(role);
+        return type == null ? role.name() : type;
+    }
+}

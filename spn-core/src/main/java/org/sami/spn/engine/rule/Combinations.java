@@ -1,0 +1,136 @@
+package org.sami.spn.engine.rule;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.spn.engine.net.Reach;
+import org.sami.spn.engine.state.Name;
+import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.TransitionState;
+
+/** Finds the earliest combination of pending occurrences that enables a transition (SEMANTICS, Input events). */
+public final class Combinations {
+    /** Occurrences that enable a transition together. */
+    public record Found(List<Pending> used, Relevant relevant, Scope scope) {}
+
+    private final Rules rules;
+
+    public Combinations(Rules rules) {
+        this.rules = rules;
+    }
+
+    /** The earliest combination that enables a transition; null where there is none. */
+    public Found find(TransitionState t) {
+        for (TransitionState.Queue q : t.queues) {
+            if (q.size == 0) {
+                return null;
+            }
+        }
+        Reach reach = t.transition.reach();
+        if (!t.transition.checksReturns && !isPossible(t, Scope.of(reach))) {
+            return null;
+        }
+        if (t.barrier != null) {
+            return all(t, reach);
+        }
+        if (t.queues.length == 1) {
+            for (Pending p = t.queues[0].first; p != null; p = p.next) {
+                Found found = attempt(t, List.of(p), reach);
+                if (found != null) {
+                    return found;
+                }
+            }
+            return null;
+        }
+        return search(t, new ArrayList<>(), reach);
+    }
+
+    /** Whether the marking allows it, whatever occurrences it uses; returns that it checks bind it to other tokens. */
+    private boolean isPossible(TransitionState t, Scope scope) {
+        return rules.enabling.isReady(t, scope) && rules.enabling.meetsPlain(t, scope);
+    }
+
+    private Found search(TransitionState t, List<Pending> chosen, Reach reach) {
+        if (chosen.size() == t.queues.length) {
+            return attempt(t, List.copyOf(chosen), reach);
+        }
+        for (Pending p = t.queues[chosen.size()].first; p != null; p = p.next) {
+            if (joins(chosen, p)) {
+                chosen.add(p);
+                Found found = search(t, chosen, reach);
+                chosen.remove(chosen.size() - 1);
+                if (found != null) {
+                    return found;
+                }
+            }
+        }
+        return null;
+    }
+
+    /** Those that name tokens must name the same ones; those that name none join with any, returns with those of their visit. */
+    private static boolean joins(List<Pending> chosen, Pending p) {
+        if (excluded(chosen, p)) {
+            return false;
+        }
+        if (p.names.length == 0) {
+            return true;
+        }
+        for (Pending other : chosen) {
+            if (other.names.length > 0) {
+                return Pendings.namesSame(other, p);
+            }
+        }
+        return true;
+    }
+
+    private static boolean excluded(List<Pending> chosen, Pending p) {
+        if (p.told == null) {
+            return false;
+        }
+        for (Pending other : chosen) {
+            if (other.told != null && p.told.excludes(other.told)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Waits until every robot or task in the watched places has reported, then uses all reports. */
+    private Found all(TransitionState t, Reach reach) {
+        if (t.barrier.isEmpty()) {
+            return null;
+        }
+        List<Pending> used = new ArrayList<>();
+        for (TransitionState.Queue q : t.queues) {
+            if (q.naming > 0 && t.barrier.missing(q.first.input.index) > 0) {
+                return null;
+            }
+        }
+        boolean somebody = false;
+        for (TransitionState.Queue q : t.queues) {
+            for (Pending p = q.first; p != null; p = p.next) {
+                if ((p.names.length == 0 || stands(t, p)) && !excluded(used, p)) {
+                    used.add(p);
+                    somebody |= p.names.length > 0;
+                }
+            }
+        }
+        return somebody ? attempt(t, used, reach) : null;
+    }
+
+    private static boolean stands(TransitionState t, Pending p) {
+        for (Name n : p.names) {
+            for (int i = 0; i < n.tokens.length && !n.struck; i++) {
+                if (t.barrier.stands(n.tokens[i])) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private Found attempt(TransitionState t, List<Pending> used, Reach reach) {
+        Relevant relevant = Relevant.of(used);
+        Scope scope = Scope.of(reach, used);
+        return rules.enabling.isEnabled(t, relevant, scope) ? new Found(used, relevant, scope) : null;
+    }
+}

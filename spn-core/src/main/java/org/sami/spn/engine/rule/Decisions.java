@@ -1,0 +1,322 @@
+package org.sami.spn.engine.rule;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import org.sami.spn.engine.net.CompiledOutput;
+import org.sami.spn.engine.state.Instance;
+import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.OpenDecision;
+import org.sami.spn.engine.state.Sent;
+import org.sami.spn.model.MarkupSpec;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Answerer;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.protocol.Question;
+import org.sami.spn.value.MapValue;
+import org.sami.spn.value.RecordValue;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+import org.sami.spn.value.VariableReference;
+import org.sami.spn.vocabulary.AnswerNames;
+import org.sami.spn.vocabulary.DecisionForm;
+import org.sami.spn.vocabulary.DecisionType;
+import org.sami.spn.vocabulary.Reserved;
+
+/** Questions to the operator: opened, answered once by the operator or by autonomy, closed (DESIGN, How data flows). */
+public final class Decisions {
+    private final Rules rules;
+    private final Questions questions;
+
+    public Decisions(Rules rules) {
+        this.rules = rules;
+        this.questions = new Questions(rules);
+    }
+
+    /** An activation asks. */
+    public void open(Sent sent) {
+        Question question = questions.of(sent);
+        CompiledOutput output = sent.output;
+        OptionalLong deadline = output.trigger == CompiledOutput.Trigger.TIMER
+                ? OptionalLong.of(rules.state.now + output.timeoutMillis)
+                : OptionalLong.empty();
+        Decision decision = new Decision(
+                ++rules.state.lastDecision,
+                sent.activation.mission(),
+                sent.activation.id(),
+                output.typeName,
+                questions.prompt(sent),
+                question,
+                Questions.automatic(output.decision, question),
+                deadline,
+                output.priority,
+                output.spec.markups());
+        OpenDecision open = new OpenDecision(decision, OpenDecision.Purpose.ACTIVATION, sent.mission(), sent, null, "");
+        sent.decision = open;
+        add(open);
+        if (output.trigger == CompiledOutput.Trigger.TIMER) {
+            open.deadline = rules.timers.deadline(open, output.timeoutMillis);
+        } else if (output.trigger == CompiledOutput.Trigger.IMMEDIATELY) {
+            rules.post(() -> byAutonomy(open));
+        }
+    }
+
+    /** A mission that starts asks for its parameters. */
+    public void openParameters(Mission m, Parameters parameters) {
+        List<Question.Item> items = parameters.items();
+        add(new OpenDecision(
+                own(m, "", "Parameters of " + m.name, new Question.FillIn(items), Questions.defaults(items)),
+                OpenDecision.Purpose.PARAMETERS,
+                m,
+                null,
+                null,
+                ""));
+    }
+
+    /** An interrupt was pressed without saying for whom. */
+    public void openInterruptChoice(Mission m, String interrupt, List<String> candidates) {
+        Question question = new Question.ChooseProxies(candidates, 1, Integer.MAX_VALUE);
+        add(new OpenDecision(
+                own(m, Decision.INTERRUPT + interrupt, "Whom is '" + interrupt + "' for?", question, Optional.empty()),
+                OpenDecision.Purpose.INTERRUPT_CHOICE,
+                m,
+                null,
+                null,
+                interrupt));
+    }
+
+    /** A child was aborted and no transition waits for that. */
+    public void openAborted(Instance instance, String robots) {
+        Mission m = instance.place.mission;
+        String prompt = "The sub-mission on '" + instance.place.place + "' was aborted. Return " + robots
+                + " to the plan? Otherwise they stay there.";
+        add(new OpenDecision(
+                own(
+                        m,
+                        Decision.ABORTED + instance.place.place.id(),
+                        prompt,
+                        new Question.Approve(),
+                        Optional.of(new Answer.YesNo(true))),
+                OpenDecision.Purpose.ABORTED_CHILD,
+                m,
+                null,
+                instance,
+                ""));
+    }
+
+    /** The domain asks; nothing happens where it does already. */
+    public void ask(Input.AskOperator asked) {
+        if (open(asked.kind(), asked.about()).isPresent()) {
+            return;
+        }
+        Decision decision = new Decision(
+                ++rules.state.lastDecision,
+                Ids.NONE,
+                Ids.NONE,
+                asked.kind(),
+                asked.prompt(),
+                new Question.Approve(),
+                Optional.empty(),
+                OptionalLong.empty(),
+                asked.priority(),
+                List.of());
+        add(new OpenDecision(decision, OpenDecision.Purpose.DOMAIN, null, null, null, asked.about()));
+    }
+
+    /** The domain needs no answer any longer. */
+    public void withdraw(Input.WithdrawQuestion withdrawn) {
+        open(withdrawn.kind(), withdrawn.about()).ifPresent(this::close);
+    }
+
+    private Optional<OpenDecision> open(String kind, String about) {
+        return rules.state.decisions.values().stream()
+                .filter(open -> open.purpose == OpenDecision.Purpose.DOMAIN
+                        && open.decision.type().equals(kind)
+                        && open.subject.equals(about))
+                .findFirst();
+    }
+
+    private Decision own(Mission m, String type, String prompt, Question question, Optional<Answer> automatic) {
+        return new Decision(
+                ++rules.state.lastDecision,
+                m.id,
+                Ids.NONE,
+                type,
+                prompt,
+                question,
+                automatic,
+                OptionalLong.empty(),
+                Priority.MEDIUM,
+                List.<MarkupSpec>of());
+    }
+
+    private void add(OpenDecision open) {
+        rules.state.decisions.put(open.decision.id(), open);
+        if (open.mission != null) {
+            open.mission.addDecision(open);
+        }
+        rules.emit(new Effect.DecisionOpened(open.decision));
+    }
+
+    /** An answer arrives; why it is refused, empty where it is taken. */
+    public Optional<String> answer(Input.AnswerDecision input) {
+        OpenDecision open = rules.state.decisions.get(input.decision());
+        if (open == null) {
+            return Optional.of("The decision " + input.decision() + " is not open");
+        }
+        if (namesNobody(open, input.answer())) {
+            rules.note(
+                    NoteKind.NAMES_NOBODY,
+                    open.mission.id,
+                    "The answer to '" + open.decision.prompt() + "' names nobody; the question stays open");
+            return Optional.empty();
+        }
+        Optional<String> wrong = wrong(open, input.answer());
+        if (wrong.isPresent()) {
+            return Optional.of("The answer to '" + open.decision.prompt() + "' does not fit: " + wrong.get());
+        }
+        take(open, input.answer(), input.by());
+        return Optional.empty();
+    }
+
+    private Optional<String> wrong(OpenDecision open, Answer answer) {
+        boolean mayReject = open.sent != null
+                && open.purpose == OpenDecision.Purpose.ACTIVATION
+                && !typeOf(open).rejected().isEmpty();
+        return Answers.wrong(open.decision.question(), answer, mayReject, rules.project().vocabulary);
+    }
+
+    private static boolean namesNobody(OpenDecision open, Answer answer) {
+        return open.purpose == OpenDecision.Purpose.ACTIVATION
+                && typeOf(open).names() == AnswerNames.CHOSEN
+                && answer instanceof Answer.Proxies p
+                && p.proxies().isEmpty();
+    }
+
+    private static DecisionType typeOf(OpenDecision open) {
+        return open.sent.output.decision;
+    }
+
+    public void deadline(OpenDecision open) {
+        open.deadline = null;
+        byAutonomy(open);
+    }
+
+    private void byAutonomy(OpenDecision open) {
+        if (!rules.state.decisions.containsKey(open.decision.id())) {
+            return;
+        }
+        Optional<Answer> automatic = open.decision.automatic();
+        if (automatic.isEmpty()) {
+            rules.note(
+                    NoteKind.NO_AUTOMATIC_ANSWER,
+                    open.mission.id,
+                    "Autonomy has no answer to '" + open.decision.prompt() + "'; the operator must decide");
+            return;
+        }
+        take(open, automatic.get(), Answerer.AUTONOMY);
+    }
+
+    private void take(OpenDecision open, Answer answer, Answerer by) {
+        remove(open);
+        rules.emit(new Effect.DecisionClosed(open.decision.id(), Optional.of(answer), Optional.of(by)));
+        switch (open.purpose) {
+            case ACTIVATION -> occur(open, answer);
+            case PARAMETERS -> {
+                Map<String, Value> values = new LinkedHashMap<>(open.mission.parameters);
+                values.putAll(Answers.values((Question.FillIn) open.decision.question(), (Answer.Fields) answer));
+                open.mission.parameters = values;
+                rules.missionStart.begin(open.mission);
+            }
+            case INTERRUPT_CHOICE ->
+                rules.presses.chosen(open.mission, open.subject, ((Answer.Proxies) answer).proxies());
+            case DOMAIN ->
+                rules.emit(
+                        new Effect.QuestionAnswered(open.decision.type(), open.subject, ((Answer.YesNo) answer).yes()));
+            case ABORTED_CHILD -> rules.subMissions.decided(open.instance, ((Answer.YesNo) answer).yes());
+        }
+    }
+
+    /** The answer becomes the occurrence of an input event. */
+    private void occur(OpenDecision open, Answer answer) {
+        DecisionType type = typeOf(open);
+        Activation asked = open.sent.activation;
+        boolean no = answer instanceof Answer.Rejected || (answer instanceof Answer.YesNo yesNo && !yesNo.yes());
+        Map<String, Value> values = values(open, type, answer);
+        if (type.form() == DecisionForm.REDEFINE_VARIABLE || type.form() == DecisionForm.DEFINE_VARIABLES) {
+            values = written(open, values);
+        }
+        List<String> proxies = List.of();
+        List<TaskId> tasks = List.of();
+        if (type.names() == AnswerNames.ENTERING) {
+            proxies = asked.proxies();
+            tasks = asked.tasks();
+        } else if (type.names() == AnswerNames.CHOSEN && answer instanceof Answer.Proxies chosen) {
+            proxies = chosen.proxies();
+        }
+        String event = no ? type.rejected() : type.accepted();
+        if (!event.isEmpty()) {
+            rules.routing.route(Occurrence.answer(event, asked, proxies, tasks, values));
+        }
+    }
+
+    /** Writes variables; the answer carries what they were given as one map. */
+    private Map<String, Value> written(OpenDecision open, Map<String, Value> given) {
+        Map<Value, Value> written = new LinkedHashMap<>();
+        given.forEach((name, value) -> {
+            if (rules.variables.write(open.mission, name, value)) {
+                written.put(new VariableReference(name), value);
+            }
+        });
+        return Map.of(Reserved.VALUES, new MapValue(written));
+    }
+
+    private static Map<String, Value> values(OpenDecision open, DecisionType type, Answer answer) {
+        if (answer instanceof Answer.Fields fields) {
+            return Answers.values((Question.FillIn) open.decision.question(), fields);
+        }
+        Map<String, Value> values = new LinkedHashMap<>();
+        if (answer instanceof Answer.Option chosen) {
+            Value option =
+                    ((Question.ChooseOption) open.decision.question()).options().get(chosen.index());
+            type.answerFields().forEach((field, from) -> {
+                if (from.equals(".")) {
+                    values.put(field, option);
+                } else if (option instanceof RecordValue r && r.fields().containsKey(from)) {
+                    values.put(field, r.fields().get(from));
+                }
+            });
+        }
+        return values;
+    }
+
+    /** Nobody waits for the answer any longer. */
+    public void close(OpenDecision open) {
+        if (rules.state.decisions.containsKey(open.decision.id())) {
+            remove(open);
+            rules.emit(new Effect.DecisionClosed(open.decision.id(), Optional.empty(), Optional.empty()));
+        }
+    }
+
+    private void remove(OpenDecision open) {
+        rules.state.decisions.remove(open.decision.id());
+        if (open.mission != null) {
+            open.mission.decisions.remove(open.decision.id());
+        }
+        if (open.deadline != null) {
+            rules.timers.cancel(open.deadline);
+        }
+        if (open.sent != null && open.sent.decision == open) {
+            open.sent.decision = null;
+        }
+    }
+}

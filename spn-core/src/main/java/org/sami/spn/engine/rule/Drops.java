@@ -1,0 +1,144 @@
+package org.sami.spn.engine.rule;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.sami.spn.engine.state.Entry;
+import org.sami.spn.engine.state.Instance;
+import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.SharedRun;
+import org.sami.spn.engine.state.TaskState;
+import org.sami.spn.engine.state.TransitionState;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Outcome;
+import org.sami.spn.protocol.Token;
+
+/** Takes robots out of missions: dropped by the operator, or withdrawn by an interrupt in a parent. */
+public final class Drops {
+    private final Rules rules;
+
+    public Drops(Rules rules) {
+        this.rules = rules;
+    }
+
+    /** The operator drops a robot; a reason where that makes no sense. */
+    public Optional<String> drop(Input.ProxyDropped input) {
+        Mission root = rules.state.missions.get(input.mission());
+        if (input.mission() != Ids.NONE && root == null) {
+            return Optional.of("There is no running mission " + input.mission());
+        }
+        Token token = new Token.Proxy(input.proxy());
+        if (input.mission() == Ids.NONE && !rules.state.proxies.remove(input.proxy()) && !standsSomewhere(token)) {
+            return Optional.of("No robot '" + input.proxy() + "' is known");
+        }
+        List<Mission> concerned = rules.state.missions.values().stream()
+                .filter(m -> !m.ended && (root == null || m.root == root.root))
+                .toList();
+        // before any of them ends for want of the robot: its tasks are released as well
+        concerned.forEach(m -> rules.allocation.release(m, input.proxy()));
+        for (Mission m :
+                concerned) { // in the order of their ids: a child is looked at in its own turn, not in its parent's
+            if (!m.ended) {
+                drop(m, token);
+            }
+        }
+        rules.work.addWithdrawn();
+        return Optional.empty();
+    }
+
+    /** An occurrence can have brought in a robot that never joined. */
+    private boolean standsSomewhere(Token token) {
+        for (Mission m : rules.state.missions.values()) {
+            for (PlaceState place : m.places) {
+                if (place != null && place.find(token) != null) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private void drop(Mission m, Token token) {
+        for (List<Token> waiting : m.waiting) {
+            waiting.removeIf(token::equals);
+        }
+        takeOut(m, token);
+        rules.work.addDropped(m);
+        if (m.ended) {
+            return;
+        }
+        forget(m, token);
+        for (TransitionState t : m.transitions) {
+            if (t != null && t.pending > 0 && rules.pendings.strikeAll(t, token)) {
+                rules.work.add(t);
+            }
+        }
+    }
+
+    /** Nobody waits for the robot in instances of a mission any longer, wherever it stands. */
+    private void forget(Mission m, Token token) {
+        for (PlaceState place : m.places) {
+            if (place == null) {
+                continue;
+            }
+            List<Instance> instances = new ArrayList<>();
+            place.instanceVisits().values().forEach(v -> instances.addAll(v.instances));
+            for (SharedRun run : place.shared) {
+                rules.sharedInstances.forget(run, token);
+            }
+            for (Instance i : instances) {
+                i.returned.removeIf(token::equals);
+                boolean started = i.starting.removeIf(token::equals);
+                if (started && i.starting.isEmpty() && i.child != null) {
+                    i.status = Instance.Status.ABORTED;
+                    rules.missionEnd.stopSilently(i.child, Outcome.ABORTED);
+                }
+            }
+        }
+    }
+
+    /** Removes every copy of a token from a mission and its descendants. */
+    public void takeOut(Mission m, Token token) {
+        if (m.ended) {
+            return;
+        }
+        List<Entry> removed = new ArrayList<>();
+        for (PlaceState place : m.places) {
+            if (place != null) {
+                for (Entry e = place.find(token); e != null; e = e.nextCopy) {
+                    removed.add(e);
+                }
+            }
+        }
+        for (List<Token> waiting : m.waiting) {
+            waiting.removeIf(token::equals);
+        }
+        if (removed.isEmpty()) {
+            return;
+        }
+        long before = rules.state.stamp;
+        rules.leaving.remove(removed);
+        withdrawCommands(m, token);
+        for (Entry e : removed) {
+            rules.work.withdrawn(e.place);
+        }
+        for (Entry e : removed) {
+            rules.leaving.left(e, before, true);
+        }
+        rules.sharedInstances.pulled(removed, List.of(), before);
+    }
+
+    private void withdrawCommands(Mission m, Token token) {
+        if (token instanceof Token.Proxy proxy) {
+            rules.emit(new Effect.CommandsWithdrawn(m.id, List.of(proxy.proxy())));
+        } else if (token instanceof Token.Task task) {
+            TaskState state = rules.task(task.task());
+            if (state != null && !state.proxy().isEmpty()) {
+                rules.emit(new Effect.CommandsWithdrawn(m.id, List.of(state.proxy())));
+            }
+        }
+    }
+}

@@ -1,0 +1,231 @@
+package org.sami.spn.engine.rule;
+
+import java.util.function.Predicate;
+import org.sami.spn.engine.net.CompiledPlace;
+import org.sami.spn.engine.net.CompiledTransition;
+import org.sami.spn.engine.net.Reach;
+import org.sami.spn.engine.state.Entry;
+import org.sami.spn.engine.state.Name;
+import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.TaskState;
+import org.sami.spn.engine.state.TransitionState;
+import org.sami.spn.engine.state.Visit;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.Match;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.protocol.Token;
+
+/** Whether a transition can fire: requirements of its in edges, and sub-missions on its in places (thesis, Algorithm 1). */
+public final class Enabling {
+    private final Rules rules;
+
+    public Enabling(Rules rules) {
+        this.rules = rules;
+    }
+
+    public boolean isEnabled(TransitionState t, Relevant relevant, Scope scope) {
+        return isReady(t, scope) && meetsPlain(t, scope) && meetsRelevant(t, relevant, scope);
+    }
+
+    /** Whether no in place makes it wait for a sub-mission. */
+    public boolean isReady(TransitionState t, Scope scope) {
+        if (scope.reach == Reach.ALL) {
+            return true;
+        }
+        for (CompiledPlace place : t.transition.inPlaces) {
+            if (!isReady(t, place, scope)) {
+                return false;
+            }
+        }
+        return !t.transition.wantsSubTokens || somethingReturned(t, scope);
+    }
+
+    /** Whether an in place has a completion for a transition that speaks of sub-mission tokens: it fires for each once. */
+    public boolean somethingReturned(TransitionState t, Scope scope) {
+        boolean possible = false;
+        for (CompiledPlace place : t.transition.inPlaces) {
+            if (scope.reach != Reach.FREE || !place.shared.isEmpty()) {
+                return true; // its return is the completion
+            }
+            possible |= !place.dynamic.isEmpty();
+        }
+        return !possible || anyVisit(t, scope, v -> v.complete() && (!v.used || v.hasSubTokens()));
+    }
+
+    private static boolean anyVisit(TransitionState t, Scope scope, Predicate<Visit> test) {
+        for (CompiledPlace place : t.transition.inPlaces) {
+            PlaceState state = t.mission.places[place.index];
+            if (state != null && anyVisit(state, scope, test)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static boolean anyVisit(PlaceState place, Scope scope, Predicate<Visit> test) {
+        Visit bound = scope.visitIn(place);
+        for (Visit v : place.instanceVisits().values()) {
+            if ((bound == null || bound == v) && test.test(v)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    public boolean isReady(TransitionState t, CompiledPlace place, Scope scope) {
+        PlaceState state = t.mission.places[place.index];
+        for (int i = 0; i < place.shared.size(); i++) {
+            if (state == null || state.shared.length <= i) {
+                return false;
+            }
+            if (scope.needsReturn(state.shared[i]) && scope.returnOf(state.shared[i]) == null) {
+                return false;
+            }
+        }
+        return state == null || state.instanceVisits().isEmpty() || anyVisit(state, scope, v -> isOver(v, scope));
+    }
+
+    private static boolean isOver(Visit v, Scope scope) {
+        return v.complete() || (scope.reach == Reach.ABORTED && v.leftByAborted());
+    }
+
+    /** Requirements that do not depend on occurrences. */
+    public boolean meetsPlain(TransitionState t, Scope scope) {
+        for (CompiledTransition.In in : t.transition.ins) {
+            for (InRequirement r : in.requirements()) {
+                if (r.kind() != TokenKind.RELEVANT && !isMet(t, in.place(), r, Relevant.NOBODY, scope)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    private boolean meetsRelevant(TransitionState t, Relevant relevant, Scope scope) {
+        for (CompiledTransition.In in : t.transition.ins) {
+            for (InRequirement r : in.requirements()) {
+                if (r.kind() == TokenKind.RELEVANT && !isMet(t, in.place(), r, relevant, scope)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    public boolean isMet(TransitionState t, CompiledPlace place, InRequirement r, Relevant relevant, Scope scope) {
+        if (r.kind() == TokenKind.UNCONDITIONAL) {
+            return true;
+        }
+        PlaceState state = t.mission.places[place.index];
+        if (r.match() == Match.ALL) {
+            return state == null ? relevant.names.length == 0 : allHere(state, relevant, scope);
+        }
+        int n = state == null ? 0 : count(state, r, relevant, scope);
+        return switch (r.match()) {
+            case ZERO -> n == 0;
+            case LESS_THAN -> n < r.n();
+            case EXACTLY -> n == r.n();
+            default -> n >= r.n();
+        };
+    }
+
+    /** For every name one of its tokens is here. */
+    private boolean allHere(PlaceState state, Relevant relevant, Scope scope) {
+        for (Name n : relevant.names) {
+            boolean here = false;
+            for (int i = 0; i < n.tokens.length && !here; i++) {
+                here = rules.pool.copies(state, n.tokens[i], scope) > 0;
+            }
+            if (!here) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** What a requirement counts: the pool where it wants tokens, everything that stands here where it inhibits. */
+    public int count(PlaceState state, InRequirement r, Relevant relevant, Scope scope) {
+        Scope counted = r.match() == Match.AT_LEAST ? scope : Scope.of(Reach.ALL);
+        Pool pool = rules.pool;
+        return switch (r.kind()) {
+            case GENERIC -> pool.count(state, Entry.GENERIC, counted);
+            case ANY_PROXY -> pool.count(state, Entry.PROXY, counted);
+            case ANY_TASK -> pool.count(state, Entry.TASK, counted);
+            case ANY_TOKEN ->
+                pool.count(state, Entry.GENERIC, counted)
+                        + pool.count(state, Entry.PROXY, counted)
+                        + pool.count(state, Entry.TASK, counted);
+            case TASK -> pool.count(state, Entry.TASK, counted, isTask(r.task()));
+            case RELEVANT -> {
+                int n = 0;
+                for (Token token : relevant.tokens) {
+                    n += pool.copies(state, token, counted);
+                }
+                yield n;
+            }
+            default -> 0;
+        };
+    }
+
+    /** Whether a token is the task of a name or of a class. */
+    public Predicate<Token> isTask(String nameOrClass) {
+        return token -> {
+            if (!(token instanceof Token.Task task)) {
+                return false;
+            }
+            if (task.task().name().equals(nameOrClass)) {
+                return true;
+            }
+            TaskState state = rules.task(task.task());
+            return state != null && state.taskClass.equals(nameOrClass);
+        };
+    }
+
+    /**
+     * Whether a transition asks only that a token is not in one of its in places: an answer about it there is for the
+     * transitions that could take it (SEMANTICS, Input events).
+     *
+     * @param named whether the occurrence names the token, so that it is a relevant one
+     */
+    public boolean wantsAbsence(CompiledTransition t, CompiledPlace place, Token token, boolean named) {
+        boolean wantsNone = false;
+        for (int i = 0; t.wantsNone && i < t.ins.length; i++) {
+            if (t.ins[i].place() == place) {
+                for (InRequirement r : t.ins[i].requirements()) {
+                    if (r.kind() == TokenKind.UNCONDITIONAL
+                            || (CompiledTransition.wantsTokens(r) && speaksOf(r, token, named))) {
+                        return false;
+                    }
+                    wantsNone |= CompiledTransition.wantsNone(r) && speaksOf(r, token, named);
+                }
+            }
+        }
+        return wantsNone;
+    }
+
+    private boolean speaksOf(InRequirement r, Token token, boolean named) {
+        return switch (r.kind()) {
+            case GENERIC -> token instanceof Token.Generic;
+            case ANY_PROXY -> token instanceof Token.Proxy;
+            case ANY_TASK -> token instanceof Token.Task;
+            case TASK -> isTask(r.task()).test(token);
+            case RELEVANT -> named;
+            case ANY_TOKEN, UNCONDITIONAL, SUB_MISSION_TOKENS -> true;
+        };
+    }
+
+    /** Whether a requirement counts a token that is removed from its place (occasion d). */
+    public boolean counts(InRequirement r, Entry e) {
+        if (r.match() != Match.AT_LEAST && r.match() != Match.EXACTLY) {
+            return false;
+        }
+        return switch (r.kind()) {
+            case GENERIC -> e.kind == Entry.GENERIC;
+            case ANY_PROXY -> e.kind == Entry.PROXY;
+            case ANY_TASK -> e.kind == Entry.TASK;
+            case ANY_TOKEN -> true;
+            case TASK -> isTask(r.task()).test(e.token);
+            default -> false;
+        };
+    }
+}

@@ -1,0 +1,303 @@
+package org.sami.spn.engine.rule;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.sami.spn.engine.net.CompiledPlace;
+import org.sami.spn.engine.net.CompiledTransition;
+import org.sami.spn.engine.net.Reach;
+import org.sami.spn.engine.state.Entry;
+import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.Return;
+import org.sami.spn.engine.state.SharedRun;
+import org.sami.spn.engine.state.TaskState;
+import org.sami.spn.engine.state.TransitionState;
+import org.sami.spn.engine.state.Visit;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.Value;
+
+/** Fires transitions (SEMANTICS, Firing; thesis, Algorithm 2). */
+public final class Firing {
+    private final Rules rules;
+    private final Combinations combinations;
+    /** Number of the present chain of firings without new input. */
+    private long chain;
+
+    public Firing(Rules rules) {
+        this.rules = rules;
+        this.combinations = new Combinations(rules);
+    }
+
+    public void newChain() {
+        chain++;
+    }
+
+    /** Looks at a transition whose turn it is on the work list. */
+    public void lookAt(TransitionState t) {
+        if (!t.transition.hasInputs()) {
+            if (rules.enabling.isEnabled(t, Relevant.NOBODY, Scope.FREE) && mayFire(t)) {
+                fire(t, List.of(), Relevant.NOBODY, Scope.FREE);
+            }
+            return;
+        }
+        if (t.pending > 0) {
+            Combinations.Found found = combinations.find(t);
+            if (found != null && mayFire(t)) {
+                fire(t, found.used(), found.relevant(), found.scope());
+                if (t.pending > 0 && t.mission.runs()) {
+                    rules.work.add(t);
+                }
+            }
+            rules.presses.refuseKept(t);
+        }
+    }
+
+    private boolean mayFire(TransitionState t) {
+        Mission m = t.mission;
+        if (m.chainNumber != chain) {
+            m.chainNumber = chain;
+            m.chain = 0;
+        }
+        if (m.chain >= rules.project().livelockLimit) {
+            rules.missionEnd.halt(
+                    m, m.chain + " firings without new input, the next would be '" + t.transition + "': a livelock");
+            return false;
+        }
+        m.chain++;
+        return true;
+    }
+
+    private void fire(TransitionState t, List<Pending> used, Relevant relevant, Scope scope) {
+        Mission m = t.mission;
+        CompiledTransition ct = t.transition;
+        Selection.Selected selected = rules.selection.select(t, relevant, scope);
+        long before = rules.state.stamp;
+        rules.state.firings++;
+        List<Occurrence> occurrences = new ArrayList<>(used.size());
+        for (Pending p : used) {
+            occurrences.add(p.occurrence);
+            t.remove(p);
+            rules.presses.taken(p);
+        }
+        rules.emit(new Effect.Fired(rules.state.firings, m.id, ct.id(), occurrences, selected.moves));
+        for (String shortOf : selected.shortOf) {
+            rules.note(NoteKind.SHORT_OF_TOKENS, m.id, "'" + ct + "' found " + shortOf);
+        }
+        boolean ending = ends(m, ct);
+        List<Visit> nobody = endingVisitsByNobody(m, ct, used, scope.reach);
+        List<Visit> entered = move(m, ct, selected);
+        if (scope.reach == Reach.ALL) {
+            withdrawCommands(m, selected.removed);
+        }
+        List<Return> returns = useReturns(m, ct, selected, scope);
+        for (Entry e : selected.removed) {
+            rules.leaving.left(e, before, scope.reach != Reach.FREE);
+        }
+        if (scope.reach != Reach.FREE) {
+            rules.sharedInstances.pulled(selected.removed, returns, before);
+        }
+        nobody.forEach(rules.visits::end);
+        write(m, used);
+        if (ending) {
+            rules.missionEnd.lastWords(m);
+        }
+        for (Visit v : entered) {
+            rules.activating.activate(v, ending);
+        }
+        if (ending) {
+            rules.missionEnd.ended(m);
+            rules.work.addWithdrawn();
+            return;
+        }
+        boolean shared = m.instance != null && m.instance.isShared();
+        for (Visit v : entered) {
+            if (!shared || !v.place.place.isEnd()) {
+                rules.subMissions.entered(v);
+            }
+        }
+        // a return is given when the firing is complete, as a mission ends
+        for (Visit v : entered) {
+            if (shared && v.place.place.isEnd()) {
+                rules.sharedInstances.returned(m, v);
+            }
+        }
+        lookAround(t, entered, selected.removed);
+    }
+
+    private static boolean ends(Mission m, CompiledTransition t) {
+        if (m.instance != null && m.instance.isShared()) {
+            for (CompiledTransition.Out out : t.outs) {
+                if (out.place().isEnd() && out.place().place.endsSharedInstance()) {
+                    return true;
+                }
+            }
+            return false;
+        }
+        for (CompiledTransition.Out out : t.outs) {
+            if (out.place().isEnd()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Removes, then adds; the visits that begin, in out-edge order. */
+    private List<Visit> move(Mission m, CompiledTransition t, Selection.Selected selected) {
+        rules.leaving.remove(selected.removed);
+        List<Visit> entered = new ArrayList<>(t.outs.length);
+        for (int i = 0; i < t.outs.length; i++) {
+            CompiledTransition.Out out = t.outs[i];
+            List<Token> tokens = selected.added.get(i);
+            if (!tokens.isEmpty() || out.unconditional() || out.place().isEnd()) {
+                entered.add(rules.visits.begin(m.place(out.place().index), tokens));
+            }
+        }
+        return entered;
+    }
+
+    /** Uses up completions and returns of sub-missions; the returns of static instances that it used. */
+    private List<Return> useReturns(Mission m, CompiledTransition t, Selection.Selected selected, Scope scope) {
+        for (Selection.UsedReturn used : selected.usedReturns) {
+            used.instance().returned.remove(used.token());
+        }
+        List<Return> result = new ArrayList<>(0);
+        for (CompiledPlace place : t.inPlaces) {
+            PlaceState state = m.places[place.index];
+            if (state == null) {
+                continue;
+            }
+            if (t.wantsSubTokens && scope.reach != Reach.ALL) {
+                Visit bound = scope.visitIn(state);
+                for (Visit v : state.instanceVisits().values()) {
+                    v.used |= v.complete() && (bound == null || bound == v);
+                }
+            }
+            for (SharedRun run : state.shared) {
+                Return used = scope.returnOf(run);
+                if (used != null) {
+                    result.add(used);
+                }
+            }
+        }
+        scope.checked.forEach(rules.pendings::over);
+        result.forEach(rules.sharedInstances::over);
+        return result;
+    }
+
+    private void withdrawCommands(Mission m, List<Entry> removed) {
+        Set<String> robots = new LinkedHashSet<>();
+        for (Entry e : removed) {
+            if (e.token instanceof Token.Proxy proxy) {
+                robots.add(proxy.proxy());
+            } else if (e.token instanceof Token.Task task) {
+                TaskState state = rules.task(task.task());
+                if (state != null && !state.proxy().isEmpty()) {
+                    robots.add(state.proxy());
+                }
+            }
+        }
+        if (!robots.isEmpty()) {
+            rules.emit(new Effect.CommandsWithdrawn(m.id, List.copyOf(robots)));
+        }
+    }
+
+    /**
+     * Visits by nobody end by an answer to them, by a transition without input event, or when all is taken. Where several visits of
+     * a place have instances, one completion lets the transition fire: whose instances still run goes on.
+     */
+    private static List<Visit> endingVisitsByNobody(Mission m, CompiledTransition t, List<Pending> used, Reach reach) {
+        List<Visit> ending = List.of();
+        for (CompiledPlace place : t.inPlaces) {
+            PlaceState state = m.places[place.index];
+            if (state == null || state.nobody.isEmpty()) {
+                continue;
+            }
+            for (Visit v : state.nobody) {
+                boolean goesOn = reach != Reach.ALL && v.hasRunning();
+                if (!goesOn && (!t.hasInputs() || t.clears || answers(used, v))) {
+                    ending = ending.isEmpty() ? new ArrayList<>() : ending;
+                    ending.add(v);
+                }
+            }
+        }
+        return ending;
+    }
+
+    private static boolean answers(List<Pending> used, Visit v) {
+        for (Pending p : used) {
+            if (p.visit() == v) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void write(Mission m, List<Pending> used) {
+        for (Pending p : used) {
+            for (Map.Entry<String, String> write : p.input.writes) {
+                Value value = p.occurrence.values().get(write.getKey());
+                if (value != null) {
+                    rules.variables.write(m, write.getValue(), value);
+                }
+            }
+        }
+    }
+
+    /** Puts on the work list what this firing gave occasion to look at. */
+    private void lookAround(TransitionState t, List<Visit> entered, List<Entry> removed) {
+        for (Visit v : entered) {
+            rules.work.entered(v.place);
+        }
+        Mission m = t.mission;
+        for (CompiledPlace place : t.transition.inPlaces) {
+            PlaceState state = m.places[place.index];
+            if (state != null) {
+                if (anyFrom(removed, state)) {
+                    rules.work.left(state);
+                }
+                for (SharedRun run : state.shared) {
+                    if (!run.returns.isEmpty()) {
+                        rules.work.entered(state);
+                    }
+                }
+            }
+        }
+        rules.work.addWithdrawn();
+        if (!t.transition.hasInputs() && removedCounted(t.transition, removed)) {
+            rules.work.add(t);
+        }
+    }
+
+    private static boolean anyFrom(List<Entry> removed, PlaceState place) {
+        for (Entry e : removed) {
+            if (e.place == place) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Occasion (d). */
+    private boolean removedCounted(CompiledTransition t, List<Entry> removed) {
+        for (Entry e : removed) {
+            for (CompiledTransition.In in : t.ins) {
+                if (in.place() == e.place.place) {
+                    for (InRequirement r : in.requirements()) {
+                        if (rules.enabling.counts(r, e)) {
+                            return true;
+                        }
+                    }
+                }
+            }
+        }
+        return false;
+    }
+}

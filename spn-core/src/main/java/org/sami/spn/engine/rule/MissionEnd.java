@@ -1,0 +1,107 @@
+package org.sami.spn.engine.rule;
+
+import java.util.List;
+import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.OpenDecision;
+import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.Visit;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.MissionStatus;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Outcome;
+
+/** Ends missions (SEMANTICS, Firing; Interrupts and aborts). A mission that has ended never reacts again. */
+final class MissionEnd {
+    private final Rules rules;
+
+    MissionEnd(Rules rules) {
+        this.rules = rules;
+    }
+
+    /** A firing entered an end place: what was commanded before is withdrawn, what the end place asks is sent after. */
+    void lastWords(Mission m) {
+        rules.emit(new Effect.CommandsWithdrawn(m.id, List.of()));
+    }
+
+    /** An abort or a completion was asked of a mission: that is its outcome, however it ends. An abort is the stronger. */
+    void asked(Mission m, Outcome outcome) {
+        if (m.asked != Outcome.ABORTED) {
+            m.asked = outcome;
+        }
+    }
+
+    private static Outcome outcome(Mission m, Outcome otherwise) {
+        return m.asked == null || otherwise == Outcome.ABORTED ? otherwise : m.asked;
+    }
+
+    /** The firing that entered an end place is complete. */
+    void ended(Mission m) {
+        end(m, outcome(m, Outcome.ENDED), false);
+    }
+
+    /** Ends a mission from outside, with all its descendants. */
+    void stop(Mission m, Outcome outcome) {
+        end(m, outcome(m, outcome), true);
+    }
+
+    private void end(Mission m, Outcome outcome, boolean withdraw) {
+        if (m.instance != null && outcome != Outcome.ABORTED) {
+            rules.subMissions.collect(m);
+        }
+        endTree(m, outcome, withdraw);
+        tellParent(m, outcome);
+    }
+
+    /** Ends an instance that nobody waits for any longer. */
+    void stopSilently(Mission m, Outcome outcome) {
+        endTree(m, outcome, true);
+    }
+
+    private void tellParent(Mission m, Outcome outcome) {
+        if (m.instance != null && !m.parent.ended) {
+            if (outcome == Outcome.ABORTED) {
+                rules.subMissions.aborted(m.instance);
+            } else {
+                rules.subMissions.completed(m.instance);
+            }
+        }
+    }
+
+    private void endTree(Mission m, Outcome ofAncestor, boolean withdraw) {
+        if (m.ended) {
+            return;
+        }
+        Outcome outcome = outcome(m, ofAncestor);
+        for (Mission child : List.copyOf(m.children.values())) {
+            endTree(child, outcome, true);
+        }
+        m.ended = true;
+        for (OpenDecision d : List.copyOf(m.decisions.values())) {
+            rules.decisions.close(d);
+        }
+        for (Visit v = m.firstVisit(); v != null; v = v.next) {
+            rules.visits.close(v);
+            rules.visits.forget(v);
+        }
+        for (PlaceState place : m.places) {
+            if (place != null && place.lastVisits != null) {
+                place.lastVisits.values().forEach(rules.visits::forget);
+            }
+        }
+        rules.state.remove(m);
+        if (m.instance != null) {
+            m.instance.child = null;
+        }
+        if (withdraw) {
+            rules.emit(new Effect.CommandsWithdrawn(m.id, List.of()));
+        }
+        rules.emit(new Effect.MissionEnded(m.id, outcome));
+    }
+
+    /** Stops a livelock: the marking stays, the mission does not react until it is aborted. */
+    void halt(Mission m, String why) {
+        m.status = MissionStatus.HALTED;
+        rules.note(NoteKind.LIVELOCK, m.id, "'" + m.name + "' is halted after " + why);
+        rules.emit(new Effect.MissionEnded(m.id, Outcome.HALTED));
+    }
+}

@@ -1,0 +1,145 @@
+package org.sami.spn.engine.rule;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.spn.engine.net.CompiledOutput;
+import org.sami.spn.engine.net.CompiledPlace;
+import org.sami.spn.engine.net.CompiledPlan;
+import org.sami.spn.engine.state.Instance;
+import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.TaskState;
+import org.sami.spn.engine.state.Visit;
+import org.sami.spn.model.FieldSource;
+import org.sami.spn.model.TaskSpec;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.MissionStatus;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.Value;
+
+/** Makes missions and instances and gives them their start marking (SEMANTICS, Tokens; Interrupts and aborts; Firing). */
+public final class MissionStart {
+    private final Rules rules;
+
+    public MissionStart(Rules rules) {
+        this.rules = rules;
+    }
+
+    /** Starts a root mission; a reason where it cannot. */
+    public Optional<String> start(Input.StartMission input) {
+        CompiledPlan plan = rules.project().plan(input.plan());
+        if (plan == null) {
+            return Optional.of("There is no plan '" + input.plan() + "'");
+        }
+        if (plan.start == null) {
+            return Optional.of("The plan '" + plan.plan.name() + "' has no start place");
+        }
+        Parameters parameters = new Parameters(rules, plan);
+        Optional<String> wrong = parameters.read(input.parameters());
+        if (wrong.isPresent()) {
+            return wrong;
+        }
+        Mission m = make(plan, input.name(), null, null);
+        parameters.variables().forEach((name, value) -> rules.variables.write(m, name, value));
+        ask(m, parameters);
+        return Optional.empty();
+    }
+
+    /** Makes a mission with its tasks and variables; nothing stands in its places yet. */
+    public Mission make(CompiledPlan plan, String name, Mission parent, Instance instance) {
+        Mission m = new Mission(++rules.state.lastMission, plan, name, parent, instance);
+        for (VariableSpec v : plan.plan.variables()) {
+            v.initial().ifPresent(value -> m.setVariable(v.name(), value));
+        }
+        rules.state.add(m);
+        rules.emit(started(m));
+        for (TaskSpec task : plan.plan.tasks()) {
+            m.addTask(new TaskState(m.taskId(task.name()), task.taskClass(), task.fields(), null));
+        }
+        return m;
+    }
+
+    /** The effect that tells the start of a mission. */
+    public static Effect.MissionStarted started(Mission m) {
+        return new Effect.MissionStarted(
+                m.id,
+                m.parent == null ? Ids.NONE : m.parent.id,
+                m.instance == null ? "" : m.instance.place.place.id(),
+                m.plan.plan.id(),
+                m.name);
+    }
+
+    /** Asks for what is to be asked, or begins. */
+    public void ask(Mission m, Parameters parameters) {
+        m.parameters = parameters.given();
+        if (parameters.mustAsk()) {
+            rules.decisions.openParameters(m, parameters);
+        } else {
+            begin(m);
+        }
+    }
+
+    /** All parameters are known: constants, static instances, start marking. */
+    public void begin(Mission m) {
+        m.status = MissionStatus.RUNNING;
+        writeConstants(m);
+        rules.sharedInstances.start(m);
+        if (m.instance == null) {
+            enter(m, rootTokens(m));
+        } else {
+            List<List<Token>> waiting = m.waiting;
+            m.waiting = List.of();
+            waiting.forEach(tokens -> enter(m, tokens));
+        }
+    }
+
+    /** Tokens, or nobody, enter the start place. */
+    public void enter(Mission m, List<Token> tokens) {
+        Visit v = rules.visits.begin(m.place(m.plan.start.index), tokens);
+        rules.activating.activate(v, false);
+        rules.subMissions.entered(v);
+        rules.work.entered(v.place);
+    }
+
+    private List<Token> rootTokens(Mission m) {
+        List<Token> tokens = new ArrayList<>();
+        tokens.add(Token.GENERIC);
+        rules.state.proxies.forEach(p -> tokens.add(new Token.Proxy(p)));
+        m.tasks.values().forEach(t -> tokens.add(new Token.Task(t.id)));
+        return tokens;
+    }
+
+    /** Fields that never change write their variables before the start marking. */
+    private void writeConstants(Mission m) {
+        for (CompiledPlace place : m.plan.places) {
+            for (CompiledOutput output : place.outputs) {
+                for (Map.Entry<String, String> write : output.spec.writes().entrySet()) {
+                    Value value = constant(m, output, write.getKey());
+                    if (value != null) {
+                        rules.variables.write(m, write.getValue(), value);
+                    }
+                }
+            }
+        }
+    }
+
+    private static Value constant(Mission m, CompiledOutput output, String field) {
+        FieldSource source = output.resolved.get(field);
+        if (source == null) {
+            return output.fixed.get(field);
+        }
+        return source instanceof FieldSource.Asked ? m.parameters.get(output.spec.id() + "." + field) : null;
+    }
+
+    /** Parameters of an instance: what has to be asked of the operator when it is made. */
+    public Parameters parametersOf(CompiledPlan plan) {
+        Parameters parameters = new Parameters(rules, plan);
+        parameters.read(new LinkedHashMap<>());
+        return parameters;
+    }
+}

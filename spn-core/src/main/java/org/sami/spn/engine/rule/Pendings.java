@@ -1,0 +1,327 @@
+package org.sami.spn.engine.rule;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.sami.spn.engine.net.CompiledInput;
+import org.sami.spn.engine.net.CompiledPlace;
+import org.sami.spn.engine.net.CompiledTransition;
+import org.sami.spn.engine.state.Entry;
+import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.Name;
+import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.Return;
+import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.SharedRun;
+import org.sami.spn.engine.state.TaskState;
+import org.sami.spn.engine.state.TransitionState;
+import org.sami.spn.engine.state.Visit;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.Reserved;
+
+/** Occurrences that transitions have received and not used (SEMANTICS, Input events, Pending). */
+public final class Pendings {
+    private static final Name[] NOBODY = {};
+    private final Rules rules;
+
+    public Pendings(Rules rules) {
+        this.rules = rules;
+    }
+
+    /** What an occurrence names: its tasks; where it has none, its robots. Of an aborted child, all. */
+    public static List<Token> names(Occurrence o, EventRole role) {
+        if (o.tasks().isEmpty() && o.proxies().isEmpty()) {
+            return List.of();
+        }
+        if (o.tasks().isEmpty() && o.proxies().size() == 1) {
+            return List.of(new Token.Proxy(o.proxies().get(0)));
+        }
+        List<Token> result = new ArrayList<>();
+        for (TaskId task : o.tasks()) {
+            addOnce(result, new Token.Task(task));
+        }
+        if (o.tasks().isEmpty() || role == EventRole.SUB_MISSION_ABORTED) {
+            java.util.Set<String> seen = new java.util.LinkedHashSet<>(o.proxies());
+            seen.forEach(p -> result.add(new Token.Proxy(p)));
+        }
+        return result;
+    }
+
+    /** Makes the pending occurrence of a transition, with its names; it is not added yet. */
+    public Pending make(
+            TransitionState t, CompiledInput input, Occurrence o, List<Token> names, Sent answered, Visit bound) {
+        Pending p = new Pending(o, input, answered, bound);
+        p.names = names.isEmpty() ? NOBODY : new Name[names.size()];
+        p.namesLeft = p.names.length;
+        for (int i = 0; i < p.names.length; i++) {
+            Name n = new Name(p, names.get(i));
+            n.tokens = tokensOf(n.token, answered);
+            n.stood = stands(n, t);
+            p.names[i] = n;
+        }
+        return p;
+    }
+
+    public void add(TransitionState t, Pending p) {
+        if (p.isNews() && !p.input.isPress()) {
+            replaceOlder(t, p);
+        }
+        t.add(p);
+        rules.work.add(t);
+    }
+
+    /** Tells all transitions that check it the value of a return: one occurrence for all of them. */
+    public void tell(Return r) {
+        Mission m = r.place().mission;
+        if (r.over || !m.runs() || (r.visit() != null && r.visit().ended)) {
+            return;
+        }
+        for (CompiledTransition t : r.place().place.outTransitions) {
+            for (CompiledInput input : t.inputs) {
+                if (input.checks(r.value)) {
+                    Map<String, Value> values = Map.of(Reserved.VALUE, new TextValue(r.value));
+                    Occurrence o = new Occurrence(input.spec.type(), m.id, Ids.NONE, List.of(), List.of(), values);
+                    add(m.transition(t.index), new Pending(o, input, r));
+                }
+            }
+        }
+    }
+
+    /** Tells all unused returns of static instances anew. */
+    public void tellUnused() {
+        for (Mission m : rules.state.missions.values()) {
+            for (PlaceState place : m.places) {
+                for (SharedRun run : place == null ? new SharedRun[0] : place.shared) {
+                    run.returns.forEach(this::tell);
+                }
+            }
+        }
+    }
+
+    /** A return was used or is void: no transition hears of its value any longer. */
+    public void over(Return r) {
+        r.over = true;
+        for (CompiledTransition ct : r.place().place.outTransitions) {
+            TransitionState t = r.place().mission.transitions[ct.index];
+            if (t == null || !ct.checksReturns) {
+                continue;
+            }
+            for (TransitionState.Queue q : t.queues) {
+                for (Pending p = q.first; p != null; p = p.next) {
+                    if (p.told == r) {
+                        t.remove(p);
+                    }
+                }
+            }
+        }
+    }
+
+    /** The tokens that a name speaks of. */
+    public Token[] tokensOf(Token name, Sent answered) {
+        if (answered != null && name instanceof Token.Proxy proxy && answered.hasTasks) {
+            List<Token> result = new ArrayList<>();
+            result.add(name);
+            for (Token token : answered.activation.tokens()) {
+                if (token instanceof Token.Task task) {
+                    TaskState state = rules.task(task.task());
+                    if (state != null && state.proxy().equals(proxy.proxy())) {
+                        addOnce(result, token);
+                    }
+                }
+            }
+            return result.toArray(Token[]::new);
+        }
+        return new Token[] {name};
+    }
+
+    /**
+     * One copy of a token left a place, its firing is complete: whoever named it may have to be struck.
+     *
+     * @param before the stamp before the firing: what entered later has a greater order
+     */
+    public void left(PlaceState place, Token token, long before) {
+        for (CompiledTransition ct : place.place.outTransitions) {
+            TransitionState t = place.mission.transitions[ct.index];
+            if (t != null && t.pending > 0) {
+                List<Name> speaking = t.speakingOf(token);
+                for (int i = speaking.size() - 1; i >= 0; i--) {
+                    if (i < speaking.size()) {
+                        strikeIfGone(t, speaking.get(i), place, before);
+                    }
+                }
+            }
+        }
+    }
+
+    /** Strikes a name from a transition's pending occurrences, news too (a robot was dropped); whether one spoke of it. */
+    public boolean strikeAll(TransitionState t, Token token) {
+        boolean spoken = false;
+        for (Name n : List.copyOf(t.speakingOf(token))) {
+            if (n.token.equals(token) && !n.struck) {
+                strike(t, n);
+                spoken = true;
+            }
+        }
+        return spoken;
+    }
+
+    /** A visit ended: pending occurrences that answer it and name nobody go with it. */
+    public void visitEnded(Visit visit) {
+        Mission mission = visit.place.mission;
+        for (CompiledTransition ct : visit.place.place.outTransitions) {
+            TransitionState t = mission.transitions[ct.index];
+            if (t == null || t.nameless == 0) {
+                continue;
+            }
+            for (TransitionState.Queue q : t.queues) {
+                for (Pending p = q.first; p != null; p = p.next) {
+                    if (p.names.length == 0 && p.visit() == visit) {
+                        t.remove(p);
+                        if (p.answered != null) {
+                            discarded(t, p);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /** An allocation changed: names of robots may speak of other tasks now. */
+    public void renewNames(TransitionState t) {
+        for (TransitionState.Queue q : t.queues) {
+            for (Pending p = q.first; p != null; p = p.next) {
+                if (p.answered != null && p.answered.hasTasks) {
+                    for (Name n : p.names) {
+                        if (!n.struck) {
+                            t.renew(n, tokensOf(n.token, p.answered));
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    private void strikeIfGone(TransitionState t, Name n, PlaceState left, long before) {
+        boolean gone =
+                n.pending.isNews() ? watches(t, left) && !standsOn(n, t, left, before) : n.stood && !stands(n, t);
+        if (gone) {
+            strike(t, n);
+        }
+    }
+
+    private static boolean watches(TransitionState t, PlaceState left) {
+        for (CompiledTransition watching : left.place.barriers) {
+            if (watching == t.transition) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether a token of a name stands in a watched place, other than as a copy that entered the left place just now. */
+    private boolean standsOn(Name n, TransitionState t, PlaceState left, long before) {
+        for (Token token : n.tokens) {
+            for (CompiledPlace place : t.transition.watched) {
+                PlaceState state = t.mission.places[place.index];
+                Entry oldest = state == null ? null : state.find(token);
+                if (oldest != null && (state != left || oldest.order <= before)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private void strike(TransitionState t, Name n) {
+        t.strike(n);
+        if (n.pending.namesLeft == 0) {
+            t.remove(n.pending);
+            discarded(t, n.pending);
+        }
+    }
+
+    /** Whether a token of a name is in the answered visit or in another in place of the transition. */
+    private boolean stands(Name n, TransitionState t) {
+        Visit visit = n.pending.visit();
+        for (Token token : n.tokens) {
+            if (visit != null && rules.enabling.wantsAbsence(t.transition, visit.place.place, token, true)) {
+                continue;
+            }
+            if (visit != null && !visit.ended && visit.has(token)) {
+                return true;
+            }
+            for (CompiledPlace place : t.transition.inPlaces) {
+                PlaceState state = t.mission.places[place.index];
+                if (state != null
+                        && (visit == null || state != visit.place)
+                        && state.find(token) != null
+                        && !rules.enabling.wantsAbsence(t.transition, place, token, true)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** There can be two older ones of the same names: one of them spoke of others too, who are no longer there. */
+    private void replaceOlder(TransitionState t, Pending p) {
+        if (p.names.length == 0) {
+            for (Pending old = t.queues[p.input.index].first; t.nameless > 0 && old != null; old = old.next) {
+                if (old.isNews() && old.names.length == 0) {
+                    t.remove(old);
+                    return;
+                }
+            }
+            return;
+        }
+        for (Name n : List.copyOf(t.speakingOf(p.names[0].token))) {
+            if (n.pending.isNews() && n.pending.input == p.input && namesSame(n.pending, p)) {
+                t.remove(n.pending);
+            }
+        }
+    }
+
+    /** Whether two pending occurrences name the same robots or tasks. */
+    public static boolean namesSame(Pending a, Pending b) {
+        if (a.namesLeft != b.namesLeft) {
+            return false;
+        }
+        for (Name n : a.names) {
+            if (!n.struck && !names(b, n.token)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean names(Pending p, Token token) {
+        for (Name n : p.names) {
+            if (!n.struck && n.token.equals(token)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void discarded(TransitionState t, Pending p) {
+        rules.note(
+                NoteKind.DISCARDED,
+                t.mission.id,
+                p.occurrence.type() + " at '" + t.transition
+                        + "' is discarded: nobody it speaks of is there any longer");
+    }
+
+    private static void addOnce(List<Token> list, Token token) {
+        if (!list.contains(token)) {
+            list.add(token);
+        }
+    }
+}

@@ -1,0 +1,157 @@
+package org.sami.spn.engine.rule;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Predicate;
+import org.sami.spn.engine.net.Reach;
+import org.sami.spn.engine.state.Entry;
+import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.Return;
+import org.sami.spn.engine.state.SharedRun;
+import org.sami.spn.engine.state.Visit;
+import org.sami.spn.protocol.Token;
+
+/**
+ * What a firing may speak of in one in place: tokens in order of entry, without those that running instances hold
+ * (SEMANTICS, Requirements and Sub-missions).
+ */
+public final class Pool {
+    /** How many tokens of a kind the pool has. */
+    public int count(PlaceState place, int kind, Scope scope) {
+        if (scope.checked.isEmpty()) {
+            if (scope.reach == Reach.ALL) {
+                return place.count[kind];
+            }
+            if (scope.reach == Reach.FREE && place.shared.length == 0) {
+                return place.count[kind] - place.held[kind];
+            }
+        }
+        return count(place, kind, scope, t -> true);
+    }
+
+    /** How many tokens of a kind the pool has that fit. */
+    public int count(PlaceState place, int kind, Scope scope, Predicate<Token> fits) {
+        List<Entry> returned = returned(place, scope);
+        int n = 0;
+        for (Entry e = place.first[kind]; e != null; e = e.nextOfKind) {
+            if (fits.test(e.token) && usable(e, scope, returned)) {
+                n++;
+            }
+        }
+        return n;
+    }
+
+    /** How many copies of a proxy or task token the pool has. */
+    public int copies(PlaceState place, Token token, Scope scope) {
+        Entry e = place.find(token);
+        if (e == null) {
+            return 0;
+        }
+        List<Entry> returned = returned(place, scope);
+        int n = 0;
+        for (; e != null; e = e.nextCopy) {
+            if (usable(e, scope, returned)) {
+                n++;
+            }
+        }
+        return n;
+    }
+
+    /** Adds the oldest tokens of a kind that fit, at most so many; says how many were added. */
+    public int collect(PlaceState place, int kind, int limit, Scope scope, Predicate<Token> fits, List<Entry> into) {
+        List<Entry> returned = returned(place, scope);
+        int n = 0;
+        for (Entry e = place.first[kind]; e != null && n < limit; e = e.nextOfKind) {
+            if ((fits == null || fits.test(e.token)) && usable(e, scope, returned)) {
+                into.add(e);
+                n++;
+            }
+        }
+        return n;
+    }
+
+    /** Adds the oldest tokens of any kind, at most so many; says how many were added. */
+    public int collectAny(PlaceState place, int limit, Scope scope, List<Entry> into) {
+        int kinds = 0;
+        int only = 0;
+        for (int k = 0; k < Entry.KINDS; k++) {
+            if (place.count[k] > 0) {
+                kinds++;
+                only = k;
+            }
+        }
+        if (kinds <= 1) {
+            return collect(place, only, limit, scope, null, into);
+        }
+        List<Entry> returned = returned(place, scope);
+        int n = 0;
+        for (Entry e : place.inOrder()) {
+            if (n == limit) {
+                break;
+            }
+            if (usable(e, scope, returned)) {
+                into.add(e);
+                n++;
+            }
+        }
+        return n;
+    }
+
+    /** Adds every copy of a proxy or task token; says how many were added. */
+    public int collectCopies(PlaceState place, Token token, Scope scope, List<Entry> into) {
+        Entry e = place.find(token);
+        if (e == null) {
+            return 0;
+        }
+        List<Entry> returned = returned(place, scope);
+        int n = 0;
+        for (; e != null; e = e.nextCopy) {
+            if (usable(e, scope, returned)) {
+                into.add(e);
+                n++;
+            }
+        }
+        return n;
+    }
+
+    /**
+     * The tokens of a place that the returns used by a firing brought back, in order of entry; null where no static instance
+     * limits the firing. A token is free when every static instance on the place has brought it back.
+     */
+    public List<Entry> returned(PlaceState place, Scope scope) {
+        List<Entry> result = null;
+        for (SharedRun run : place.shared) {
+            if (scope.needsReturn(run)) {
+                if (result == null) {
+                    result = place.inOrder();
+                    result.removeIf(e -> !standsFree(e, scope));
+                }
+                keepEqual(result, scope.returnOf(run));
+            }
+        }
+        return result;
+    }
+
+    /** Keeps the oldest of those equal to what returned, one for one. */
+    private static void keepEqual(List<Entry> entries, Return returned) {
+        List<Token> left = returned == null ? new ArrayList<>() : new ArrayList<>(returned.tokens);
+        entries.removeIf(e -> !left.remove(e.token));
+    }
+
+    private static boolean usable(Entry e, Scope scope, List<Entry> returned) {
+        return returned == null ? standsFree(e, scope) : returned.contains(e);
+    }
+
+    /** Whether no dynamic instance holds a token back, and no checked return binds the firing to another visit. */
+    private static boolean standsFree(Entry e, Scope scope) {
+        Visit bound = scope.checked.isEmpty() ? null : scope.visitIn(e.place);
+        if (bound != null && bound != e.visit) {
+            return false;
+        }
+        return switch (scope.reach) {
+            case FREE -> !e.visit.held;
+            case ABORTED -> !e.visit.held || e.visit.leftByAborted();
+            case ALL -> true;
+        };
+    }
+}

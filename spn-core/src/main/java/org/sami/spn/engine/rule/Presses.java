@@ -1,0 +1,260 @@
+package org.sami.spn.engine.rule;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.sami.spn.engine.net.CompiledInput;
+import org.sami.spn.engine.net.CompiledPlace;
+import org.sami.spn.engine.net.CompiledTransition;
+import org.sami.spn.engine.state.Entry;
+import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.TransitionState;
+import org.sami.spn.engine.state.Visit;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Outcome;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.Reserved;
+
+/**
+ * What is never kept: interrupts, abort and complete. The transition fires now or refuses (SEMANTICS, Interrupts and
+ * aborts; thesis 7.0.2).
+ */
+public final class Presses {
+    private final Rules rules;
+    /** How many transitions a press has fired. */
+    private int taken;
+
+    public Presses(Rules rules) {
+        this.rules = rules;
+    }
+
+    /** A pending occurrence is used by a firing. */
+    public void taken(Pending p) {
+        if (p.input.isPress()) {
+            taken++;
+        }
+    }
+
+    /** Removes presses that a transition could not use when it was looked at, and tells the operator. */
+    public void refuseKept(TransitionState t) {
+        if (t.pending == 0) {
+            return;
+        }
+        for (CompiledInput input : t.transition.inputs) {
+            if (input.isPress()) {
+                for (Pending p = t.queues[input.index].first; p != null; p = p.next) {
+                    t.remove(p);
+                    if (input.role != EventRole.ABORT_RECEIVED && input.role != EventRole.COMPLETE_RECEIVED) {
+                        refused(t.mission.id, "'" + t.transition + "' cannot take the interrupt now");
+                    }
+                }
+            }
+        }
+    }
+
+    private void refused(long mission, String why) {
+        rules.note(NoteKind.INTERRUPT_REFUSED, mission, why);
+    }
+
+    /** A button is pressed. */
+    public void interrupt(Input.Interrupt press) {
+        List<Mission> missions = new ArrayList<>();
+        if (press.mission() == Ids.NONE) {
+            missions.addAll(rules.state.missions.values());
+        } else if (rules.state.missions.containsKey(press.mission())) {
+            missions.add(rules.state.missions.get(press.mission()));
+        }
+        boolean offered = false;
+        for (Mission m : missions) {
+            if (m.runs()) {
+                offered |= pressNamed(m, press.name(), press.proxies());
+                offered |= pressPlaces(m, press.name(), press.proxies());
+            }
+        }
+        if (!offered) {
+            refused(press.mission(), "No running mission offers the interrupt '" + press.name() + "' now");
+        }
+    }
+
+    /** Named interrupt events on transitions (appendix .2.2). */
+    private boolean pressNamed(Mission m, String name, List<String> proxies) {
+        for (CompiledTransition t : m.plan.transitions) {
+            for (CompiledInput input : t.inputs) {
+                if (input.role == EventRole.INTERRUPT && name.equals(nameOf(input))) {
+                    Map<String, Value> values = Map.of(Reserved.INTERRUPT_NAME, new TextValue(name));
+                    rules.routing.route(new Occurrence(input.spec.type(), m.id, Ids.NONE, proxies, List.of(), values));
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    public static String nameOf(CompiledInput input) {
+        return input.selector == null ? "" : input.selector;
+    }
+
+    /** Interrupt places (thesis 7.0.2): the press answers every open activation of that name. */
+    private boolean pressPlaces(Mission m, String name, List<String> proxies) {
+        boolean offered = false;
+        boolean asked = false;
+        for (Sent sent : openInterrupts(m, name)) {
+            boolean robots = sent.output.role == EventRole.PROXY_INTERRUPT;
+            if (robots && proxies.isEmpty()) {
+                asked = asked || ask(m, sent, name);
+            } else {
+                press(sent, robots ? proxies : List.of());
+            }
+            offered = true;
+        }
+        return offered;
+    }
+
+    /** Asks whom the press is for; where nobody stands whom it could take, it is refused. */
+    private boolean ask(Mission m, Sent sent, String name) {
+        List<String> candidates = candidates(sent);
+        if (candidates.isEmpty()) {
+            refused(m.id, "Nobody is there for the interrupt '" + name + "'");
+            return false;
+        }
+        rules.decisions.openInterruptChoice(m, name, candidates);
+        return true;
+    }
+
+    /** The robots of an interrupt were chosen. */
+    public void chosen(Mission m, String name, List<String> proxies) {
+        for (Sent sent : openInterrupts(m, name)) {
+            if (sent.output.role == EventRole.PROXY_INTERRUPT) {
+                press(sent, proxies);
+            }
+        }
+    }
+
+    private void press(Sent sent, List<String> proxies) {
+        EventRole role = sent.output.role == EventRole.PROXY_INTERRUPT
+                ? EventRole.PROXY_INTERRUPT_RECEIVED
+                : EventRole.GENERAL_INTERRUPT_RECEIVED;
+        String type = rules.activating.answerType(sent, role);
+        Map<String, Value> values = Map.of(Reserved.INTERRUPT_NAME, new TextValue(nameOf(sent)));
+        rules.routing.route(Occurrence.answer(type, sent.activation, proxies, List.of(), values));
+    }
+
+    /** No transition can take a press: it is not kept, and the operator is told. */
+    public void untaken(Occurrence press) {
+        Value name = press.values().get(Reserved.INTERRUPT_NAME);
+        Mission m = rules.state.missions.get(press.mission());
+        refused(
+                press.mission(),
+                "Nobody is there for the interrupt '" + (name == null ? press.type() : CompiledInput.text(name)) + "'"
+                        + (m == null ? "" : whereabouts(m, press.proxies())));
+    }
+
+    /** Where the named robots stand instead, in words. */
+    private static String whereabouts(Mission m, List<String> proxies) {
+        StringBuilder words = new StringBuilder();
+        for (PlaceState place : m.places) {
+            for (String proxy : place == null ? List.<String>of() : proxies) {
+                if (place.find(new Token.Proxy(proxy)) != null) {
+                    words.append("; ")
+                            .append(proxy)
+                            .append(" is in '")
+                            .append(place.place)
+                            .append("'");
+                }
+            }
+        }
+        return words.toString();
+    }
+
+    private static List<Sent> openInterrupts(Mission m, String name) {
+        List<Sent> result = new ArrayList<>();
+        for (Visit v = m.firstVisit(); v != null; v = v.next) {
+            for (Sent sent : v.sent) {
+                if (sent.open && isInterrupt(sent.output.role) && nameOf(sent).equals(name)) {
+                    result.add(sent);
+                }
+            }
+        }
+        return result;
+    }
+
+    public static boolean isInterrupt(EventRole role) {
+        return role == EventRole.GENERAL_INTERRUPT || role == EventRole.PROXY_INTERRUPT;
+    }
+
+    public static String nameOf(Sent sent) {
+        return sent.activation
+                .value(Reserved.INTERRUPT_NAME)
+                .map(CompiledInput::text)
+                .orElse("");
+    }
+
+    /** The robots that stand in the in places of the transitions that the interrupt's answer is for. */
+    private List<String> candidates(Sent sent) {
+        Set<String> robots = new java.util.LinkedHashSet<>();
+        Mission m = sent.mission();
+        for (CompiledTransition t : sent.visit.place.place.outTransitions) {
+            for (CompiledInput input : t.inputs) {
+                if (input.role == EventRole.PROXY_INTERRUPT_RECEIVED) {
+                    for (CompiledPlace place : t.inPlaces) {
+                        PlaceState state = m.places[place.index];
+                        if (state != null && state != sent.visit.place) {
+                            addRobots(state, robots);
+                        }
+                    }
+                }
+            }
+        }
+        return List.copyOf(robots);
+    }
+
+    private static void addRobots(PlaceState place, Set<String> robots) {
+        for (Entry e = place.first[Entry.PROXY]; e != null; e = e.nextOfKind) {
+            robots.add(((Token.Proxy) e.token).proxy());
+        }
+    }
+
+    /** Aborts a mission: a transition of it may intercept, else it ends with all its descendants; its outcome is decided. */
+    public void abort(Mission m) {
+        rules.missionEnd.asked(m, Outcome.ABORTED);
+        if (!m.ended && !intercepted(m, EventRole.ABORT_RECEIVED)) {
+            rules.missionEnd.stop(m, Outcome.ABORTED);
+        }
+    }
+
+    /** Completes a mission, likewise. */
+    public void complete(Mission m) {
+        rules.missionEnd.asked(m, Outcome.COMPLETED);
+        if (!m.ended && !intercepted(m, EventRole.COMPLETE_RECEIVED)) {
+            rules.missionEnd.stop(m, Outcome.COMPLETED);
+        }
+    }
+
+    private boolean intercepted(Mission m, EventRole role) {
+        if (!m.runs()) {
+            return false;
+        }
+        int before = taken;
+        for (CompiledTransition t : m.plan.transitions) {
+            for (CompiledInput input : t.inputs) {
+                if (input.role == role && Routing.isAttentive(m, t)) {
+                    Occurrence o = new Occurrence(input.spec.type(), m.id, Ids.NONE, List.of(), List.of(), Map.of());
+                    TransitionState state = m.transition(t.index);
+                    rules.pendings.add(state, rules.pendings.make(state, input, o, List.of(), null, null));
+                }
+            }
+        }
+        rules.work.run();
+        return taken > before;
+    }
+}

@@ -1,0 +1,168 @@
+package org.sami.spn.engine.rule;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.sami.spn.engine.net.CompiledInput;
+import org.sami.spn.engine.state.Entry;
+import org.sami.spn.engine.state.Sent;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Question;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.TypeNames;
+import org.sami.spn.value.Value;
+import org.sami.spn.value.ValueType;
+import org.sami.spn.value.VariableReference;
+import org.sami.spn.vocabulary.DecisionType;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.FieldType;
+import org.sami.spn.vocabulary.Reserved;
+
+/** What an activation asks of the operator, and what autonomy would answer. */
+final class Questions {
+    private final Rules rules;
+
+    Questions(Rules rules) {
+        this.rules = rules;
+    }
+
+    String prompt(Sent sent) {
+        Value question = sent.activation.values().get(Reserved.QUESTION);
+        if (question instanceof TextValue text && !text.value().isBlank()) {
+            return text.value();
+        }
+        String label = sent.output.type.map(EventType::label).orElse(sent.output.typeName);
+        return label + " (" + sent.visit.place.place + ")";
+    }
+
+    Question of(Sent sent) {
+        DecisionType type = sent.output.decision;
+        return switch (type.form()) {
+            case APPROVE -> new Question.Approve();
+            case CHOOSE_PROXIES -> new Question.ChooseProxies(candidates(sent), type.min(), type.max());
+            case CHOOSE_OPTION -> new Question.ChooseOption(options(sent));
+            case CHOOSE_VARIABLE -> new Question.ChooseOption(variablesOfClass(sent));
+            case PROVIDE -> new Question.FillIn(fieldsOf(type.accepted()));
+            case REDEFINE_VARIABLE -> new Question.FillIn(variables(sent, variable(sent)));
+            case DEFINE_VARIABLES -> new Question.FillIn(variables(sent, listed(sent)));
+        };
+    }
+
+    /** The robots that entered; where none did, those that stand in the place; else all known ones. */
+    private List<String> candidates(Sent sent) {
+        List<String> entered = sent.activation.proxies();
+        if (!entered.isEmpty()) {
+            return entered;
+        }
+        Set<String> standing = new LinkedHashSet<>();
+        for (Entry e = sent.visit.place.first[Entry.PROXY]; e != null; e = e.nextOfKind) {
+            standing.add(((Token.Proxy) e.token).proxy());
+        }
+        return standing.isEmpty() ? List.copyOf(rules.state.proxies) : List.copyOf(standing);
+    }
+
+    private List<Value> options(Sent sent) {
+        String field = sent.output.decision.optionsField();
+        Value options = sent.activation.values().get(field);
+        if (options instanceof ListValue list) {
+            return list.items();
+        }
+        return sent.output
+                .type
+                .flatMap(type -> type.field(field))
+                .map(FieldType::type)
+                .filter(ValueType.ListOf.class::isInstance)
+                .map(list -> rules.variables.valuesInScope(sent.mission(), ((ValueType.ListOf) list).element()))
+                .orElse(List.of());
+    }
+
+    private List<Value> variablesOfClass(Sent sent) {
+        Value named = sent.activation.values().get(Reserved.VARIABLE_CLASS);
+        return Optional.ofNullable(named)
+                .flatMap(value -> TypeNames.parse(CompiledInput.text(value)))
+                .map(type -> rules.variables.namesInScope(sent.mission(), type).stream()
+                        .<Value>map(VariableReference::new)
+                        .toList())
+                .orElse(List.of());
+    }
+
+    private List<Question.Item> fieldsOf(String inputEvent) {
+        List<Question.Item> items = new ArrayList<>();
+        for (FieldType f : rules.project()
+                .vocabulary
+                .event(inputEvent)
+                .map(EventType::fields)
+                .orElse(List.of())) {
+            items.add(new Question.Item(f.name(), f.type(), f.unit(), f.defaultValue(), true, f.help()));
+        }
+        return items;
+    }
+
+    private static List<Value> variable(Sent sent) {
+        Value named = sent.activation.values().get(Reserved.VARIABLE);
+        return named == null ? List.of() : List.of(named);
+    }
+
+    private static List<Value> listed(Sent sent) {
+        return sent.activation.values().get(Reserved.VARIABLES) instanceof ListValue list ? list.items() : List.of();
+    }
+
+    private List<Question.Item> variables(Sent sent, List<Value> named) {
+        Set<String> names = new LinkedHashSet<>();
+        named.forEach(
+                value -> names.add(value instanceof VariableReference r ? r.variable() : CompiledInput.text(value)));
+        names.remove("");
+        return names.stream().map(name -> item(sent, name)).toList();
+    }
+
+    private Question.Item item(Sent sent, String name) {
+        VariableSpec declared = rules.variables.declaration(sent.mission(), name);
+        Optional<Value> current = Optional.ofNullable(rules.variables.read(sent.mission(), name));
+        ValueType type = declared == null ? ValueType.Simple.ANY : declared.type();
+        return new Question.Item(name, type, "", current, true, "New value of " + name);
+    }
+
+    /** What autonomy would answer to a question; empty where it has no sensible answer. */
+    static Optional<Answer> automatic(DecisionType type, Question question) {
+        return switch (type.autonomy()) {
+            case NONE -> Optional.empty();
+            case YES -> question instanceof Question.Approve ? Optional.of(new Answer.YesNo(true)) : Optional.empty();
+            case NO -> question instanceof Question.Approve ? Optional.of(new Answer.YesNo(false)) : Optional.empty();
+            case ALL -> all(question);
+            case FIRST ->
+                question instanceof Question.ChooseOption o && !o.options().isEmpty()
+                        ? Optional.of(new Answer.Option(0))
+                        : Optional.empty();
+            case DEFAULTS -> question instanceof Question.FillIn f ? defaults(f.items()) : Optional.empty();
+        };
+    }
+
+    private static Optional<Answer> all(Question question) {
+        if (question instanceof Question.ChooseProxies c
+                && !c.proxies().isEmpty()
+                && c.proxies().size() >= c.min()) {
+            return Optional.of(new Answer.Proxies(
+                    c.proxies().subList(0, Math.min(c.max(), c.proxies().size()))));
+        }
+        return Optional.empty();
+    }
+
+    /** The defaults of all items, empty where one has none. */
+    static Optional<Answer> defaults(List<Question.Item> items) {
+        Map<String, Value> values = new LinkedHashMap<>();
+        for (Question.Item item : items) {
+            if (item.defaultValue().isEmpty()) {
+                return Optional.empty();
+            }
+            values.put(item.key(), item.defaultValue().get());
+        }
+        return Optional.of(new Answer.Fields(values));
+    }
+}

@@ -1,0 +1,131 @@
+package org.sami.spn.engine.rule;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.sami.spn.engine.net.CompiledPlace;
+import org.sami.spn.engine.net.CompiledTransition;
+import org.sami.spn.engine.state.Entry;
+import org.sami.spn.engine.state.Instance;
+import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.Return;
+import org.sami.spn.engine.state.SharedRun;
+import org.sami.spn.engine.state.TransitionState;
+import org.sami.spn.engine.state.Visit;
+import org.sami.spn.model.Action;
+import org.sami.spn.model.OutRequirement;
+import org.sami.spn.protocol.Token;
+
+/** One out requirement on sub-mission tokens: the tokens in the end places of instances on the in places. */
+final class ReturnedTokens {
+    private final Rules rules;
+    private final TransitionState t;
+    private final CompiledTransition.Out out;
+    private final OutRequirement requirement;
+    private final Selection.Selected result;
+    private final List<Token> added;
+    private final long firing;
+    private final long edge;
+    private final long pick;
+    private final List<Selection.UsedReturn> used = new ArrayList<>(0);
+    private int left;
+
+    ReturnedTokens(
+            Rules rules,
+            TransitionState t,
+            CompiledTransition.Out out,
+            OutRequirement requirement,
+            Selection.Selected result,
+            List<Token> added,
+            long firing,
+            long edge) {
+        this.rules = rules;
+        this.t = t;
+        this.out = out;
+        this.requirement = requirement;
+        this.result = result;
+        this.added = added;
+        this.firing = firing;
+        this.edge = edge;
+        this.pick = ++rules.state.stamp;
+        this.left = requirement.takesAll() ? Integer.MAX_VALUE : requirement.n();
+    }
+
+    void select(Scope scope) {
+        for (CompiledPlace place : t.transition.inPlaces) {
+            PlaceState state = t.mission.places[place.index];
+            if (state != null) {
+                List<Entry> returned = rules.pool.returned(state, scope);
+                selectReturns(state, scope, returned);
+                Visit bound = scope.visitIn(state);
+                for (Visit v : state.instanceVisits().values()) {
+                    if (v.complete() && (bound == null || bound == v)) {
+                        selectVisit(v, returned);
+                    }
+                }
+            }
+        }
+        if (!requirement.takesAll() && left > 0) {
+            result.shortOf.add((requirement.n() - left) + " of " + requirement.n() + " sub-mission tokens");
+        }
+    }
+
+    private void selectReturns(PlaceState state, Scope scope, List<Entry> entries) {
+        for (SharedRun run : state.shared) {
+            Return used = scope.returnOf(run);
+            for (Token token : used == null ? List.<Token>of() : used.tokens) {
+                Entry standing = null;
+                for (Entry e : entries) {
+                    if (e.token.equals(token) && e.pickedBy != pick) {
+                        standing = e;
+                        break;
+                    }
+                }
+                use(run.instance, token, standing);
+            }
+        }
+    }
+
+    private void selectVisit(Visit v, List<Entry> free) {
+        for (Instance instance : v.instances) {
+            for (Token token : instance.returned) {
+                use(instance, token, standing(v, token, free));
+            }
+        }
+    }
+
+    private Entry standing(Visit v, Token token, List<Entry> free) {
+        for (Entry e = v.first; e != null; e = e.nextOfVisit) {
+            if (e.pickedBy != pick && e.token.equals(token) && (free == null || free.contains(e))) {
+                return e;
+            }
+        }
+        return null;
+    }
+
+    private void use(Instance instance, Token token, Entry standing) {
+        if (left == 0) {
+            return;
+        }
+        left--;
+        if (standing != null) {
+            standing.pickedBy = pick;
+            Selection.use(standing, requirement.action(), out, result, added, firing, edge);
+            return;
+        }
+        if (requirement.action() != Action.ADD) {
+            useUp(new Selection.UsedReturn(instance, token));
+        }
+        if (requirement.action() != Action.CONSUME && (token.equals(Token.GENERIC) || !added.contains(token))) {
+            Selection.make(token, out, result, added);
+        }
+    }
+
+    /** Each requirement selects from the same tokens: what several select is used up once. */
+    private void useUp(Selection.UsedReturn token) {
+        used.add(token);
+        if (Collections.frequency(result.usedReturns, token) < Collections.frequency(used, token)) {
+            result.usedReturns.add(token);
+        }
+    }
+}

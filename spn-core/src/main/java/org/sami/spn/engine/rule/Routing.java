@@ -1,0 +1,255 @@
+package org.sami.spn.engine.rule;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.spn.engine.net.CompiledInput;
+import org.sami.spn.engine.net.CompiledPlace;
+import org.sami.spn.engine.net.CompiledTransition;
+import org.sami.spn.engine.state.Entry;
+import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.Name;
+import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.TransitionState;
+import org.sami.spn.engine.state.Visit;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.EventFlag;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.Reserved;
+import org.sami.spn.vocabulary.TokenNeed;
+
+/**
+ * Brings an occurrence to every transition that it is for (SEMANTICS, Input events). An answer goes straight from its
+ * activation to the transitions of its place, news to the missions whose plans speak of it: the cost does not grow with
+ * robots or missions that it does not concern.
+ */
+public final class Routing {
+    /** What became of an occurrence at one or more transitions. */
+    private static final class Fate {
+        boolean received;
+        boolean namesNobody;
+    }
+
+    private final Rules rules;
+
+    public Routing(Rules rules) {
+        this.rules = rules;
+    }
+
+    /** Brings an occurrence to whom it is for, or notes why nobody wants it; says whether somebody does. */
+    public boolean route(Occurrence o) {
+        int type = rules.project().knownTypeId(o.type());
+        Sent sent = o.activation() == Ids.NONE ? null : rules.state.sent.get(o.activation());
+        Fate fate = new Fate();
+        if (type >= 0) {
+            if (o.activation() == Ids.NONE) {
+                news(o, type, null, fate);
+            } else if (sent != null && (o.mission() == Ids.NONE || o.mission() == sent.activation.mission())) {
+                if (o.mission() == Ids.NONE) {
+                    news(o, type, sent, fate);
+                } else {
+                    answer(o, type, sent, fate);
+                }
+            } else if (sent == null && o.mission() == Ids.NONE) {
+                news(o, type, null, fate);
+            }
+        }
+        if (!fate.received) {
+            unwanted(o, sent, fate);
+        }
+        return fate.received;
+    }
+
+    private void answer(Occurrence o, int type, Sent sent, Fate fate) {
+        Mission m = sent.mission();
+        if (!m.runs()) {
+            return;
+        }
+        for (CompiledTransition t : sent.visit.place.place.outTransitions) {
+            for (CompiledInput input : t.inputs) {
+                if (input.typeId == type) {
+                    offer(m, t, input, o, sent, fate);
+                }
+            }
+        }
+    }
+
+    /** News to one mission or to all, in order of their ids; an answer in the mission that asked. */
+    private void news(Occurrence o, int type, Sent asked, Fate fate) {
+        if (o.mission() != Ids.NONE) {
+            Mission m = rules.state.missions.get(o.mission());
+            if (m != null) {
+                newsIn(m, o, type, fate);
+            }
+            return;
+        }
+        for (Mission m : rules.state.attentive(type).values()) {
+            if (asked != null && m == asked.mission()) {
+                answer(o, type, asked, fate);
+            } else {
+                newsIn(m, o, type, fate);
+            }
+        }
+    }
+
+    private void newsIn(Mission m, Occurrence o, int type, Fate fate) {
+        if (!m.runs()) {
+            return;
+        }
+        for (CompiledTransition t : m.plan.waitingFor(type)) {
+            for (CompiledInput input : t.inputs) {
+                if (input.typeId == type) {
+                    offer(m, t, input, o, null, fate);
+                }
+            }
+        }
+    }
+
+    /** Offers an occurrence to one input event of one transition. */
+    private void offer(Mission m, CompiledTransition t, CompiledInput input, Occurrence o, Sent sent, Fate fate) {
+        if (!fits(input, o) || !isAttentive(m, t)) {
+            return;
+        }
+        boolean single = t.inputs.length == 1;
+        if (sent != null
+                && !o.namesSomebody()
+                && !input.isPress()
+                && t.speaksOfRelevant
+                && (single || needsTokens(o))) {
+            fate.namesNobody = true;
+            return;
+        }
+        TransitionState state = m.transition(t.index);
+        List<Token> names = Pendings.names(o, input.role);
+        Pending p = rules.pendings.make(state, input, o, names, sent, null);
+        if (sent != null && !answers(t, p, sent)) {
+            return;
+        }
+        if (t.mustHaveRelevant && (single || p.names.length > 0) && !anyHere(m, t, p)) {
+            return;
+        }
+        rules.pendings.add(state, p);
+        fate.received = true;
+    }
+
+    /** Whether one of its in places is marked or visited by nobody, or it has none. */
+    public static boolean isAttentive(Mission m, CompiledTransition t) {
+        if (t.inPlaces.length == 0) {
+            return true;
+        }
+        for (CompiledPlace place : t.inPlaces) {
+            PlaceState state = m.places[place.index];
+            if (state != null && state.isVisited()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean needsTokens(Occurrence o) {
+        return rules.project()
+                .vocabulary
+                .event(o.type())
+                .map(EventType::tokens)
+                .filter(n -> n != TokenNeed.NONE)
+                .isPresent();
+    }
+
+    private static boolean fits(CompiledInput input, Occurrence o) {
+        if (input.selector == null) {
+            return true;
+        }
+        if (input.role == EventRole.CHECK_RETURN) {
+            return selected(input, o, Reserved.VALUE);
+        }
+        return !CompiledInput.isPress(input.role) || selected(input, o, Reserved.INTERRUPT_NAME);
+    }
+
+    private static boolean selected(CompiledInput input, Occurrence o, String field) {
+        Value value = o.values().get(field);
+        return value == null || CompiledInput.text(value).equals(input.selector);
+    }
+
+    /** Whether somebody it names is still in the visit or in another in place; or the visit goes on, where it names others. */
+    private boolean answers(CompiledTransition t, Pending p, Sent sent) {
+        for (Name n : p.names) {
+            if (n.stood) {
+                return true;
+            }
+        }
+        if (sent.visit.ended) {
+            return false;
+        }
+        for (Name n : p.names) {
+            for (Token token : n.tokens) {
+                if (sent.activation.tokens().contains(token)) {
+                    return false;
+                }
+            }
+        }
+        return concerns(t, sent.visit);
+    }
+
+    /** Whether somebody, or nobody, is in a visit whose absence is not all that a transition asks for. */
+    private boolean concerns(CompiledTransition t, Visit visit) {
+        if (visit.byNobody || !t.wantsNone) {
+            return true;
+        }
+        for (Entry e = visit.first; e != null; e = e.nextOfVisit) {
+            if (!rules.enabling.wantsAbsence(t, visit.place.place, e.token, false)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean anyHere(Mission m, CompiledTransition t, Pending p) {
+        for (Name n : p.names) {
+            for (Token token : n.tokens) {
+                for (CompiledPlace place : t.inPlaces) {
+                    PlaceState state = m.places[place.index];
+                    if (state != null
+                            && state.find(token) != null
+                            && !rules.enabling.wantsAbsence(t, place, token, true)) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    private void unwanted(Occurrence o, Sent sent, Fate fate) {
+        EventType type = rules.project().vocabulary.event(o.type()).orElse(null);
+        if (type != null && type.flags().contains(EventFlag.COALESCE)) {
+            rules.state.unwanted.merge(type.name(), 1L, Long::sum);
+            return;
+        }
+        long mission = o.mission() != Ids.NONE || sent == null ? o.mission() : sent.activation.mission();
+        if (type != null && CompiledInput.isInterrupt(type.role())) {
+            rules.presses.untaken(o);
+        } else if (fate.namesNobody) {
+            rules.note(
+                    NoteKind.NAMES_NOBODY, mission, o.type() + " names nobody though robots or tasks were asked for");
+        } else if (o.activation() != Ids.NONE && (sent == null || !sent.open)) {
+            rules.note(
+                    NoteKind.LATE,
+                    mission,
+                    o.type() + " answers activation " + o.activation() + ", whose visit has ended");
+        } else {
+            rules.note(NoteKind.DISCARDED, mission, "No transition waits for " + o.type() + named(o));
+        }
+    }
+
+    private static String named(Occurrence o) {
+        List<String> names = new ArrayList<>(o.proxies());
+        o.tasks().forEach(t -> names.add(t.name()));
+        return names.isEmpty() ? "" : " of " + String.join(", ", names);
+    }
+}

@@ -1,0 +1,102 @@
+package org.sami.spn.engine.rule;
+
+import java.util.ArrayDeque;
+import java.util.function.Consumer;
+import org.sami.spn.engine.net.CompiledProject;
+import org.sami.spn.engine.state.NetState;
+import org.sami.spn.engine.state.TaskState;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.value.TaskId;
+
+/** The rules for one state, each in its own class, and what they share during a step: effects, work list, own inputs. */
+public final class Rules {
+    public final NetState state;
+    public final WorkList work;
+    public final Pendings pendings;
+    public final Routing routing;
+    public final Pool pool;
+    public final Enabling enabling;
+    public final Selection selection;
+    public final Firing firing;
+    public final Leaving leaving;
+    public final Visits visits;
+    public final Activating activating;
+    public final Timers timers;
+    public final Decisions decisions;
+    public final SubMissions subMissions;
+    public final SharedInstances sharedInstances;
+    public final MissionStart missionStart;
+    public final MissionEnd missionEnd;
+    public final Presses presses;
+    public final Variables variables;
+    public final Allocation allocation;
+    public final Drops drops;
+
+    /** What the engine says to itself, taken one by one whenever the work list is empty. */
+    private final ArrayDeque<Runnable> ownInputs = new ArrayDeque<>();
+
+    private Consumer<? super Effect> sink = e -> {};
+
+    public Rules(NetState state) {
+        this.state = state;
+        work = new WorkList(this);
+        pendings = new Pendings(this);
+        routing = new Routing(this);
+        pool = new Pool();
+        enabling = new Enabling(this);
+        selection = new Selection(this);
+        firing = new Firing(this);
+        leaving = new Leaving(this);
+        visits = new Visits(this);
+        activating = new Activating(this);
+        timers = new Timers(this);
+        decisions = new Decisions(this);
+        subMissions = new SubMissions(this);
+        sharedInstances = new SharedInstances(this);
+        missionStart = new MissionStart(this);
+        missionEnd = new MissionEnd(this);
+        presses = new Presses(this);
+        variables = new Variables(this);
+        allocation = new Allocation(this);
+        drops = new Drops(this);
+    }
+
+    public void begin(Consumer<? super Effect> effects) {
+        sink = effects;
+    }
+
+    public void end() {
+        sink = e -> {};
+    }
+
+    public void emit(Effect effect) {
+        sink.accept(effect);
+    }
+
+    public void note(NoteKind kind, long mission, String message) {
+        sink.accept(new Effect.Noted(kind, mission, message));
+    }
+
+    /** Says something to itself, after what was said before and after the work list. */
+    public void post(Runnable ownInput) {
+        ownInputs.add(ownInput);
+    }
+
+    /** Works until nothing is left to do. */
+    public void settle() {
+        work.run();
+        for (Runnable next = ownInputs.poll(); next != null; next = ownInputs.poll()) {
+            next.run();
+            work.run();
+        }
+    }
+
+    public CompiledProject project() {
+        return state.project;
+    }
+
+    public TaskState task(TaskId id) {
+        return state.task(id);
+    }
+}

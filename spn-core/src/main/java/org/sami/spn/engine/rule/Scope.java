@@ -1,0 +1,85 @@
+package org.sami.spn.engine.rule;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.spn.engine.net.Reach;
+import org.sami.spn.engine.state.Instance;
+import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.Return;
+import org.sami.spn.engine.state.SharedRun;
+import org.sami.spn.engine.state.Visit;
+
+/**
+ * What a firing may speak of in its in places: how far it reaches, and which returns it checks the values of. Those bind it
+ * to the tokens of their visit, or of their return, and to no others (SEMANTICS, Sub-missions).
+ */
+public final class Scope {
+    public static final Scope FREE = new Scope(Reach.FREE, List.of());
+    private static final Scope ABORTED = new Scope(Reach.ABORTED, List.of());
+    private static final Scope ALL = new Scope(Reach.ALL, List.of());
+
+    public final Reach reach;
+    /** Returns whose values the used occurrences tell. */
+    public final List<Return> checked;
+
+    private Scope(Reach reach, List<Return> checked) {
+        this.reach = reach;
+        this.checked = checked;
+    }
+
+    public static Scope of(Reach reach) {
+        return switch (reach) {
+            case FREE -> FREE;
+            case ABORTED -> ABORTED;
+            case ALL -> ALL;
+        };
+    }
+
+    /** The scope of a firing that uses these occurrences. */
+    public static Scope of(Reach reach, List<Pending> used) {
+        List<Return> checked = List.of();
+        for (Pending p : used) {
+            if (p.told != null && !checked.contains(p.told)) {
+                checked = checked.isEmpty() ? new ArrayList<>(1) : checked;
+                checked.add(p.told);
+            }
+        }
+        return checked.isEmpty() ? of(reach) : new Scope(reach, checked);
+    }
+
+    /** The only visit that it may speak of in a place; null where it is bound to none. */
+    public Visit visitIn(PlaceState place) {
+        for (Return r : checked) {
+            if (r.place() == place && r.visit() != null) {
+                return r.visit();
+            }
+        }
+        return null;
+    }
+
+    /** Whether it can only speak of what a return of a static instance brought back. */
+    public boolean needsReturn(SharedRun run) {
+        return switch (reach) {
+                    case FREE -> true;
+                    case ABORTED -> run.instance.status != Instance.Status.ABORTED;
+                    case ALL -> false;
+                }
+                || checks(run) != null;
+    }
+
+    /** The return of a static instance that it uses: the one whose value it checks, else the oldest; null where it uses none. */
+    public Return returnOf(SharedRun run) {
+        Return checks = checks(run);
+        return checks != null ? checks : needsReturn(run) ? run.oldest() : null;
+    }
+
+    private Return checks(SharedRun run) {
+        for (Return r : checked) {
+            if (r.instance == run.instance) {
+                return r;
+            }
+        }
+        return null;
+    }
+}

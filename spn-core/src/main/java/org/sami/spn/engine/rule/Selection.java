@@ -1,0 +1,219 @@
+package org.sami.spn.engine.rule;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import org.sami.spn.engine.net.CompiledPlace;
+import org.sami.spn.engine.net.CompiledTransition;
+import org.sami.spn.engine.state.Entry;
+import org.sami.spn.engine.state.Instance;
+import org.sami.spn.engine.state.Name;
+import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.TransitionState;
+import org.sami.spn.model.Action;
+import org.sami.spn.model.OutRequirement;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.protocol.TokenMove;
+
+/**
+ * Which tokens a firing removes and adds: every out requirement selects on its own from one pool, before anything moves
+ * (SEMANTICS, Requirements; thesis 4.1.3).
+ */
+final class Selection {
+    /** A returned token that a firing uses though no token of the parent stands for it. */
+    record UsedReturn(Instance instance, Token token) {}
+
+    /** What a firing will do. */
+    static final class Selected {
+        final List<Entry> removed = new ArrayList<>(4);
+        final List<List<Token>> added = new ArrayList<>(4);
+        final List<TokenMove> moves = new ArrayList<>(4);
+        /** Named tokens that were made for the edge at hand: copies of them are not added to it again. */
+        final List<Token> made = new ArrayList<>(0);
+
+        final List<UsedReturn> usedReturns = new ArrayList<>(0);
+        final List<String> shortOf = new ArrayList<>(0);
+    }
+
+    private final Rules rules;
+    private final List<Entry> picked = new ArrayList<>();
+
+    Selection(Rules rules) {
+        this.rules = rules;
+    }
+
+    Selected select(TransitionState t, Relevant relevant, Scope scope) {
+        Selected result = new Selected();
+        long firing = ++rules.state.stamp;
+        for (CompiledTransition.Out out : t.transition.outs) {
+            List<Token> added = new ArrayList<>(2);
+            long edge = ++rules.state.stamp;
+            result.made.clear();
+            for (OutRequirement r : out.requirements()) {
+                select(t, out, r, relevant, scope, result, added, firing, edge);
+            }
+            result.added.add(added);
+        }
+        return result;
+    }
+
+    private void select(
+            TransitionState t,
+            CompiledTransition.Out out,
+            OutRequirement r,
+            Relevant relevant,
+            Scope scope,
+            Selected result,
+            List<Token> added,
+            long firing,
+            long edge) {
+        boolean adds = r.action() == Action.ADD;
+        if (r.kind() == TokenKind.UNCONDITIONAL) {
+            return;
+        }
+        if (adds && r.kind() == TokenKind.GENERIC && !r.takesAll()) {
+            for (int i = 0; i < r.n(); i++) {
+                make(Token.GENERIC, out, result, added);
+            }
+            return;
+        }
+        if (adds && r.kind() == TokenKind.RELEVANT) {
+            addRelevant(r, relevant, out, result, added);
+            return;
+        }
+        if (r.kind() == TokenKind.SUB_MISSION_TOKENS) {
+            new ReturnedTokens(rules, t, out, r, result, added, firing, edge).select(scope);
+            return;
+        }
+        picked.clear();
+        if (r.kind() == TokenKind.RELEVANT) {
+            pickRelevant(t, r, relevant, scope, result);
+        } else {
+            pick(t, r, scope, result);
+        }
+        for (Entry e : picked) {
+            use(e, r.action(), out, result, added, firing, edge);
+        }
+        picked.clear();
+    }
+
+    /** Applies an action to one selected token of the pool. */
+    static void use(
+            Entry e,
+            Action action,
+            CompiledTransition.Out out,
+            Selected result,
+            List<Token> added,
+            long firing,
+            long edge) {
+        Optional<String> from = Optional.empty();
+        if (action != Action.ADD && e.removedBy != firing) {
+            e.removedBy = firing;
+            result.removed.add(e);
+            from = e.place.place.inMoves;
+        }
+        Optional<String> to = Optional.empty();
+        if (action != Action.CONSUME && e.addedBy != edge && !result.made.contains(e.token)) {
+            e.addedBy = edge;
+            added.add(e.token);
+            to = out.place().inMoves;
+        }
+        if (from.isPresent() || to.isPresent()) {
+            result.moves.add(new TokenMove(e.token, from, to));
+        }
+    }
+
+    static void make(Token token, CompiledTransition.Out out, Selected result, List<Token> added) {
+        added.add(token);
+        if (token != Token.GENERIC) {
+            result.made.add(token);
+        }
+        result.moves.add(new TokenMove(token, Optional.empty(), out.place().inMoves));
+    }
+
+    private void pick(TransitionState t, OutRequirement r, Scope scope, Selected result) {
+        int wanted = r.takesAll() ? Integer.MAX_VALUE : r.n();
+        int found = 0;
+        for (CompiledPlace place : t.transition.inPlaces) {
+            PlaceState state = t.mission.places[place.index];
+            if (state != null && found < wanted) {
+                found += pickIn(state, r, wanted - found, scope);
+            }
+        }
+        if (!r.takesAll() && found < wanted) {
+            result.shortOf.add(found + " of " + wanted + " " + words(r));
+        }
+    }
+
+    private int pickIn(PlaceState state, OutRequirement r, int limit, Scope scope) {
+        Pool pool = rules.pool;
+        return switch (r.kind()) {
+            case GENERIC -> pool.collect(state, Entry.GENERIC, limit, scope, null, picked);
+            case ANY_PROXY -> pool.collect(state, Entry.PROXY, limit, scope, null, picked);
+            case ANY_TASK -> pool.collect(state, Entry.TASK, limit, scope, null, picked);
+            case TASK -> pool.collect(state, Entry.TASK, limit, scope, rules.enabling.isTask(r.task()), picked);
+            default -> pool.collectAny(state, limit, scope, picked);
+        };
+    }
+
+    /** Makes a token for each of the first names, wherever that token stands. */
+    private static void addRelevant(
+            OutRequirement r, Relevant relevant, CompiledTransition.Out out, Selected result, List<Token> added) {
+        int wanted = r.takesAll() ? Integer.MAX_VALUE : r.n();
+        List<Token> chosen = new ArrayList<>();
+        for (Name n : relevant.names) {
+            if (chosen.size() < wanted && !chosen.contains(n.token)) {
+                chosen.add(n.token);
+                if (!added.contains(n.token)) {
+                    make(n.token, out, result, added);
+                }
+            }
+        }
+        if (!r.takesAll() && chosen.size() < wanted) {
+            result.shortOf.add(chosen.size() + " of " + wanted + " relevant tokens");
+        }
+    }
+
+    private void pickRelevant(TransitionState t, OutRequirement r, Relevant relevant, Scope scope, Selected result) {
+        CompiledPlace[] places = t.transition.inPlaces;
+        for (Token token : relevant.tokens) {
+            for (CompiledPlace place : places) {
+                PlaceState state = t.mission.places[place.index];
+                if (state != null) {
+                    rules.pool.collectCopies(state, token, scope, picked);
+                }
+            }
+        }
+        if (picked.size() > 1) {
+            picked.sort(Comparator.comparingInt((Entry e) -> indexOf(places, e.place.place))
+                    .thenComparingLong(e -> e.order));
+        }
+        if (picked.isEmpty()) {
+            result.shortOf.add("none of the relevant tokens");
+        } else if (!r.takesAll() && picked.size() < r.n()) {
+            result.shortOf.add(picked.size() + " of " + r.n() + " relevant tokens");
+        } else if (!r.takesAll() && picked.size() > r.n()) {
+            picked.subList(r.n(), picked.size()).clear();
+        }
+    }
+
+    private static int indexOf(CompiledPlace[] places, CompiledPlace place) {
+        int i = 0;
+        while (places[i] != place) {
+            i++;
+        }
+        return i;
+    }
+
+    private static String words(OutRequirement r) {
+        return switch (r.kind()) {
+            case GENERIC -> "generic tokens";
+            case ANY_PROXY -> "proxy tokens";
+            case ANY_TASK -> "task tokens";
+            case TASK -> "tokens of task '" + r.task() + "'";
+            default -> "tokens";
+        };
+    }
+}

@@ -1,0 +1,124 @@
+package org.sami.spn.engine.rule;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.sami.spn.engine.state.Mission;
+import org.sami.spn.model.SubMissionSpec;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.value.Value;
+import org.sami.spn.value.ValueType;
+
+/** Reads and writes variables in their scopes (thesis 3.1, Variables; SEMANTICS, Variables). */
+public final class Variables {
+    /** Where a name leads: a mission, or the globals where it is null, and the name there. */
+    private record Place(Mission owner, String name, VariableSpec declaration) {}
+
+    private final Rules rules;
+
+    public Variables(Rules rules) {
+        this.rules = rules;
+    }
+
+    /** A variable as a mission reads it, null mission = globals; null where it has no value. */
+    public Value read(Mission mission, String variable) {
+        String name = variable;
+        for (Mission m = mission; m != null; m = m.parent) {
+            String mapped = mapping(m).get(name);
+            if (mapped != null) {
+                name = mapped;
+                continue;
+            }
+            Value value = m.variables.get(name);
+            if (value != null || m.plan.variables.containsKey(name)) {
+                return value;
+            }
+        }
+        return rules.state.globals.get(name);
+    }
+
+    /** The declaration that a write of a mission would meet, or null. */
+    public VariableSpec declaration(Mission mission, String variable) {
+        return place(mission, variable).declaration;
+    }
+
+    /** Writes a variable where the nearest enclosing plan declares it, else in the own plan; says whether it fits. */
+    public boolean write(Mission mission, String variable, Value value) {
+        Place place = place(mission, variable);
+        if (!fits(place.declaration, value)) {
+            rules.note(
+                    NoteKind.REJECTED_INPUT,
+                    mission == null ? Ids.NONE : mission.id,
+                    "The variable " + variable + " keeps its value: " + value + " is not of its type");
+            return false;
+        }
+        if (place.owner == null) {
+            rules.state.globals.put(place.name, value);
+        } else {
+            place.owner.setVariable(place.name, value);
+        }
+        rules.emit(new Effect.VariableWritten(place.owner == null ? Ids.NONE : place.owner.id, place.name, value));
+        return true;
+    }
+
+    /** The declared variables of a type that a mission can read, its own first, the globals last. */
+    public List<String> namesInScope(Mission mission, ValueType type) {
+        return declaredInScope(mission).entrySet().stream()
+                .filter(e -> e.getValue().type().equals(type))
+                .map(Map.Entry::getKey)
+                .toList();
+    }
+
+    /** The values of a type that variables hold which a mission can read, its own first, the globals last. */
+    public List<Value> valuesInScope(Mission mission, ValueType type) {
+        return declaredInScope(mission).keySet().stream()
+                .map(name -> read(mission, name))
+                .filter(value -> value != null
+                        && type.accepts(value, rules.project().vocabulary.types()))
+                .distinct()
+                .toList();
+    }
+
+    private Map<String, VariableSpec> declaredInScope(Mission mission) {
+        Map<String, VariableSpec> declared = new LinkedHashMap<>();
+        for (Mission m = mission; m != null; m = m.parent) {
+            m.plan.variables.forEach(declared::putIfAbsent);
+        }
+        rules.project().globals.forEach(declared::putIfAbsent);
+        return declared;
+    }
+
+    public boolean fits(VariableSpec declaration, Value value) {
+        return declaration == null
+                || declaration.type().accepts(value, rules.project().vocabulary.types());
+    }
+
+    private Place place(Mission mission, String variable) {
+        String name = variable;
+        Mission own = mission;
+        String ownName = variable;
+        for (Mission m = mission; m != null; m = m.parent) {
+            String mapped = mapping(m).get(name);
+            if (mapped != null) {
+                name = mapped;
+                own = m.parent;
+                ownName = mapped;
+                continue;
+            }
+            VariableSpec declaration = m.plan.variables.get(name);
+            if (declaration != null) {
+                return new Place(m, name, declaration);
+            }
+        }
+        VariableSpec global = rules.project().globals.get(name);
+        return global != null || mission == null ? new Place(null, name, global) : new Place(own, ownName, null);
+    }
+
+    private static Map<String, String> mapping(Mission m) {
+        SubMissionSpec spec = SubMissions.specOf(m);
+        return spec == null ? Map.of() : spec.variables();
+    }
+}

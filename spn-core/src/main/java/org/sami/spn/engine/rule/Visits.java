@@ -1,0 +1,105 @@
+package org.sami.spn.engine.rule;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import org.sami.spn.engine.state.Entry;
+import org.sami.spn.engine.state.Instance;
+import org.sami.spn.engine.state.NetState;
+import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.Visit;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Token;
+
+/** Begins and ends visits (SEMANTICS, Visits). */
+final class Visits {
+    private final Rules rules;
+
+    Visits(Rules rules) {
+        this.rules = rules;
+    }
+
+    /** Tokens, or nobody, enter a place. */
+    Visit begin(PlaceState place, List<Token> tokens) {
+        NetState state = rules.state;
+        Visit v = new Visit(++state.lastVisit, place, List.copyOf(tokens));
+        place.mission.addVisit(v);
+        for (Token token : tokens) {
+            v.enter(token, ++state.stamp);
+        }
+        if (v.byNobody) {
+            place.nobody.add(v);
+        }
+        rules.emit(new Effect.Entered(place.mission.id, place.place.id(), v.id, v.entered));
+        return v;
+    }
+
+    /** Ends a visit: timers and questions go, later answers are late, instances that still run are aborted. */
+    void end(Visit v) {
+        if (v.ended) {
+            return;
+        }
+        close(v);
+        PlaceState place = v.place;
+        place.mission.removeVisit(v);
+        if (v.byNobody) {
+            place.nobody.remove(v);
+            rules.emit(new Effect.Left(place.mission.id, place.place.id(), v.id, List.of()));
+        }
+        if (v.hasInstances()) {
+            place.instanceVisits.remove(v.id);
+            for (Instance i : v.instances) {
+                rules.subMissions.visitEnded(i);
+            }
+        }
+        rules.pendings.visitEnded(v);
+        if (!v.sent.isEmpty()) {
+            if (place.place.answersOutliveVisits && !v.byNobody) {
+                remember(v);
+            } else {
+                forget(v);
+            }
+        }
+    }
+
+    /** Ends what a visit has going on outside the marking: timers, questions, activations. */
+    void close(Visit v) {
+        v.ended = true;
+        for (Sent sent : v.sent) {
+            sent.open = false;
+            rules.timers.cancelAll(sent);
+            if (sent.decision != null) {
+                rules.decisions.close(sent.decision);
+            }
+            rules.emit(new Effect.ActivationEnded(sent.activation.id()));
+        }
+    }
+
+    /** Keeps an ended visit's activations until its robots have ended a later visit to the same place. */
+    private void remember(Visit v) {
+        PlaceState place = v.place;
+        if (place.lastVisits == null) {
+            place.lastVisits = new LinkedHashMap<>();
+        }
+        for (Token token : v.entered) {
+            if (Entry.kindOf(token) != Entry.GENERIC) {
+                Visit older = place.lastVisits.put(token, v);
+                if (older != v) {
+                    v.remembered++;
+                    if (older != null && --older.remembered == 0) {
+                        forget(older);
+                    }
+                }
+            }
+        }
+        if (v.remembered == 0) {
+            forget(v);
+        }
+    }
+
+    void forget(Visit v) {
+        for (Sent sent : v.sent) {
+            rules.state.sent.remove(sent.activation.id());
+        }
+    }
+}

@@ -1,0 +1,87 @@
+package org.sami.spn.engine.rule;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.spn.engine.net.CompiledTransition;
+import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.TransitionState;
+
+/**
+ * The engine's one work list: transitions to look at, first in first out, none twice (SEMANTICS, When a transition is
+ * looked at). Whether a transition is enabled is found out when it is taken from the list, just before it fires.
+ */
+final class WorkList {
+    private final Rules rules;
+    private final ArrayDeque<TransitionState> list = new ArrayDeque<>();
+    private final List<PlaceState> withdrawnFrom = new ArrayList<>();
+
+    WorkList(Rules rules) {
+        this.rules = rules;
+    }
+
+    void add(TransitionState t) {
+        if (!t.queued) {
+            t.queued = true;
+            list.add(t);
+        }
+    }
+
+    /** Occasion (a): tokens, or nobody, entered; or (c): a sub-mission completed or returned. */
+    void entered(PlaceState place) {
+        for (CompiledTransition t : place.place.outTransitions) {
+            addIfWaiting(place.mission, t);
+        }
+    }
+
+    /** Occasion (b): tokens left. */
+    void left(PlaceState place) {
+        for (CompiledTransition t : place.place.outTransitions) {
+            if (t.hasInputs() || t.inhibitedBy(place.place.index)) {
+                addIfWaiting(place.mission, t);
+            }
+        }
+    }
+
+    /** Occasion (b) in an instance: tokens were taken out of it because they left its parent's place. */
+    void withdrawn(PlaceState place) {
+        withdrawnFrom.add(place);
+    }
+
+    /** Those who lost tokens in instances follow the places of whom it happened to first, from the outside inwards. */
+    void addWithdrawn() {
+        withdrawnFrom.forEach(this::left);
+        withdrawnFrom.clear();
+    }
+
+    /** Those whom a dropped robot left in a mission, whoever took it out; what it left in others waits for their turn. */
+    void addDropped(Mission mission) {
+        for (PlaceState place : withdrawnFrom) {
+            if (place.mission == mission) {
+                left(place);
+            }
+        }
+        withdrawnFrom.removeIf(place -> place.mission == mission);
+    }
+
+    private void addIfWaiting(Mission mission, CompiledTransition t) {
+        if (!t.hasInputs()) {
+            add(mission.transition(t.index));
+        } else {
+            TransitionState state = mission.transitions[t.index];
+            if (state != null && state.pending > 0) {
+                add(state);
+            }
+        }
+    }
+
+    void run() {
+        for (TransitionState t = list.poll(); t != null; t = list.poll()) {
+            t.queued = false;
+            if (t.mission.runs()) {
+                rules.firing.lookAt(t);
+            }
+        }
+    }
+}

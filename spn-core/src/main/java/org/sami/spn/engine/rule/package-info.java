@@ -1,0 +1,10 @@
+/**
+ * The rules of the language, one class each: they change the state and tell effects. Used by the engine alone.
+ *
+ * <p>Belongs here: when a transition is looked at, enabled and fired, and what follows from it. Does not belong here: bytes,
+ * answers to questions from outside. Knows {@code state} and {@code net}.
+ *
+ * <p>Read {@code WorkList}, {@code Enabling}, {@code Selection}, {@code Firing}, {@code Visits}, {@code Routing}, then the rest in
+ * any order.
+ */
+package org.sami.spn.engine.rule;

@@ -1,0 +1,22 @@
+package org.sami.spn.engine.state;
+
+import org.sami.spn.protocol.Token;
+
+/**
+ * One robot or task that a pending occurrence names, with the tokens it speaks of: itself, and for a robot the tasks
+ * allocated to it among those of the answered activation (SEMANTICS, Input events, relevant tokens).
+ */
+public final class Name {
+    public final Pending pending;
+    public final Token token;
+    public Token[] tokens;
+    public boolean struck;
+    /** Whether one of its tokens stood in the answered visit or an in place when it arrived. */
+    public boolean stood;
+
+    public Name(Pending pending, Token token) {
+        this.pending = pending;
+        this.token = token;
+        this.tokens = new Token[] {token};
+    }
+}

@@ -1,0 +1,83 @@
+package org.sami.spn.engine.state;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import org.sami.spn.engine.net.CompiledProject;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+
+/**
+ * Everything that an engine knows between two steps: missions with their markings, visits, pending occurrences, timers,
+ * decisions, variables. Rules change it in place; owned by one thread at a time.
+ */
+public final class NetState {
+    public final CompiledProject project;
+    public long now;
+    public long lastMission;
+    public long lastActivation;
+    public long lastVisit;
+    public long lastDecision;
+    public long lastTimer;
+    public long firings;
+    /** Numbers orders of entry, selections and chains; never used outside. */
+    public long stamp;
+
+    public final Set<String> proxies = new LinkedHashSet<>();
+    public final Map<Long, Mission> missions = new LinkedHashMap<>();
+    public final Map<Long, Sent> sent = new HashMap<>();
+    public final Map<Long, OpenDecision> decisions = new LinkedHashMap<>();
+    public final TreeSet<Timer> timers = new TreeSet<>();
+    public final Map<String, Value> globals = new LinkedHashMap<>();
+    /** What handlers remember for the session, whatever missions run. */
+    public final Map<String, Value> memory = new LinkedHashMap<>();
+    /** How many unwanted occurrences of coalesced types were counted instead of noted. */
+    public final Map<String, Long> unwanted = new LinkedHashMap<>();
+
+    /** Missions whose plans have an input event of a type, by number of the type; in order of their start. */
+    private final List<Map<Long, Mission>> attentive = new ArrayList<>();
+
+    public NetState(CompiledProject project) {
+        this.project = project;
+        project.project.globals().forEach(v -> v.initial().ifPresent(value -> globals.put(v.name(), value)));
+        for (int i = 0; i < project.typeCount(); i++) {
+            attentive.add(new LinkedHashMap<>(4));
+        }
+    }
+
+    public void add(Mission mission) {
+        missions.put(mission.id, mission);
+        for (int type : mission.plan.inputTypes) {
+            attentive.get(type).put(mission.id, mission);
+        }
+        if (mission.parent != null) {
+            mission.parent.addChild(mission);
+        }
+    }
+
+    public void remove(Mission mission) {
+        missions.remove(mission.id);
+        for (int type : mission.plan.inputTypes) {
+            attentive.get(type).remove(mission.id);
+        }
+        if (mission.parent != null) {
+            mission.parent.children.remove(mission.id);
+        }
+    }
+
+    /** Missions with a transition for that type. */
+    public Map<Long, Mission> attentive(int typeId) {
+        return typeId < 0 ? Map.of() : attentive.get(typeId);
+    }
+
+    /** A task of a running mission, or null. */
+    public TaskState task(TaskId id) {
+        Mission mission = missions.get(id.mission());
+        return mission == null ? null : mission.tasks.get(id.name());
+    }
+}

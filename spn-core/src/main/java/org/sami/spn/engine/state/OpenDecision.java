@@ -1,0 +1,38 @@
+package org.sami.spn.engine.state;
+
+import org.sami.spn.protocol.Decision;
+
+/** A decision that waits for its answer, with what the answer is for. */
+public final class OpenDecision {
+    /** What the answer is for. */
+    public enum Purpose {
+        ACTIVATION,
+        PARAMETERS,
+        INTERRUPT_CHOICE,
+        ABORTED_CHILD,
+        DOMAIN
+    }
+
+    public final Decision decision;
+    public final Purpose purpose;
+    /** The mission that asks; null where the domain does. */
+    public final Mission mission;
+    /** The asking activation; for an interrupt's choice the first that offers it; else null. */
+    public final Sent sent;
+    /** The aborted child, else null. */
+    public final Instance instance;
+    /** The interrupt whose robots are chosen, or whom the domain's question is about, else empty text. */
+    public final String subject;
+
+    public Timer deadline;
+
+    public OpenDecision(
+            Decision decision, Purpose purpose, Mission mission, Sent sent, Instance instance, String subject) {
+        this.decision = decision;
+        this.purpose = purpose;
+        this.mission = mission;
+        this.sent = sent;
+        this.instance = instance;
+        this.subject = subject;
+    }
+}

@@ -1,0 +1,48 @@
+package org.sami.spn.engine.state;
+
+import org.sami.spn.engine.net.CompiledInput;
+import org.sami.spn.protocol.Occurrence;
+
+/** An occurrence that a transition has received and not used, a knot in the list of its input event. */
+public final class Pending {
+    public final Occurrence occurrence;
+    public final CompiledInput input;
+    /** The answered activation; null for news. */
+    public final Sent answered;
+    /** A visit with whose end it goes, though it answers no activation; else null. */
+    public final Visit bound;
+    /** The return whose value it tells; else null. */
+    public final Return told;
+
+    public Name[] names = {};
+    public int namesLeft;
+    public Pending previous;
+    public Pending next;
+    public boolean removed;
+
+    public Pending(Occurrence occurrence, CompiledInput input, Sent answered, Visit bound) {
+        this.occurrence = occurrence;
+        this.input = input;
+        this.answered = answered;
+        this.bound = bound;
+        this.told = null;
+    }
+
+    /** Tells the value of a return. */
+    public Pending(Occurrence occurrence, CompiledInput input, Return told) {
+        this.occurrence = occurrence;
+        this.input = input;
+        this.answered = null;
+        this.bound = told.visit();
+        this.told = told;
+    }
+
+    public boolean isNews() {
+        return answered == null && bound == null && told == null;
+    }
+
+    /** The visit with whose end it goes where it names nobody, or null. */
+    public Visit visit() {
+        return answered == null ? bound : answered.visit;
+    }
+}

@@ -1,0 +1,143 @@
+package org.sami.spn.engine.state;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.sami.spn.engine.net.CompiledPlace;
+import org.sami.spn.protocol.Token;
+
+/**
+ * The marking of one place: a multiset of tokens in order of entry. Counting a kind, finding a token, its removal and the
+ * oldest of a kind take constant time.
+ */
+public final class PlaceState {
+    public final Mission mission;
+    public final CompiledPlace place;
+    public final int[] count = new int[Entry.KINDS];
+    /** How many of them are held by running instances. */
+    public final int[] held = new int[Entry.KINDS];
+
+    public final Entry[] first = new Entry[Entry.KINDS];
+    private final Entry[] last = new Entry[Entry.KINDS];
+    private final Map<Token, Entry> named = new HashMap<>(4);
+    /** Visits by nobody that have not ended. */
+    public final List<Visit> nobody = new ArrayList<>(0);
+    /** Visits with sub-mission instances that have not ended, by id; created when needed. */
+    public Map<Long, Visit> instanceVisits;
+    /** Static instances, in the order of the place's specifications; empty where it has none. */
+    public SharedRun[] shared = {};
+    /** The last ended visit of each token, where answers outlive visits. */
+    public Map<Token, Visit> lastVisits;
+
+    public PlaceState(Mission mission, CompiledPlace place) {
+        this.mission = mission;
+        this.place = place;
+    }
+
+    public boolean isVisited() {
+        return total() > 0 || !nobody.isEmpty();
+    }
+
+    public int total() {
+        return count[0] + count[1] + count[2];
+    }
+
+    /** The oldest copy of a proxy or task token, or null. */
+    public Entry find(Token token) {
+        return named.get(token);
+    }
+
+    public Map<Long, Visit> instanceVisits() {
+        return instanceVisits == null ? Map.of() : instanceVisits;
+    }
+
+    public void addInstanceVisit(Visit visit) {
+        if (instanceVisits == null) {
+            instanceVisits = new LinkedHashMap<>();
+        }
+        instanceVisits.put(visit.id, visit);
+    }
+
+    public void add(Entry e) {
+        int k = e.kind;
+        count[k]++;
+        if (e.visit.held) {
+            held[k]++;
+        }
+        e.previousOfKind = last[k];
+        if (last[k] == null) {
+            first[k] = e;
+        } else {
+            last[k].nextOfKind = e;
+        }
+        last[k] = e;
+        if (k != Entry.GENERIC) {
+            Entry copy = named.putIfAbsent(e.token, e);
+            while (copy != null) {
+                if (copy.nextCopy == null) {
+                    copy.nextCopy = e;
+                    break;
+                }
+                copy = copy.nextCopy;
+            }
+        }
+        e.visit.add(e);
+    }
+
+    public void remove(Entry e) {
+        int k = e.kind;
+        count[k]--;
+        if (e.visit.held) {
+            held[k]--;
+        }
+        if (e.previousOfKind == null) {
+            first[k] = e.nextOfKind;
+        } else {
+            e.previousOfKind.nextOfKind = e.nextOfKind;
+        }
+        if (e.nextOfKind == null) {
+            last[k] = e.previousOfKind;
+        } else {
+            e.nextOfKind.previousOfKind = e.previousOfKind;
+        }
+        if (k != Entry.GENERIC) {
+            removeNamed(e);
+        }
+        e.visit.remove(e);
+    }
+
+    private void removeNamed(Entry e) {
+        Entry copy = named.get(e.token);
+        if (copy == e) {
+            if (e.nextCopy == null) {
+                named.remove(e.token);
+            } else {
+                named.put(e.token, e.nextCopy);
+            }
+            return;
+        }
+        while (copy.nextCopy != e) {
+            copy = copy.nextCopy;
+        }
+        copy.nextCopy = e.nextCopy;
+    }
+
+    /** Tokens in order of entry. */
+    public List<Entry> inOrder() {
+        List<Entry> result = new ArrayList<>(total());
+        Entry[] next = first.clone();
+        for (int i = total(); i > 0; i--) {
+            int oldest = -1;
+            for (int k = 0; k < Entry.KINDS; k++) {
+                if (next[k] != null && (oldest < 0 || next[k].order < next[oldest].order)) {
+                    oldest = k;
+                }
+            }
+            result.add(next[oldest]);
+            next[oldest] = next[oldest].nextOfKind;
+        }
+        return result;
+    }
+}

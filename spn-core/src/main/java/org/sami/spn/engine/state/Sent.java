@@ -1,0 +1,38 @@
+package org.sami.spn.engine.state;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.spn.engine.net.CompiledOutput;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Token;
+
+/** An activation as the engine remembers it: with its visit and what the engine itself does for it. */
+public final class Sent {
+    public final Activation activation;
+    public final Visit visit;
+    public final CompiledOutput output;
+    /** Whether task tokens entered. */
+    public final boolean hasTasks;
+
+    public boolean open = true;
+    public OpenDecision decision;
+    public List<Timer> timers = List.of();
+
+    public Sent(Activation activation, Visit visit, CompiledOutput output) {
+        this.activation = activation;
+        this.visit = visit;
+        this.output = output;
+        this.hasTasks = activation.tokens().stream().anyMatch(Token.Task.class::isInstance);
+    }
+
+    public Mission mission() {
+        return visit.place.mission;
+    }
+
+    public void add(Timer timer) {
+        if (timers.isEmpty()) {
+            timers = new ArrayList<>(1);
+        }
+        timers.add(timer);
+    }
+}

@@ -1,0 +1,19 @@
+package org.sami.spn.engine.state;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** The static instance on a place, with its returns that no firing has used, oldest first. */
+public final class SharedRun {
+    public final Instance instance;
+    public final List<Return> returns = new ArrayList<>(0);
+
+    public SharedRun(Instance instance) {
+        this.instance = instance;
+    }
+
+    /** The oldest unused return, or null. */
+    public Return oldest() {
+        return returns.isEmpty() ? null : returns.get(0);
+    }
+}
