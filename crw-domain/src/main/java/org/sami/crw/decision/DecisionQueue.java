@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
+import org.sami.spn.host.ListenerList;
+import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
@@ -40,7 +42,7 @@ public final class DecisionQueue {
         PendingDecision pending = new PendingDecision(decision, atMillis);
         if (byId.putIfAbsent(decision.id(), pending) == null) {
             ordered.add(pending);
-            listeners.tell(listener -> listener.opened(pending));
+            listeners.each(listener -> listener.opened(pending));
         }
     }
 
@@ -49,7 +51,7 @@ public final class DecisionQueue {
         PendingDecision pending = byId.remove(decision);
         if (pending != null) {
             ordered.remove(pending);
-            listeners.tell(listener -> listener.closed(pending, answer, by));
+            listeners.each(listener -> listener.closed(pending, answer, by));
         }
     }
 
@@ -63,8 +65,8 @@ public final class DecisionQueue {
         return Optional.ofNullable(byId.get(decision));
     }
 
-    /** Adds a listener; running the result takes it away. */
-    public Runnable addListener(DecisionListener listener) {
+    /** Adds a listener; closing the result takes it away. */
+    public Registration addListener(DecisionListener listener) {
         return listeners.add(listener);
     }
 }

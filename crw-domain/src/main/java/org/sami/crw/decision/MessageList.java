@@ -5,6 +5,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import org.sami.spn.host.ListenerList;
+import org.sami.spn.host.Registration;
 
 /**
  * The messages to the operator: the highest priority first, of equal ones the newest first, so that news of little weight does
@@ -40,7 +42,7 @@ public final class MessageList {
         if (entries.size() > capacity) {
             entries.pollLast();
         }
-        listeners.tell(listener -> listener.accept(message));
+        listeners.each(listener -> listener.accept(message));
     }
 
     /** The messages that are kept, in order. */
@@ -55,8 +57,8 @@ public final class MessageList {
         return told;
     }
 
-    /** Adds a listener, called on the owning thread after each message; running the result takes it away. */
-    public Runnable addListener(Consumer<OperatorMessage> listener) {
+    /** Adds a listener, called on the owning thread after each message; closing the result takes it away. */
+    public Registration addListener(Consumer<OperatorMessage> listener) {
         return listeners.add(listener);
     }
 

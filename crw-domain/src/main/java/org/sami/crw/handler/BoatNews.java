@@ -27,6 +27,8 @@ import org.sami.spn.value.RealValue;
  * thread.
  */
 final class BoatNews implements BoatListener {
+    private static final int MOST_FAULTS = 100;
+
     private final EngineHost host;
     private final NewBoats newBoats;
     private final MessageSink messages;
@@ -34,6 +36,7 @@ final class BoatNews implements BoatListener {
     private final Set<String> joined = new HashSet<>();
     private final Set<String> observed = new HashSet<>();
     private final Map<String, String> levels = new HashMap<>();
+    private final Set<String> faults = new HashSet<>();
 
     BoatNews(EngineHost host, NewBoats newBoats, MessageSink messages, BatterySubscriptions batteries) {
         this.batteries = batteries;
@@ -111,6 +114,22 @@ final class BoatNews implements BoatListener {
     @Override
     public void onRefused(String boatId, String reason) {
         tell(boatId, Priority.HIGH, boatId + " refuses: " + reason);
+    }
+
+    /** Said once of each fault: a listener that fails may do so with every pose. */
+    @Override
+    public void onListenerFault(String listener, Throwable fault) {
+        if (faults.size() < MOST_FAULTS && faults.add(listener + ": " + fault)) {
+            messages.tell(new OperatorMessage(
+                    host.nowMillis(),
+                    Ids.NONE,
+                    OperatorMessage.Source.DOMAIN,
+                    Priority.HIGH,
+                    "A fault in this program: " + listener + " failed at news of a boat (" + fault
+                            + "); the news went to all others",
+                    List.of(),
+                    ""));
+        }
     }
 
     private void tell(String boat, Priority priority, String text) {

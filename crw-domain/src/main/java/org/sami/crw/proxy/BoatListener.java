@@ -4,7 +4,7 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * Gets to know what becomes of one boat and of its commands. Called on the thread that drives the proxy, when the proxy is
- * done with the change: a listener may submit and withdraw commands.
+ * done with the change: a listener may submit and withdraw commands. What it throws reaches neither the proxy nor other listeners.
  */
 public interface BoatListener {
 
@@ -70,6 +70,13 @@ public interface BoatListener {
 
     /** The boat did not take a setting, for a reason in words. */
     default void onTuningRefused(String boatId, String commandId, String reason) {}
+
+    /**
+     * Some listener threw when it was told of a boat; it and all others hear what follows.
+     *
+     * @param listener name of its class
+     */
+    default void onListenerFault(String listener, Throwable fault) {}
 
     /** The boat refuses this base, or a hand-over that it asked for; for a reason in words. */
     default void onRefused(String boatId, String reason) {}

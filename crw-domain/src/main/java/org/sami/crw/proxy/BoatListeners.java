@@ -1,16 +1,18 @@
 package org.sami.crw.proxy;
 
-import java.util.List;
 import java.util.function.Consumer;
+import org.sami.spn.host.ListenerList;
 import org.sami.spn.value.GeoPoint;
 
-/** Several listeners as one, told in order. */
+/** Several listeners as one, told in order. What one throws is logged and told to all; the next hears what it would have heard. */
 public final class BoatListeners implements BoatListener {
-    private final List<BoatListener> listeners;
+    private final ListenerList<BoatListener> listeners = new ListenerList<>();
 
     /** The listeners in the order in which they are told. */
     public BoatListeners(BoatListener... listeners) {
-        this.listeners = List.of(listeners);
+        for (BoatListener listener : listeners) {
+            this.listeners.add(listener);
+        }
     }
 
     @Override
@@ -118,7 +120,13 @@ public final class BoatListeners implements BoatListener {
         each(listener -> listener.onRefused(boatId, reason));
     }
 
+    @Override
+    public void onListenerFault(String listener, Throwable fault) {
+        listeners.each(other -> other.onListenerFault(listener, fault));
+    }
+
     private void each(Consumer<BoatListener> news) {
-        listeners.forEach(news);
+        listeners.each(
+                news, (listener, fault) -> onListenerFault(listener.getClass().getName(), fault));
     }
 }

@@ -13,7 +13,7 @@ final class DeferredNotifications {
     private boolean speaking;
 
     DeferredNotifications(BoatListener listener) {
-        this.listener = listener;
+        this.listener = new BoatListeners(listener); // what it throws must not keep the proxy from its work
     }
 
     void add(Consumer<BoatListener> announcement) {

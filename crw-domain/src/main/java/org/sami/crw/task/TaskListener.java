@@ -3,7 +3,7 @@ package org.sami.crw.task;
 import java.util.List;
 import org.sami.spn.value.TaskId;
 
-/** Gets to know what happens to tasks. */
+/** Gets to know what happens to tasks. What it throws is logged, and plans hear of the news all the same. */
 @FunctionalInterface
 public interface TaskListener {
     /**

@@ -10,6 +10,7 @@ import java.util.TreeMap;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
+import org.sami.spn.host.ListenerList;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
@@ -30,7 +31,7 @@ public final class TaskQueues implements HostListener {
     private static final String COMPLETE = "task-complete/";
 
     private final EngineHost host;
-    private final TaskListener listener;
+    private final ListenerList<TaskListener> listeners = new ListenerList<>();
     private volatile Map<String, TaskQueue> queues;
     private boolean compared;
 
@@ -41,7 +42,7 @@ public final class TaskQueues implements HostListener {
      */
     public TaskQueues(EngineHost host, TaskListener listener) {
         this.host = host;
-        this.listener = listener;
+        listeners.add(listener);
         this.queues = host.ask(TaskQueues::remembered);
     }
 
@@ -121,7 +122,7 @@ public final class TaskQueues implements HostListener {
         change.news.sort(Comparator.comparing(TaskNews::kind));
         for (TaskNews news : change.news) {
             List<TaskId> names = view.namesOf(news.task());
-            listener.onNews(news, names);
+            listeners.each(listener -> listener.onNews(news, names));
             posted.addAll(occurrences(news, names, view));
         }
         host.post(posted);

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
+import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
@@ -69,12 +70,12 @@ class DecisionModelsTest {
             @Override
             public void closed(PendingDecision decision, Optional<Answer> answer, Optional<Answerer> by) {}
         });
-        Runnable remove = queue.addListener(recording(heard));
+        Registration registration = queue.addListener(recording(heard));
 
         queue.open(decision(1, Priority.LOW), 10);
         queue.open(decision(1, Priority.LOW), 10);
         queue.close(1, Optional.of(new Answer.YesNo(true)), Optional.of(Answerer.AUTONOMY));
-        remove.run();
+        registration.close();
         queue.open(decision(2, Priority.LOW), 10);
 
         assertThat(heard).containsExactly("opened 1", "closed 1 by AUTONOMY");

@@ -25,6 +25,52 @@ class BoatListenersTest {
         assertThat(heard).isEqualTo(expected).hasSizeGreaterThan(20);
     }
 
+    @Test
+    void whatOneListenerThrowsIsToldAndDoesNotSilenceTheNext() {
+        List<String> heard = new ArrayList<>();
+        BoatListener failing = new BoatListener() {
+            @Override
+            public void onCompleted(String boatId, BoatCommand command) {
+                throw new IllegalStateException("spilled");
+            }
+
+            @Override
+            public void onListenerFault(String listener, Throwable fault) {
+                throw new IllegalStateException("again");
+            }
+        };
+        BoatListener next = new BoatListener() {
+            @Override
+            public void onCompleted(String boatId, BoatCommand command) {
+                heard.add("completed " + boatId);
+            }
+
+            @Override
+            public void onListenerFault(String listener, Throwable fault) {
+                heard.add(listener + " threw " + fault.getMessage());
+            }
+        };
+
+        new BoatListeners(failing, next).onCompleted("boat1", null);
+
+        assertThat(heard).containsExactly("completed boat1", failing.getClass().getName() + " threw spilled");
+    }
+
+    @Test
+    void aFaultInsideIsToldOnce() {
+        List<String> heard = new ArrayList<>();
+        BoatListener failing = new BoatListener() {
+            @Override
+            public void onTakenOver(String boatId) {
+                throw new AssertionError("spilled");
+            }
+        };
+
+        new BoatListeners(new BoatListeners(failing, ear("inner", heard)), ear("outer", heard)).onTakenOver("boat1");
+
+        assertThat(heard).containsExactly("inner onTakenOver", "inner onListenerFault", "outer onTakenOver");
+    }
+
     private static Object[] nothing(Method method) {
         return Arrays.stream(method.getParameterTypes())
                 .map(type -> type == boolean.class ? (Object) true : type == int.class ? (Object) 0 : null)

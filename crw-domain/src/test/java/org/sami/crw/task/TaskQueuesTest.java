@@ -48,6 +48,7 @@ class TaskQueuesTest {
     private EngineState state = engine.newState();
     private final ArrayDeque<Runnable> work = new ArrayDeque<>();
     private final List<String> news = new ArrayList<>();
+    private boolean failing;
     private EngineHost host;
     private TaskQueues queues;
 
@@ -62,6 +63,19 @@ class TaskQueuesTest {
         assertThat(news.subList(1, news.size()))
                 .containsExactly(
                         "RELEASED a of 1 east", "REASSIGNED a of 1 west", "STARTED b of 1 east", "STARTED a of 1 west");
+    }
+
+    @Test
+    void aListenerThatThrowsLosesNoNews() {
+        begin(true);
+        failing = true;
+
+        post(allocate(A, "east", B, "east"));
+
+        assertThat(host.<Object>ask(view -> view.memory(Ids.NONE, "tasks/east").orElseThrow()))
+                .as("what the journal knows")
+                .isEqualTo(queues.of("east").toValue());
+        assertThat(queues.of("east").tasks()).containsExactly(A, B);
     }
 
     @Test
@@ -128,10 +142,12 @@ class TaskQueuesTest {
                 .clock(new Standing())
                 .executor(work::add)
                 .build();
-        queues = new TaskQueues(
-                host,
-                (one, names) -> news.add(one.kind() + " " + one.task().name() + " of "
-                        + one.task().mission() + " " + one.boat()));
+        queues = new TaskQueues(host, (one, names) -> {
+            if (failing) {
+                throw new IllegalStateException("a listener that fails");
+            }
+            news.add(one.kind() + " " + one.task().name() + " of " + one.task().mission() + " " + one.boat());
+        });
         host.addListener(queues);
         host.resume();
         if (fresh) {

@@ -52,7 +52,7 @@ public final class EngineHost implements AutoCloseable {
 
     private final ReentrantLock lock = new ReentrantLock(true);
     private final InputQueue queue = new InputQueue();
-    private final Listeners listeners;
+    private final ListenerList<HostListener> listeners;
     private final Handlers handlers;
     private final AtomicBoolean scheduled = new AtomicBoolean();
     private final AtomicLong processed = new AtomicLong();
@@ -72,7 +72,7 @@ public final class EngineHost implements AutoCloseable {
         this.clock = parts.clock;
         this.executor = parts.executor;
         this.batchLimit = parts.batchLimit;
-        this.listeners = new Listeners(parts.slowListenerMillis);
+        this.listeners = new ListenerList<>("the engine", parts.slowListenerMillis);
         this.handlers = new Handlers(engine.vocabulary(), this);
         this.coalescing = engine.vocabulary().events().values().stream()
                 .filter(type -> type.flags().contains(EventFlag.COALESCE))

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Consumer;
+import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.sami.boat.link.FrameSink;
@@ -29,6 +29,7 @@ final class LinkTable {
     private final TcpBaseConfig config;
     private final BaseListener listener;
     private final Function<BoatLink, BoatConnection.Owner> ears;
+    private final BiConsumer<String, Runnable> guarded;
     private final List<BoatLink> links = new ArrayList<>();
     private final List<Leaving> leaving = new ArrayList<>();
     private final ProxyRegistry proxies = new ProxyRegistry();
@@ -40,8 +41,18 @@ final class LinkTable {
     private long made;
     private long nowMs;
 
-    /** A table without links; {@code ears} gives a link's connections whom to tell what happens. */
-    LinkTable(TcpBaseConfig config, BaseListener listener, Function<BoatLink, BoatConnection.Owner> ears) {
+    /**
+     * A table without links.
+     *
+     * @param ears gives a link's connections whom to tell what happens
+     * @param guarded runs work that it is given in words, and reports what that throws
+     */
+    LinkTable(
+            TcpBaseConfig config,
+            BaseListener listener,
+            Function<BoatLink, BoatConnection.Owner> ears,
+            BiConsumer<String, Runnable> guarded) {
+        this.guarded = guarded;
         this.config = config;
         this.listener = listener;
         this.ears = ears;
@@ -84,7 +95,7 @@ final class LinkTable {
         BoatProxy proxy = Optional.ofNullable(removed.remove(boatId))
                 .orElseGet(() -> new BoatProxy(boatId, new Carried(boatId), listener.found(boatId), config.proxy()));
         proxies.add(proxy);
-        listener.onBoat(proxy);
+        tell("a boat that was found", () -> listener.onBoat(proxy));
         return proxy;
     }
 
@@ -117,7 +128,7 @@ final class LinkTable {
         });
         forgetAlarms(boatId);
         proxy.retire("the boat has been removed");
-        listener.onRemoved(boatId);
+        tell("a boat that was removed", () -> listener.onRemoved(boatId));
     }
 
     private void drop(BoatLink link) {
@@ -126,13 +137,13 @@ final class LinkTable {
         link.release("the address is given up", nowMs);
     }
 
-    /** Lets time pass for all links; {@code guarded} is given the work for each, so that none suffers from another. */
-    void tick(long atMs, Consumer<Runnable> guarded) {
+    /** Lets time pass for all links, so that none suffers from another. */
+    void tick(long atMs) {
         nowMs = atMs;
         for (BoatLink link : List.copyOf(links)) {
-            guarded.accept(() -> link.tick(atMs));
+            guarded.accept("a tick of a link", () -> link.tick(atMs));
         }
-        leaving.forEach(one -> guarded.accept(() -> one.proxy.tick(atMs)));
+        leaving.forEach(one -> guarded.accept("a tick of a link", () -> one.proxy.tick(atMs)));
         letGo(one -> !one.proxy.isBeingStopped() || atMs >= one.untilMs);
     }
 
@@ -143,6 +154,11 @@ final class LinkTable {
                 leaving.remove(one);
             }
         }
+    }
+
+    /** Tells the listener something; what it throws must not keep a boat from its link. */
+    private void tell(String what, Runnable news) {
+        guarded.accept("the listener, told of " + what, news);
     }
 
     private void forgetAlarms(String boatId) {
@@ -228,7 +244,7 @@ final class LinkTable {
             carriers.put(boatId, to);
             left.remove(to);
             forgetAlarms(boatId);
-            listener.onMoved(boatId, from.address(), to.address());
+            LinkTable.this.tell("a boat that moved", () -> listener.onMoved(boatId, from.address(), to.address()));
             to.carry(proxies.find(boatId).orElseThrow(), nowMs);
         }
 
@@ -250,7 +266,7 @@ final class LinkTable {
 
         private void tell(LinkAlarm alarm) {
             if (alarmed.add(alarm)) {
-                listener.onAlarm(alarm);
+                LinkTable.this.tell("an alarm", () -> listener.onAlarm(alarm));
             }
         }
 

@@ -1,5 +1,6 @@
 package org.sami.crw.proxy.tcp;
 
+import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
@@ -28,6 +29,7 @@ import org.sami.crw.proxy.ProxyRegistry;
  * threads.
  */
 public final class TcpBase implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(TcpBase.class.getName());
     private static final long STOP_MS = 5000;
 
     private final SteadyClock clock;
@@ -41,7 +43,7 @@ public final class TcpBase implements AutoCloseable {
     public TcpBase(TcpBaseConfig config, SteadyClock clock, BaseListener listener) {
         this.clock = Objects.requireNonNull(clock, "clock");
         this.listener = Objects.requireNonNull(listener, "listener");
-        links = new LinkTable(Objects.requireNonNull(config, "config"), listener, this::earsOf);
+        links = new LinkTable(Objects.requireNonNull(config, "config"), listener, this::earsOf, this::guarded);
         thread = Executors.newSingleThreadScheduledExecutor(work -> {
             Thread made = new Thread(work, config.proxy().clientId() + "-links");
             made.setDaemon(true);
@@ -136,7 +138,7 @@ public final class TcpBase implements AutoCloseable {
     }
 
     private void tick() {
-        links.tick(now(), work -> guarded("a tick of a link", work));
+        links.tick(now());
     }
 
     private void run(String what, Runnable work) {
@@ -151,7 +153,18 @@ public final class TcpBase implements AutoCloseable {
         try {
             work.run();
         } catch (RuntimeException e) {
-            listener.onFailure(what, e);
+            report(what, e);
+        } catch (LinkageError | StackOverflowError | AssertionError e) {
+            report(what, new IllegalStateException(e));
+        }
+    }
+
+    private void report(String what, RuntimeException cause) {
+        LOG.log(Level.ERROR, "a fault in " + what, cause);
+        try {
+            listener.onFailure(what, cause);
+        } catch (RuntimeException | AssertionError e) { // else no boat would be ticked any longer
+            LOG.log(Level.ERROR, "the listener threw when it was told of a fault in " + what, e);
         }
     }
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.lang.reflect.Proxy;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -17,11 +18,17 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.SteadyClock;
+import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.ProxyConfig;
 import org.sami.crw.proxy.Upload;
+import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.LinkAlarm;
 import org.sami.crw.proxy.tcp.LinkReport;
+import org.sami.crw.proxy.tcp.TcpBase;
+import org.sami.crw.proxy.tcp.TcpBaseConfig;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** Bases and simulated boats over real sockets: what is lost is shown, what comes back goes on, nothing is done twice. */
@@ -64,6 +71,63 @@ class TcpBaseTest {
                 .doesNotHaveDuplicates()
                 .allMatch(id -> id.startsWith("m1-anna#base.0."));
         assertThat(base.failures).isEmpty();
+    }
+
+    @Test
+    void aListenerThatFailsAtEverythingKeepsNoBoatFromItsPath() throws Exception {
+        BoatOnTcp boat = harbour.boat("anna");
+        TestRelay relay = harbour.relay(boat);
+        try (TcpBase base = new TcpBase(
+                TcpBaseConfig.of(ProxyConfig.DEFAULT.withTelemetryHz(10), 5),
+                SteadyClock.ofThisMachine(),
+                new FailingListener())) {
+            base.connect(relay.address());
+            Await.until(
+                    "anna is found",
+                    15,
+                    () -> base.query(boats -> boats.boatIds().contains("anna")).join());
+            relay.setSwallows(true);
+            Await.until("the loss of the link is told", 15, () -> link(base) == LinkState.LOST);
+            relay.setSwallows(false);
+            base.query(boats -> {
+                        boats.find("anna").orElseThrow().submit(TcpTestFleet.path("m1-anna", 1, 2));
+                        return true;
+                    })
+                    .join();
+
+            Await.until(
+                    "anna is done",
+                    30,
+                    () -> base.query(boats -> boats.find("anna").orElseThrow().isAtRest())
+                            .join());
+        }
+        assertThat(harbour.executed("anna", "start")).isEqualTo(1);
+    }
+
+    private static LinkState link(TcpBase base) {
+        return base.query(boats -> boats.find("anna").orElseThrow().status().link())
+                .join();
+    }
+
+    /** Throws whatever it is told. */
+    private static final class FailingListener implements BaseListener {
+        @Override
+        public BoatListener found(String boatId) {
+            return (BoatListener) Proxy.newProxyInstance(
+                    BoatListener.class.getClassLoader(), new Class<?>[] {BoatListener.class}, (self, method, args) -> {
+                        throw new IllegalStateException(method.getName());
+                    });
+        }
+
+        @Override
+        public void onBoat(BoatProxy proxy) {
+            throw new IllegalStateException("onBoat");
+        }
+
+        @Override
+        public void onFailure(String what, RuntimeException cause) {
+            throw new IllegalStateException("onFailure", cause);
+        }
     }
 
     @Test
