@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import org.sami.crw.decision.MessageSink;
+import org.sami.crw.fleet.FleetEvents;
 import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatListeners;
@@ -30,7 +31,7 @@ import org.sami.spn.host.Registration;
 public final class CrwDomain implements AutoCloseable {
     private final Map<String, ActivationHandler> handlers = new LinkedHashMap<>();
     private final List<Registration> registrations = new ArrayList<>();
-    private final BoatListener boatListener;
+    private final FleetEvents events;
     private final TaskQueues tasks;
     private final Computations computations;
 
@@ -41,7 +42,9 @@ public final class CrwDomain implements AutoCloseable {
             MessageSink messages,
             CrwServices services,
             BoatConnector connector,
+            FleetEvents events,
             Optional<ServiceThreads> threads) {
+        this.events = events;
         NewBoats newBoats = new NewBoats();
         WayQuestions ways = new WayQuestions(boats, fleet);
         MotionCommands motion = new MotionCommands(boats, messages, ways);
@@ -51,7 +54,7 @@ public final class CrwDomain implements AutoCloseable {
         MeasurementHandler measurements = new MeasurementHandler(messages, fleet);
         BoatQuestions questions = new BoatQuestions(host, boats, fleet);
         BatterySubscriptions batteries = new BatterySubscriptions(boats, fleet);
-        boatListener = new BoatListeners(
+        events.passTo(new BoatListeners(
                 motion,
                 settings,
                 questions,
@@ -60,12 +63,15 @@ public final class CrwDomain implements AutoCloseable {
                 measurements,
                 new BoatNews(host, newBoats, messages, batteries),
                 new TakeOverNews(host, boats),
-                new SentLists(host, boats));
-        tasks = new TaskQueues(host, (news, names) -> {
-            if (news.kind() == TaskNews.Kind.RELEASED) {
-                fleet.execute(() -> motion.release(news.boat(), names));
-            }
-        });
+                new SentLists(host, boats)));
+        tasks = new TaskQueues(
+                host,
+                (news, names) -> fleet.execute(() -> {
+                    events.onTask(news, names);
+                    if (news.kind() == TaskNews.Kind.RELEASED) {
+                        motion.release(news.boat(), names);
+                    }
+                }));
         BoatPositions positions =
                 boat -> boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
         handlers.putAll(movers(motion));
@@ -160,7 +166,23 @@ public final class CrwDomain implements AutoCloseable {
             MessageSink messages,
             CrwServices services,
             BoatConnector connector) {
-        return new CrwDomain(host, boats, fleet, messages, services, connector, Optional.empty());
+        return install(host, boats, fleet, messages, services, connector, new FleetEvents());
+    }
+
+    /**
+     * Puts the domain on a host.
+     *
+     * @param events hears of all boats; the proxies of {@code boats} tell it, and it tells the domain
+     */
+    public static CrwDomain install(
+            EngineHost host,
+            ProxyRegistry boats,
+            Executor fleet,
+            MessageSink messages,
+            CrwServices services,
+            BoatConnector connector,
+            FleetEvents events) {
+        return new CrwDomain(host, boats, fleet, messages, services, connector, events, Optional.empty());
     }
 
     /**
@@ -175,12 +197,36 @@ public final class CrwDomain implements AutoCloseable {
             MessageSink messages,
             CrwServices services,
             ServiceThreads threads) {
-        return new CrwDomain(host, boats, fleet, messages, services, BoatConnector.NONE, Optional.of(threads));
+        return installInRealTime(
+                host, boats, fleet, messages, services, BoatConnector.NONE, new FleetEvents(), threads);
+    }
+
+    /**
+     * The same for a base that gets to more boats while it runs.
+     *
+     * @param connector how plans get to them
+     * @param events hears of all boats; the proxies of {@code boats} tell it, and it tells the domain
+     */
+    public static CrwDomain installInRealTime(
+            EngineHost host,
+            ProxyRegistry boats,
+            Executor fleet,
+            MessageSink messages,
+            CrwServices services,
+            BoatConnector connector,
+            FleetEvents events,
+            ServiceThreads threads) {
+        return new CrwDomain(host, boats, fleet, messages, services, connector, events, Optional.of(threads));
     }
 
     /** What every proxy of the registry must be given; to be called on the fleet's thread. */
     public BoatListener boatListener() {
-        return boatListener;
+        return events.boatListener();
+    }
+
+    /** What happens to the boats and their tasks. */
+    public FleetEvents events() {
+        return events;
     }
 
     /** The tasks that boats have to do. */

@@ -54,9 +54,9 @@ final class BoatExplainer {
                     false,
                     Cause.NO_PROGRESS,
                     proxy.boatId() + " does not get on: " + stuck.get().words() + "; it does " + name(run.queued())
-                            + visited + waiting(run.queued()));
+                            + visited + waiting());
         }
-        String words = name(run.queued()) + ": " + run.state() + visited + sends() + waiting(run.queued());
+        String words = name(run.queued()) + ": " + run.state() + visited + sends() + waiting();
         if (run.isDriving()) {
             return new BoatExplanation(true, Cause.UNDER_WAY, proxy.boatId() + " does " + words);
         }
@@ -92,29 +92,19 @@ final class BoatExplainer {
     }
 
     /** Who waits for what runs, and why it does not run itself. */
-    private String waiting(QueuedCommand running) {
+    private String waiting() {
         List<QueuedCommand> waiting = driver.queue().waiting();
         StringBuilder text = new StringBuilder();
         for (QueuedCommand queued : waiting.subList(0, Math.min(MOST_NAMED, waiting.size()))) {
-            text.append("; ").append(name(queued)).append(" waits: ").append(whyNot(queued, running));
+            text.append("; ")
+                    .append(name(queued))
+                    .append(" waits: ")
+                    .append(driver.queue().whyNot(queued));
         }
         if (waiting.size() > MOST_NAMED) {
             text.append("; ").append(waiting.size() - MOST_NAMED).append(" more wait");
         }
         return text.toString();
-    }
-
-    private String whyNot(QueuedCommand queued, QueuedCommand running) {
-        Optional<Long> blocker = driver.queue().blockedBy();
-        if (queued.isInterrupted()) {
-            return "it is interrupted and returns afterwards";
-        } else if (blocker.isPresent() && blocker.get() != queued.command().mission()) {
-            return "mission " + blocker.get() + " keeps the boat";
-        } else if (queued.command().priority() != running.command().priority()) {
-            return "its priority is " + queued.command().priority() + ", not "
-                    + running.command().priority();
-        }
-        return "the other came first";
     }
 
     private String counted() {

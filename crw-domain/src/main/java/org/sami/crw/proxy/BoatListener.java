@@ -17,6 +17,9 @@ public interface BoatListener {
     /** Another command has displaced this one for good; it has left the queue. What missions withdraw is not reported. */
     default void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {}
 
+    /** Commands came into the queue or left it, or another one has its turn. */
+    default void onQueueChanged(String boatId, CommandQueueSnapshot queue) {}
+
     /** The boat has taken the pictures of a panorama, and keeps them on board; completion follows. */
     default void onPanorama(String boatId, BoatCommand command, int pictures, GeoPoint from) {}
 

@@ -31,6 +31,11 @@ public final class BoatListeners implements BoatListener {
     }
 
     @Override
+    public void onQueueChanged(String boatId, CommandQueueSnapshot queue) {
+        each(listener -> listener.onQueueChanged(boatId, queue));
+    }
+
+    @Override
     public void onPanorama(String boatId, BoatCommand command, int pictures, GeoPoint from) {
         each(listener -> listener.onPanorama(boatId, command, pictures, from));
     }

@@ -61,6 +61,7 @@ public final class BoatProxy {
     private BoatStatus status;
     private long nowMs;
     private long lastTelemetry = -1;
+    private long announcedChanges; // of the queue
     private boolean awaitingProgress;
     private boolean unconfirmedRestart;
     private boolean takenOver;
@@ -106,6 +107,11 @@ public final class BoatProxy {
     /** The commands that wait for their turn, in the order in which they would have it. */
     public List<BoatCommand> waitingCommands() {
         return driver.queue().waiting().stream().map(QueuedCommand::command).toList();
+    }
+
+    /** The commands that missions have for the boat, and why each that waits does. */
+    public CommandQueueSnapshot queue() {
+        return CommandQueueSnapshot.of(driver.queue());
     }
 
     /** How many points of the path of a queued command are behind the boat; empty if it is not queued. */
@@ -622,6 +628,11 @@ public final class BoatProxy {
     /** Brings the boat to the command whose turn it is, then tells the listener what has happened. */
     private void settle() {
         driver.settle(obstacle().isEmpty(), nowMs);
+        if (driver.queue().changes() != announcedChanges) {
+            announcedChanges = driver.queue().changes();
+            CommandQueueSnapshot queue = queue();
+            announcements.add(l -> l.onQueueChanged(boatId, queue));
+        }
         announcements.deliver();
     }
 

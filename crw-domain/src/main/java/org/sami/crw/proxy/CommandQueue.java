@@ -35,6 +35,7 @@ final class CommandQueue {
     private final List<Long> blockingMissions = new ArrayList<>();
     private Optional<QueuedCommand> current = Optional.empty();
     private long submitted;
+    private long changes;
 
     /** The command that the boat should carry out now. */
     Optional<QueuedCommand> current() {
@@ -52,6 +53,25 @@ final class CommandQueue {
         current.ifPresent(waiting::remove);
         waiting.sort(FIRST_IN_TURN);
         return Collections.unmodifiableList(waiting);
+    }
+
+    /** Why a command that waits does not have its turn, in words. */
+    String whyNot(QueuedCommand waiting) {
+        Optional<Long> blocker = blockedBy();
+        if (waiting.isInterrupted()) {
+            return "it is interrupted and returns afterwards";
+        } else if (blocker.isPresent() && blocker.get() != waiting.command().mission()) {
+            return "mission " + blocker.get() + " keeps the boat";
+        }
+        return current.map(QueuedCommand::command)
+                .filter(running -> running.priority() != waiting.command().priority())
+                .map(running -> "its priority is " + waiting.command().priority() + ", not " + running.priority())
+                .orElse("the other came first");
+    }
+
+    /** Counts the changes of what is queued and of whose turn it is. */
+    long changes() {
+        return changes;
     }
 
     /** The mission that keeps the boat for itself. */
@@ -75,6 +95,7 @@ final class CommandQueue {
             }
         }
         entries.add(newcomer);
+        changes++;
         if (current.isPresent() && takesBoatFrom(newcomer, current.get())) {
             if (newcomer.isCritical()) {
                 current.get().setInterrupted(true);
@@ -95,7 +116,7 @@ final class CommandQueue {
 
     /** Takes back all that a mission has here, and its block. Returns what was taken back. */
     List<BoatCommand> withdraw(long mission) {
-        blockingMissions.removeIf(blocking -> blocking == mission);
+        changes += blockingMissions.removeIf(blocking -> blocking == mission) ? 1 : 0;
         List<BoatCommand> withdrawn = new ArrayList<>();
         for (QueuedCommand entry : List.copyOf(entries)) {
             if (entry.command().mission() == mission) {
@@ -122,6 +143,7 @@ final class CommandQueue {
         List<BoatCommand> all = new ArrayList<>();
         current.ifPresent(running -> all.add(running.command()));
         waiting().forEach(queued -> all.add(queued.command()));
+        changes++;
         blockingMissions.clear();
         entries.clear();
         current = Optional.empty();
@@ -142,6 +164,7 @@ final class CommandQueue {
     }
 
     private void remove(QueuedCommand entry) {
+        changes++;
         entries.remove(entry);
         if (current.isPresent() && current.get() == entry) {
             current = Optional.empty();
@@ -154,6 +177,7 @@ final class CommandQueue {
         }
         current = entries.stream().filter(this::isAllowed).min(FIRST_IN_TURN);
         current.ifPresent(chosen -> {
+            changes++;
             chosen.setInterrupted(false);
             long mission = chosen.command().mission();
             if (chosen.command().block() && !blockingMissions.contains(mission)) {

@@ -1,0 +1,160 @@
+package org.sami.crw.fleet;
+
+import java.net.InetSocketAddress;
+import java.util.List;
+import java.util.Objects;
+import org.sami.crw.proxy.BatteryState;
+import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.proxy.BoatReading;
+import org.sami.crw.proxy.BoatStatus;
+import org.sami.crw.proxy.BoatTuning;
+import org.sami.crw.proxy.CommandQueueSnapshot;
+import org.sami.crw.proxy.Upload;
+import org.sami.crw.proxy.Withdrawal;
+import org.sami.crw.proxy.tcp.LinkAlarm;
+import org.sami.crw.task.TaskNews;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.TaskId;
+
+/** Something that happened to a boat, to its link, to its commands or to its tasks. Immutable. */
+public sealed interface FleetEvent {
+    /** Id of the boat; empty text where the event is about none, or the boat is not known. */
+    String boat();
+
+    /** An event that brings all that is known of a boat. */
+    sealed interface OfStatus extends FleetEvent {
+        /** The boat as it is known after the event. */
+        BoatStatus status();
+
+        @Override
+        default String boat() {
+            return status().boatId();
+        }
+    }
+
+    // ---- links
+
+    /** A boat with a new id answered, and its proxy takes commands. */
+    record Found(String boat) implements FleetEvent {}
+
+    /** The link to a boat came or went. */
+    record LinkChanged(BoatStatus status) implements OfStatus {}
+
+    /** A boat is reached at another address from now on. */
+    record Moved(String boat, InetSocketAddress from, InetSocketAddress to) implements FleetEvent {}
+
+    /** A boat's server started anew; nothing moves the boat until the operator allows it. */
+    record Restarted(BoatStatus status) implements OfStatus {}
+
+    /** A boat that had started anew may be moved again. */
+    record RestartAllowed(BoatStatus status) implements OfStatus {}
+
+    /** The base gave a boat up; its commands have failed. */
+    record Retired(String boat) implements FleetEvent {}
+
+    /** A boat is no longer among those of the base. */
+    record Removed(String boat) implements FleetEvent {}
+
+    /** The operator must know something about a link and act on it. */
+    record LinkAlarmed(LinkAlarm alarm) implements FleetEvent {
+        @Override
+        public String boat() {
+            return alarm.boatId();
+        }
+    }
+
+    // ---- telemetry
+
+    /** Telemetry came. */
+    record StatusReported(BoatStatus status) implements OfStatus {}
+
+    /** The class of a boat's battery was reported: when the link came, and at each change of class. */
+    record BatteryReported(String boat, BatteryState battery) implements FleetEvent {}
+
+    /** One of a boat's sensors measured something. */
+    record Measured(String boat, BoatReading reading) implements FleetEvent {}
+
+    // ---- who commands
+
+    /** A person at this base drives the boat by hand; its commands wait. */
+    record TakenOver(String boat) implements FleetEvent {}
+
+    /** The person gave the boat back; its commands go on. */
+    record HandedBack(String boat) implements FleetEvent {}
+
+    /** This base commands the boat from now on, or does so no longer. */
+    record CommanderChanged(String boat, boolean commands) implements FleetEvent {}
+
+    /** Another client wishes to command the boat. */
+    record CommandAsked(String boat, String client) implements FleetEvent {}
+
+    /** The boat refuses this base, or a hand-over that it asked for, for a reason in words. */
+    record Refused(String boat, String reason) implements FleetEvent {}
+
+    // ---- commands
+
+    /** Commands came into a boat's queue or left it, or another one has its turn. */
+    record QueueChanged(String boat, CommandQueueSnapshot queue) implements FleetEvent {}
+
+    /** More points of a path are behind the boat: how many, counted from the beginning of the path. */
+    record Progressed(String boat, BoatCommand command, int visited) implements FleetEvent {}
+
+    /** A command is done. */
+    record CommandCompleted(String boat, BoatCommand command) implements FleetEvent {}
+
+    /** A command cannot be done, for a reason in words; it has left the queue. */
+    record CommandFailed(String boat, BoatCommand command, String reason) implements FleetEvent {}
+
+    /** Another command displaced this one for good; it has left the queue. */
+    record CommandWithdrawn(String boat, BoatCommand command, Withdrawal why) implements FleetEvent {}
+
+    /** A path came further on its way to the boat, or failed to. */
+    record UploadAdvanced(String boat, Upload upload) implements FleetEvent {}
+
+    /** The boat took the pictures of a panorama, and keeps them on board. */
+    record PanoramaTaken(String boat, BoatCommand command, int pictures, GeoPoint from) implements FleetEvent {}
+
+    // ---- settings
+
+    /** The boat said which settings are in force on it. */
+    record SettingsReported(String boat, BoatTuning settings) implements FleetEvent {}
+
+    /** The boat took a setting, that of the command. */
+    record SettingTaken(String boat, String commandId) implements FleetEvent {}
+
+    /** The boat did not take a setting, for a reason in words. */
+    record SettingRefused(String boat, String commandId, String reason) implements FleetEvent {}
+
+    // ---- tasks
+
+    /**
+     * Something happened to a task.
+     *
+     * @param names the task by the names that running missions have for it
+     */
+    record TaskChanged(TaskNews news, List<TaskId> names) implements FleetEvent {
+        public TaskChanged {
+            Objects.requireNonNull(news, "news");
+            names = List.copyOf(names);
+        }
+
+        @Override
+        public String boat() {
+            return news.boat();
+        }
+    }
+
+    // ---- faults of this program
+
+    /**
+     * Something in this program threw; all else goes on.
+     *
+     * @param where in words
+     */
+    record Fault(String where, Throwable cause) implements FleetEvent {
+        @Override
+        public String boat() {
+            return "";
+        }
+    }
+}
