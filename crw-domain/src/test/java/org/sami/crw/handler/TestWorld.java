@@ -13,7 +13,7 @@ import java.util.function.Consumer;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerSession;
-import org.sami.crw.decision.OperatorModels;
+import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyConfig;

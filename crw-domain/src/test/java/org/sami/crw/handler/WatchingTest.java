@@ -10,7 +10,7 @@ import java.util.OptionalLong;
 import org.assertj.core.groups.Tuple;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.sami.crw.decision.OperatorMessage;
+import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.MissionView;

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
-import org.sami.crw.decision.ClickCount;
+import org.sami.crw.operator.ClickCount;
 import org.sami.crw.sim.report.DecisionResult;
 import org.sami.crw.sim.report.FiringResult;
 import org.sami.crw.sim.report.NoteResult;

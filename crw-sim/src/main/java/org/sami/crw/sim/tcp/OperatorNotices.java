@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import org.sami.crw.decision.MessageSink;
-import org.sami.crw.decision.OperatorMessage;
+import org.sami.crw.operator.MessageSink;
+import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.spn.protocol.Ids;
 

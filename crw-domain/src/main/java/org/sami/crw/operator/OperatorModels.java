@@ -1,8 +1,9 @@
-package org.sami.crw.decision;
+package org.sami.crw.operator;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executor;
+import org.sami.crw.decision.BoatFilter;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.protocol.Effect;

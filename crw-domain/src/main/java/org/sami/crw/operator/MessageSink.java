@@ -1,4 +1,4 @@
-package org.sami.crw.decision;
+package org.sami.crw.operator;
 
 /** Where messages for the operator go. May be called from any thread. */
 @FunctionalInterface

@@ -1,4 +1,4 @@
-package org.sami.crw.decision;
+package org.sami.crw.operator;
 
 import java.util.List;
 import java.util.Objects;

@@ -1,4 +1,4 @@
-package org.sami.crw.decision;
+package org.sami.crw.operator;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
