@@ -17,6 +17,7 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Priority;
+import org.sami.spn.protocol.StartMarking;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
@@ -89,6 +90,10 @@ public final class Engine {
      * @param effects told in order, while the state changes: it must not call back into the engine
      */
     public void step(EngineState state, long nowMillis, Input input, Consumer<? super Effect> effects) {
+        run(state, nowMillis, effects, rules -> take(rules, input));
+    }
+
+    private void run(EngineState state, long nowMillis, Consumer<? super Effect> effects, Consumer<Rules> input) {
         if (state.net.project != project) {
             throw new IllegalArgumentException("The state belongs to another engine");
         }
@@ -97,11 +102,33 @@ public final class Engine {
         try {
             rules.timers.runUntil(nowMillis);
             rules.firing.newChain();
-            take(rules, input);
+            input.accept(rules);
             rules.settle();
         } finally {
             rules.end();
         }
+    }
+
+    /**
+     * Starts a root mission with a marking of one's own, for trying a plan from the middle. No input, so no journal holds it. What the
+     * plan asks at its start and is not given has its default.
+     *
+     * @param effects as for {@link #step}; nothing is told where it is refused
+     * @return why it cannot start so, in one sentence; empty where it started
+     */
+    public Optional<String> startAt(
+            EngineState state,
+            long nowMillis,
+            Input.StartMission start,
+            StartMarking marking,
+            Consumer<? super Effect> effects) {
+        List<String> refused = new ArrayList<>(0);
+        run(
+                state,
+                nowMillis,
+                effects,
+                rules -> rules.missionStart.startAt(start, marking).ifPresent(refused::add));
+        return refused.stream().findFirst();
     }
 
     private static void take(Rules rules, Input input) {

@@ -9,7 +9,7 @@ import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.TestCase;
-import org.sami.spn.model.TestStep;
+import org.sami.spn.stepping.Stepper;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
@@ -37,17 +37,22 @@ public final class TestCaseRunner {
 
     /** Runs one test case up to the first step that went another way; empty where none did. */
     public Optional<Finding> run(Plan plan, TestCase test) {
-        TestRun run = new TestRun(engine, plan, test);
+        if (plan.startPlace().isEmpty()) {
+            return Optional.of(finding(plan, test, "", "cannot run: the plan has no start place"));
+        }
+        Stepper stepper = Stepper.start(engine, plan.id(), test.name(), test.proxies());
         for (int i = 0; i < test.steps().size(); i++) {
-            TestStep step = test.steps().get(i);
-            Optional<String> difference = run.take(step);
+            Optional<String> difference = stepper.take(test.steps().get(i)).refusal();
             if (difference.isPresent()) {
-                String pointer = "/plans/" + project.plans().indexOf(plan) + "/testCases/"
-                        + plan.testCases().indexOf(test) + "/steps/" + i;
-                String message = "Test case \"" + test.name() + "\", step " + (i + 1) + ": " + difference.get();
-                return Optional.of(Finding.error("E-TEST-CASE", pointer, message, plan.id()));
+                return Optional.of(finding(plan, test, "/steps/" + i, "step " + (i + 1) + ": " + difference.get()));
             }
         }
         return Optional.empty();
+    }
+
+    private Finding finding(Plan plan, TestCase test, String where, String what) {
+        String pointer = "/plans/" + project.plans().indexOf(plan) + "/testCases/"
+                + plan.testCases().indexOf(test) + where;
+        return Finding.error("E-TEST-CASE", pointer, "Test case \"" + test.name() + "\", " + what, plan.id());
     }
 }

@@ -1,6 +1,7 @@
 package org.sami.spn.engine.rule;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,6 +20,7 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.MissionStatus;
+import org.sami.spn.protocol.StartMarking;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.Value;
 
@@ -32,6 +34,15 @@ public final class MissionStart {
 
     /** Starts a root mission; a reason where it cannot. */
     public Optional<String> start(Input.StartMission input) {
+        return start(input, Optional.empty());
+    }
+
+    /** Starts a root mission with a marking of its own; a reason where it cannot. */
+    public Optional<String> startAt(Input.StartMission input, StartMarking marking) {
+        return start(input, Optional.of(marking));
+    }
+
+    private Optional<String> start(Input.StartMission input, Optional<StartMarking> marking) {
         CompiledPlan plan = rules.project().plan(input.plan());
         if (plan == null) {
             return Optional.of("There is no plan '" + input.plan() + "'");
@@ -44,10 +55,34 @@ public final class MissionStart {
         if (wrong.isPresent()) {
             return wrong;
         }
+        if (marking.isPresent()) {
+            wrong = marking.get().wrong(plan.plan, rules.state.proxies).or(parameters::takeDefaults);
+            if (wrong.isPresent()) {
+                return wrong;
+            }
+        }
         Mission m = make(plan, input.name(), null, null);
         parameters.variables().forEach((name, value) -> rules.variables.write(m, name, value));
-        ask(m, parameters);
+        if (marking.isPresent()) {
+            m.parameters = parameters.given();
+            begin(m, () -> enter(m, marking.get()));
+        } else {
+            ask(m, parameters);
+        }
         return Optional.empty();
+    }
+
+    private void enter(Mission m, StartMarking marking) {
+        for (StartMarking.Tokens at : marking.places()) {
+            List<Token> tokens = new ArrayList<>(Collections.nCopies(at.generic(), Token.GENERIC));
+            at.proxies().forEach(p -> tokens.add(new Token.Proxy(p)));
+            at.tasks().forEach(t -> tokens.add(new Token.Task(m.taskId(t))));
+            for (CompiledPlace place : m.plan.places) {
+                if (place.id().equals(at.place())) {
+                    enter(m, place, tokens);
+                }
+            }
+        }
     }
 
     /** Makes a mission with its tasks and variables; nothing stands in its places yet. */
@@ -86,21 +121,31 @@ public final class MissionStart {
 
     /** All parameters are known: constants, static instances, start marking. */
     public void begin(Mission m) {
+        begin(m, () -> {
+            if (m.instance == null) {
+                enter(m, rootTokens(m));
+            } else {
+                List<List<Token>> waiting = m.waiting;
+                m.waiting = List.of();
+                waiting.forEach(tokens -> enter(m, tokens));
+            }
+        });
+    }
+
+    private void begin(Mission m, Runnable startMarking) {
         m.status = MissionStatus.RUNNING;
         writeConstants(m);
         rules.sharedInstances.start(m);
-        if (m.instance == null) {
-            enter(m, rootTokens(m));
-        } else {
-            List<List<Token>> waiting = m.waiting;
-            m.waiting = List.of();
-            waiting.forEach(tokens -> enter(m, tokens));
-        }
+        startMarking.run();
     }
 
     /** Tokens, or nobody, enter the start place. */
     public void enter(Mission m, List<Token> tokens) {
-        Visit v = rules.visits.begin(m.place(m.plan.start.index), tokens);
+        enter(m, m.plan.start, tokens);
+    }
+
+    private void enter(Mission m, CompiledPlace place, List<Token> tokens) {
+        Visit v = rules.visits.begin(m.place(place.index), tokens);
         rules.activating.activate(v, false);
         rules.subMissions.entered(v);
         rules.work.entered(v.place);

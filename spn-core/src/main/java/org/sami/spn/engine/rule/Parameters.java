@@ -81,6 +81,20 @@ final class Parameters {
         return Optional.empty();
     }
 
+    /** Gives what was not given its default; which has none, in words. */
+    Optional<String> takeDefaults() {
+        for (CompiledPlan.AskedField f : plan.asked) {
+            if (!given.containsKey(f.key())) {
+                if (f.source().defaultValue().isEmpty()) {
+                    return Optional.of("The plan '" + plan.plan.name() + "' asks for '" + f.key()
+                            + "' at its start: it has no default, so a value must be given");
+                }
+                given.put(f.key(), f.source().defaultValue().get());
+            }
+        }
+        return Optional.empty();
+    }
+
     /** Values by {@code eventId.field}: given ones and locked ones. */
     Map<String, Value> given() {
         return given;

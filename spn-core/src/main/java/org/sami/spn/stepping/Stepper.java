@@ -1,0 +1,370 @@
+package org.sami.spn.stepping;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalLong;
+import org.sami.spn.engine.Engine;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.engine.Explanation;
+import org.sami.spn.engine.StateCodec;
+import org.sami.spn.model.TestCase;
+import org.sami.spn.model.TestStep;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Answerer;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.NoteKind;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Outcome;
+import org.sami.spn.protocol.StartMarking;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+
+/**
+ * Tries one plan step by step on the engine itself, forwards and back. Each step keeps a copy of the state before it, so a
+ * stepper is for runs of people's length. Steps that cannot be taken change nothing and say why. Used by one thread at a
+ * time.
+ */
+public final class Stepper {
+    /** One step on the way here: how it was before, what was done, and how a test case says that. */
+    private record Past(Moment before, TakenStep taken, TestStep recorded, Optional<String> notRecorded) {}
+
+    private final Engine engine;
+    private final String plan;
+    private final List<String> proxies;
+    private final boolean fromItsStart;
+    private final List<Effect> startEffects = new ArrayList<>();
+    private final List<Past> past = new ArrayList<>();
+    private Moment now;
+
+    private Stepper(Engine engine, String plan, List<String> proxies, boolean fromItsStart) {
+        this.engine = Objects.requireNonNull(engine, "engine");
+        this.plan = Objects.requireNonNull(plan, "plan");
+        this.proxies = List.copyOf(proxies);
+        this.fromItsStart = fromItsStart;
+        this.now = new Moment(engine.newState());
+        this.proxies.forEach(p -> run(new Input.ProxyJoined(p), startEffects));
+    }
+
+    /**
+     * Starts a plan of the engine's project from its start place. What it asks at its start is an open decision then.
+     *
+     * @param plan its id
+     * @param name of the mission
+     * @param proxies the robots known at the start
+     * @throws IllegalArgumentException with the reason if the plan cannot start
+     */
+    public static Stepper start(Engine engine, String plan, String name, List<String> proxies) {
+        Stepper stepper = new Stepper(engine, plan, proxies, true);
+        stepper.run(new Input.StartMission(plan, name, Map.of()), stepper.startEffects);
+        rejection(stepper.startEffects).ifPresent(reason -> {
+            throw new IllegalArgumentException(reason);
+        });
+        return stepper;
+    }
+
+    /**
+     * Starts a plan from a marking of one's own, such as the middle of it. What it asks at its start and is not given has its
+     * default.
+     *
+     * @param parameters as in {@link Input.StartMission}
+     * @throws IllegalArgumentException with the reason if the plan cannot start so
+     */
+    public static Stepper startAt(
+            Engine engine,
+            String plan,
+            String name,
+            List<String> proxies,
+            StartMarking marking,
+            Map<String, Value> parameters) {
+        Stepper stepper = new Stepper(engine, plan, proxies, false);
+        engine.startAt(stepper.now.state, 0, new Input.StartMission(plan, name, parameters), marking, effect -> {
+                    stepper.startEffects.add(effect);
+                    stepper.now.saw(effect);
+                })
+                .ifPresent(reason -> {
+                    throw new IllegalArgumentException(reason);
+                });
+        return stepper;
+    }
+
+    // ---- Steps
+
+    /**
+     * Takes a step as a test case says it. An expectation is a step that changes nothing, and is refused where it is not so.
+     */
+    public TakenStep take(TestStep step) {
+        if (step instanceof TestStep.Answer s) {
+            Optional<Decision> decision = meaning().decision(s.event());
+            return decision.isEmpty()
+                    ? refused("nothing is asked of the operator by \"" + s.event() + "\"")
+                    : step(meaning().answer(s.reply(), decision.get()), s);
+        } else if (step instanceof TestStep.Occur s) {
+            return occur(s);
+        } else if (step instanceof TestStep.Press s) {
+            return step(new Input.Interrupt(Ids.NONE, s.interrupt(), s.proxies()), s);
+        } else if (step instanceof TestStep.Join s) {
+            return step(new Input.ProxyJoined(s.proxy()), s);
+        } else if (step instanceof TestStep.Drop s) {
+            return step(new Input.ProxyDropped(s.proxy(), now.mission), s);
+        } else if (step instanceof TestStep.Advance s) {
+            return advance(s.millis());
+        } else if (step instanceof TestStep.ExpectTokens s) {
+            return expect(s, expectations().tokens(s));
+        }
+        return expect(step, expectations().ended());
+    }
+
+    private TakenStep occur(TestStep.Occur s) {
+        if (s.answers().isEmpty()) {
+            return step(meaning().news(s), s);
+        }
+        Optional<Activation> asked = meaning().activation(s);
+        return asked.isEmpty()
+                ? refused("\"" + s.answers() + "\" has asked for nothing that " + s.type() + " could answer")
+                : step(meaning().answer(s, asked.get()), s);
+    }
+
+    private TakenStep expect(TestStep step, Optional<String> difference) {
+        return difference.isPresent()
+                ? refused(difference.get())
+                : taken(now.copy(), List.of(), step, Optional.empty());
+    }
+
+    /** The operator answers an open decision. */
+    public TakenStep answer(long decision, Answer answer) {
+        Optional<Decision> open =
+                view().decisions().stream().filter(d -> d.id() == decision).findFirst();
+        if (open.isEmpty()) {
+            return refused("the decision " + decision + " is not open");
+        }
+        String event = meaning().eventOf(open.get());
+        Optional<String> other =
+                meaning().decision(event).filter(d -> d.id() == decision).isPresent()
+                        ? Optional.empty()
+                        : Optional.of("it answers another than the oldest open decision of \"" + event + "\"");
+        return step(
+                new Input.AnswerDecision(decision, answer, Answerer.OPERATOR),
+                new TestStep.Answer(event, StepMeaning.reply(answer)),
+                other);
+    }
+
+    /** An input event answers an activation whose visit has not ended, as a handler would. */
+    public TakenStep occur(
+            long activation, String type, List<String> robots, List<TaskId> tasks, Map<String, Value> values) {
+        Optional<Activation> open = view().openActivations().stream()
+                .filter(a -> a.id() == activation)
+                .findFirst();
+        if (open.isEmpty()) {
+            return refused("the activation " + activation + " is not open: nothing waits for " + type);
+        }
+        TestStep.Occur said = new TestStep.Occur(type, open.get().event(), robots, names(tasks), values);
+        Optional<String> other =
+                meaning().activation(said).filter(a -> a.id() == activation).isPresent()
+                        ? ofAnotherMission(tasks)
+                        : Optional.of("of the open activations of \""
+                                + open.get().event() + "\" it answers another than a test case would");
+        return step(new Input.Received(Occurrence.answer(type, open.get(), robots, tasks, values)), said, other);
+    }
+
+    /** An input event arrives that answers nothing. */
+    public TakenStep news(String type, List<String> robots, List<TaskId> tasks, Map<String, Value> values) {
+        TestStep.Occur said = new TestStep.Occur(type, "", robots, names(tasks), values);
+        long about = tasks.isEmpty() ? Ids.NONE : tasks.get(0).mission();
+        Occurrence occurrence = new Occurrence(type, about, Ids.NONE, robots, tasks, values);
+        return step(new Input.Received(occurrence), said, ofAnotherMission(tasks));
+    }
+
+    private Optional<String> ofAnotherMission(List<TaskId> tasks) {
+        return tasks.stream()
+                .filter(task -> task.mission() != now.mission)
+                .findFirst()
+                .map(task -> "it names the task \"" + task.name() + "\" of a sub-mission");
+    }
+
+    private static List<String> names(List<TaskId> tasks) {
+        return tasks.stream().map(TaskId::name).toList();
+    }
+
+    /** Lets time pass: what is due runs down, each at its own time. */
+    public TakenStep advance(long millis) {
+        TestStep.Advance said = new TestStep.Advance(millis);
+        Moment before = now.copy();
+        List<Effect> effects = new ArrayList<>();
+        long until = now.nowMillis + millis;
+        OptionalLong due = view().nextDueMillis();
+        while (due.isPresent() && due.getAsLong() < until) {
+            now.nowMillis = Math.max(now.nowMillis, due.getAsLong());
+            run(new Input.TimeReached(), effects);
+            due = view().nextDueMillis();
+        }
+        now.nowMillis = until;
+        run(new Input.TimeReached(), effects);
+        return taken(before, effects, said, Optional.empty());
+    }
+
+    /** Lets time pass until the next timer or deadline runs down; refused where none runs. */
+    public TakenStep advanceToNextTimer() {
+        OptionalLong due = view().nextDueMillis();
+        return due.isEmpty()
+                ? refused("no timer runs and no decision has a deadline")
+                : advance(Math.max(0, due.getAsLong() - now.nowMillis));
+    }
+
+    private TakenStep step(Input input, TestStep said) {
+        return step(input, said, Optional.empty());
+    }
+
+    private TakenStep step(Input input, TestStep said, Optional<String> notRecorded) {
+        Moment before = now.copy();
+        List<Effect> effects = new ArrayList<>();
+        run(input, effects);
+        Optional<String> rejection = rejection(effects);
+        if (rejection.isPresent()) {
+            now = before;
+            return refused(rejection.get());
+        }
+        return taken(before, effects, said, notRecorded);
+    }
+
+    /** Why the engine changed nothing. Where it says so of a part only, the step was taken. */
+    private static Optional<String> rejection(List<Effect> effects) {
+        boolean nothingElse = effects.stream().allMatch(Effect.Noted.class::isInstance);
+        return effects.stream()
+                .filter(e -> nothingElse && e instanceof Effect.Noted n && n.kind() == NoteKind.REJECTED_INPUT)
+                .map(e -> ((Effect.Noted) e).message())
+                .findFirst();
+    }
+
+    private void run(Input input, List<Effect> effects) {
+        engine.step(now.state, now.nowMillis, input, effect -> {
+            effects.add(effect);
+            now.saw(effect);
+        });
+    }
+
+    private TakenStep taken(Moment before, List<Effect> effects, TestStep said, Optional<String> notRecorded) {
+        TakenStep taken = new TakenStep(past.size() + 1, effects, Optional.empty());
+        past.add(new Past(before, taken, said, notRecorded));
+        return taken;
+    }
+
+    private TakenStep refused(String reason) {
+        return new TakenStep(past.size(), List.of(), Optional.of(reason));
+    }
+
+    /**
+     * Undoes the last steps: everything is as it was before them.
+     *
+     * @throws IllegalArgumentException if fewer steps were taken
+     */
+    public void back(int steps) {
+        if (steps < 0 || steps > past.size()) {
+            throw new IllegalArgumentException("There are " + past.size() + " steps to go back, not " + steps);
+        }
+        for (int i = 0; i < steps; i++) {
+            now = past.remove(past.size() - 1).before();
+        }
+    }
+
+    // ---- Questions
+
+    /** The steps taken, in order, without those that were refused or undone. */
+    public List<TakenStep> steps() {
+        return past.stream().map(Past::taken).toList();
+    }
+
+    /** What the start did. */
+    public List<Effect> startEffects() {
+        return List.copyOf(startEffects);
+    }
+
+    /** What can happen now. */
+    public Possible possible() {
+        return Possible.of(view(), engine.vocabulary());
+    }
+
+    /** Why a transition of the tried mission, or of an instance in it, cannot fire now. */
+    public Explanation whyNot(long mission, String transition) {
+        return view().whyNotEnabled(mission, transition);
+    }
+
+    /** Any other question about the present state; valid until the next step. */
+    public EngineView view() {
+        return engine.view(now.state);
+    }
+
+    /** The mission that is tried. */
+    public long mission() {
+        return now.mission;
+    }
+
+    /** How the mission ended; empty while it goes on. */
+    public Optional<Outcome> outcome() {
+        return now.outcome;
+    }
+
+    /** The time that has passed since the start, in milliseconds. */
+    public long nowMillis() {
+        return now.nowMillis;
+    }
+
+    /** The whole state as bytes: equal ones go on alike. */
+    public byte[] stateBytes() {
+        return StateCodec.encode(now.state);
+    }
+
+    // ---- Recording
+
+    /** Records that a place has the tokens that stand there now. */
+    public TakenStep expectTokens(String place) {
+        return engine.project().plan(plan).flatMap(p -> p.place(place)).isEmpty()
+                ? refused("the plan \"" + plan + "\" has no place \"" + place + "\"")
+                : take(expectations().found(place));
+    }
+
+    /** Records that the mission has ended by entering an end place. */
+    public TakenStep expectEnded() {
+        return take(new TestStep.ExpectEnded());
+    }
+
+    /** Why the steps cannot be saved as a test case, naming the step; empty where they can. */
+    public Optional<String> whyNotATestCase() {
+        if (!fromItsStart) {
+            return Optional.of("a test case begins at the plan's start place, and this began at a marking of its own");
+        }
+        for (int i = 0; i < past.size(); i++) {
+            Optional<String> reason = past.get(i).notRecorded();
+            if (reason.isPresent()) {
+                return Optional.of("step " + (i + 1) + " cannot be said in a test case: " + reason.get());
+            }
+        }
+        return Optional.empty();
+    }
+
+    /**
+     * The steps taken as a test case, to be saved with the plan.
+     *
+     * @throws IllegalStateException with {@link #whyNotATestCase} if they cannot be saved
+     */
+    public TestCase testCase(String name) {
+        whyNotATestCase().ifPresent(reason -> {
+            throw new IllegalStateException(reason);
+        });
+        return new TestCase(name, proxies, past.stream().map(Past::recorded).toList());
+    }
+
+    private StepMeaning meaning() {
+        return new StepMeaning(now, view());
+    }
+
+    private Expectations expectations() {
+        return new Expectations(now, view());
+    }
+}
