@@ -10,8 +10,8 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.sami.spn.engine.EnablingExplanation;
 import org.sami.spn.engine.EngineView;
-import org.sami.spn.engine.Explanation;
 import org.sami.spn.engine.InterruptButton;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.host.EngineFunction;
@@ -159,7 +159,7 @@ final class ScriptedEngine implements EngineFunction, EngineView {
     }
 
     @Override
-    public Explanation whyNotEnabled(long mission, String transition) {
-        return new Explanation(true, List.of());
+    public EnablingExplanation whyNotEnabled(long mission, String transition) {
+        return new EnablingExplanation(true, List.of());
     }
 }

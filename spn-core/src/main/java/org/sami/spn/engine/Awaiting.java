@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.Optional;
 import org.sami.spn.engine.net.CompiledInput;
 import org.sami.spn.engine.net.CompiledPlace;
-import org.sami.spn.engine.state.Entry;
 import org.sami.spn.engine.state.Instance;
 import org.sami.spn.engine.state.NetState;
 import org.sami.spn.engine.state.PlaceState;
-import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.PlacedToken;
+import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.SharedRun;
 import org.sami.spn.engine.state.TransitionState;
 import org.sami.spn.engine.state.Visit;
@@ -55,7 +55,7 @@ final class Awaiting {
             if (!List.of(t.transition.inPlaces).contains(v.place.place)) {
                 continue;
             }
-            for (Sent sent : v.sent) {
+            for (SentActivation sent : v.sent) {
                 if (answers(sent, input)) {
                     Optional<String> answered = answered(sent, t);
                     if (answered.isEmpty()) {
@@ -68,12 +68,12 @@ final class Awaiting {
         return over;
     }
 
-    private boolean answers(Sent sent, CompiledInput input) {
+    private boolean answers(SentActivation sent, CompiledInput input) {
         return sent.output.type.map(EventType::answers).orElse(List.of()).stream()
                 .anyMatch(answer -> state.project.knownTypeId(answer) == input.typeId);
     }
 
-    private static Optional<String> answered(Sent sent, TransitionState t) {
+    private static Optional<String> answered(SentActivation sent, TransitionState t) {
         String place = "'" + sent.visit.place.place + "'";
         if (hasNobodyLeft(sent, t)) {
             return Optional.of("whom " + place + " asked is there no longer");
@@ -88,17 +88,17 @@ final class Awaiting {
     }
 
     /** Whether it asked robots or tasks of which none stands where its answer is for the transition (SEMANTICS, Input events). */
-    private static boolean hasNobodyLeft(Sent sent, TransitionState t) {
+    private static boolean hasNobodyLeft(SentActivation sent, TransitionState t) {
         boolean asksTokens = sent.output.type.map(EventType::tokens).orElse(TokenNeed.NONE) != TokenNeed.NONE;
         List<Token> asked = sent.activation.tokens().stream()
-                .filter(token -> Entry.kindOf(token) != Entry.GENERIC)
+                .filter(token -> PlacedToken.kindOf(token) != PlacedToken.GENERIC)
                 .toList();
         return asksTokens
                 && !asked.isEmpty()
                 && asked.stream().noneMatch(token -> sent.visit.has(token) || standsInAnother(token, sent, t));
     }
 
-    private static boolean standsInAnother(Token token, Sent sent, TransitionState t) {
+    private static boolean standsInAnother(Token token, SentActivation sent, TransitionState t) {
         for (CompiledPlace place : t.transition.inPlaces) {
             PlaceState here = t.mission.places[place.index];
             if (here != null && here != sent.visit.place && here.find(token) != null) {

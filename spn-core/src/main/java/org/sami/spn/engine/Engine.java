@@ -7,10 +7,10 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.spn.engine.net.CompiledProject;
 import org.sami.spn.engine.rule.Rules;
-import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.NetState;
 import org.sami.spn.engine.state.OpenDecision;
-import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
@@ -143,7 +143,7 @@ public final class Engine {
             mission = open == null ? Ids.NONE : open.decision.mission();
             refused = rules.decisions.answer(answer);
         } else if (input instanceof Input.Interrupt press) {
-            rules.presses.interrupt(press);
+            rules.interrupts.interrupt(press);
         } else if (input instanceof Input.AbortMission abort) {
             refused = stop(rules, abort.mission(), true);
         } else if (input instanceof Input.CompleteMission complete) {
@@ -151,7 +151,7 @@ public final class Engine {
         } else if (input instanceof Input.ProxyJoined joined) {
             rules.state.proxies.add(joined.proxy());
         } else if (input instanceof Input.ProxyDropped dropped) {
-            refused = rules.drops.drop(dropped);
+            refused = rules.robotRemoval.drop(dropped);
         } else if (input instanceof Input.AllocateTasks tasks) {
             rules.allocation.allocate(tasks.allocation(), Priority.MEDIUM);
         } else if (input instanceof Input.AddTasks tasks) {
@@ -159,7 +159,7 @@ public final class Engine {
         } else if (input instanceof Input.SetVariable write) {
             refused = set(rules, write);
         } else if (input instanceof Input.HandlerFailed failed) {
-            Sent sent = rules.state.sent.get(failed.activation());
+            SentActivation sent = rules.state.sent.get(failed.activation());
             rules.note(
                     NoteKind.HANDLER_FAILED,
                     sent == null ? Ids.NONE : sent.activation.mission(),
@@ -179,27 +179,27 @@ public final class Engine {
 
     private static Optional<String> stop(Rules rules, long id, boolean abort) {
         if (id == Ids.NONE && abort) {
-            for (Mission m : List.copyOf(rules.state.missions.values())) {
+            for (MissionState m : List.copyOf(rules.state.missions.values())) {
                 if (m.parent == null) {
-                    rules.presses.abort(m);
+                    rules.interrupts.abort(m);
                 }
             }
             return Optional.empty();
         }
-        Mission m = rules.state.missions.get(id);
+        MissionState m = rules.state.missions.get(id);
         if (m == null) {
             return Optional.of("There is no running mission " + id);
         }
         if (abort) {
-            rules.presses.abort(m);
+            rules.interrupts.abort(m);
         } else {
-            rules.presses.complete(m);
+            rules.interrupts.complete(m);
         }
         return Optional.empty();
     }
 
     private static Optional<String> set(Rules rules, Input.SetVariable write) {
-        Mission m = rules.state.missions.get(write.mission());
+        MissionState m = rules.state.missions.get(write.mission());
         if (m == null && write.mission() != Ids.NONE) {
             return Optional.of("There is no running mission " + write.mission());
         }
@@ -215,7 +215,7 @@ public final class Engine {
             rules.state.memory.put(remember.key(), remember.value());
             return Optional.empty();
         }
-        Mission m = rules.state.missions.get(remember.mission());
+        MissionState m = rules.state.missions.get(remember.mission());
         if (m == null) {
             return Optional.of(
                     "There is no running mission " + remember.mission() + " to remember '" + remember.key() + "' for");

@@ -1,7 +1,7 @@
 package org.sami.spn.engine;
 
-import org.sami.spn.engine.codec.StateReader;
-import org.sami.spn.engine.codec.StateWriter;
+import org.sami.spn.engine.codec.StateDecoder;
+import org.sami.spn.engine.codec.StateEncoder;
 import org.sami.spn.engine.rule.Rules;
 import org.sami.spn.engine.state.NetState;
 
@@ -19,7 +19,7 @@ public final class EngineState {
 
     /** An independent state that behaves in the same way for all further inputs. */
     public EngineState copy() {
-        return new EngineState(new StateReader(new StateWriter().write(net)).read(net.project));
+        return new EngineState(new StateDecoder(new StateEncoder().write(net)).read(net.project));
     }
 
     /** How many firings there were in the session. */

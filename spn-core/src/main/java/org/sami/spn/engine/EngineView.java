@@ -68,5 +68,5 @@ public interface EngineView {
     OptionalLong nextDueMillis();
 
     /** Why a transition of a running mission cannot fire now, in words. */
-    Explanation whyNotEnabled(long mission, String transition);
+    EnablingExplanation whyNotEnabled(long mission, String transition);
 }

@@ -1,7 +1,7 @@
 package org.sami.spn.engine;
 
-import org.sami.spn.engine.codec.StateReader;
-import org.sami.spn.engine.codec.StateWriter;
+import org.sami.spn.engine.codec.StateDecoder;
+import org.sami.spn.engine.codec.StateEncoder;
 
 /**
  * The whole state of an engine as bytes, exact: what is decoded behaves in the same way for all further inputs. The form is
@@ -12,7 +12,7 @@ public final class StateCodec {
 
     /** A state as bytes; between two steps only. */
     public static byte[] encode(EngineState state) {
-        return new StateWriter().write(state.net);
+        return new StateEncoder().write(state.net);
     }
 
     /**
@@ -23,7 +23,7 @@ public final class StateCodec {
      */
     public static EngineState decode(byte[] bytes, Engine engine) {
         try {
-            StateReader reader = new StateReader(bytes);
+            StateDecoder reader = new StateDecoder(bytes);
             EngineState state = new EngineState(reader.read(engine.compiled()));
             if (reader.leavesReturnsUntold()) {
                 state.rules().pendings.tellUnused();

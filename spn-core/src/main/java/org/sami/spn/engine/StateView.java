@@ -8,14 +8,14 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.spn.engine.net.CompiledInput;
 import org.sami.spn.engine.net.CompiledTransition;
+import org.sami.spn.engine.rule.Interrupts;
 import org.sami.spn.engine.rule.MissionStart;
-import org.sami.spn.engine.rule.Presses;
 import org.sami.spn.engine.rule.Routing;
-import org.sami.spn.engine.state.Entry;
-import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.NetState;
 import org.sami.spn.engine.state.PlaceState;
-import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.PlacedToken;
+import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.TaskState;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.model.Plan;
@@ -48,7 +48,7 @@ final class StateView implements EngineView {
         return Optional.ofNullable(state.missions.get(id)).map(StateView::view);
     }
 
-    private static MissionView view(Mission m) {
+    private static MissionView view(MissionState m) {
         Map<String, List<Token>> marking = new LinkedHashMap<>();
         for (PlaceState place : m.places) {
             if (place != null && place.total() > 0) {
@@ -71,11 +71,11 @@ final class StateView implements EngineView {
     @Override
     public List<Effect> markingAsEffects() {
         List<Effect> effects = new ArrayList<>();
-        for (Mission m : state.missions.values()) {
+        for (MissionState m : state.missions.values()) {
             effects.add(MissionStart.started(m));
             for (Visit v = m.firstVisit(); v != null; v = v.next) {
                 List<Token> tokens = new ArrayList<>(v.live);
-                for (Entry e = v.first; e != null; e = e.nextOfVisit) {
+                for (PlacedToken e = v.first; e != null; e = e.nextOfVisit) {
                     tokens.add(e.token);
                 }
                 effects.add(new Effect.Entered(m.id, v.place.place.id(), v.id, tokens));
@@ -97,7 +97,7 @@ final class StateView implements EngineView {
     @Override
     public List<InterruptButton> interrupts() {
         List<InterruptButton> buttons = new ArrayList<>();
-        for (Mission m : state.missions.values()) {
+        for (MissionState m : state.missions.values()) {
             if (m.runs()) {
                 addButtons(m, buttons);
             }
@@ -105,20 +105,20 @@ final class StateView implements EngineView {
         return buttons;
     }
 
-    private static void addButtons(Mission m, List<InterruptButton> buttons) {
+    private static void addButtons(MissionState m, List<InterruptButton> buttons) {
         Map<String, Boolean> names = new LinkedHashMap<>();
         for (CompiledTransition t : m.plan.transitions) {
             for (CompiledInput input : t.inputs) {
                 if (input.role == EventRole.INTERRUPT) {
-                    names.merge(Presses.nameOf(input), t.speaksOfRelevant, Boolean::logicalOr);
+                    names.merge(Interrupts.nameOf(input), t.speaksOfRelevant, Boolean::logicalOr);
                 }
             }
         }
         for (Visit v = m.firstVisit(); v != null; v = v.next) {
-            for (Sent sent : v.sent) {
-                if (sent.open && Presses.isInterrupt(sent.output.role)) {
+            for (SentActivation sent : v.sent) {
+                if (sent.open && Interrupts.isInterrupt(sent.output.role)) {
                     names.merge(
-                            Presses.nameOf(sent), sent.output.role == EventRole.PROXY_INTERRUPT, Boolean::logicalOr);
+                            Interrupts.nameOf(sent), sent.output.role == EventRole.PROXY_INTERRUPT, Boolean::logicalOr);
                 }
             }
         }
@@ -138,7 +138,7 @@ final class StateView implements EngineView {
     @Override
     public Map<TaskId, String> allocation() {
         Map<TaskId, String> result = new LinkedHashMap<>();
-        for (Mission m : state.missions.values()) {
+        for (MissionState m : state.missions.values()) {
             for (TaskState task : m.tasks.values()) {
                 if (!task.proxy().isEmpty()) {
                     result.put(task.id, task.proxy());
@@ -160,8 +160,8 @@ final class StateView implements EngineView {
         return names;
     }
 
-    private static void addNames(Mission owner, TaskState owned, List<TaskId> names) {
-        for (Mission child : owner.children.values()) {
+    private static void addNames(MissionState owner, TaskState owned, List<TaskId> names) {
+        for (MissionState child : owner.children.values()) {
             for (TaskState task : child.tasks.values()) {
                 if (task.original != null && task.owned() == owned) {
                     names.add(task.id);
@@ -187,7 +187,7 @@ final class StateView implements EngineView {
     @Override
     public boolean awaits(String inputEvent) {
         int type = state.project.knownTypeId(inputEvent);
-        for (Mission m : state.attentive(type).values()) {
+        for (MissionState m : state.attentive(type).values()) {
             if (m.runs()) {
                 for (CompiledTransition t : m.plan.waitingFor(type)) {
                     if (Routing.isAttentive(m, t)) {
@@ -204,7 +204,7 @@ final class StateView implements EngineView {
         if (mission == Ids.NONE) {
             return Optional.ofNullable(state.memory.get(key));
         }
-        Mission m = state.missions.get(mission);
+        MissionState m = state.missions.get(mission);
         return m == null ? Optional.empty() : Optional.ofNullable(m.memory.get(key));
     }
 
@@ -225,7 +225,7 @@ final class StateView implements EngineView {
     }
 
     @Override
-    public Explanation whyNotEnabled(long mission, String transition) {
+    public EnablingExplanation whyNotEnabled(long mission, String transition) {
         return new WhyNot(whole).explain(mission, transition);
     }
 }

@@ -8,16 +8,16 @@ import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledTransition;
 import org.sami.spn.engine.net.Reach;
 import org.sami.spn.engine.rule.Combinations;
-import org.sami.spn.engine.rule.Relevant;
+import org.sami.spn.engine.rule.FiringScope;
+import org.sami.spn.engine.rule.RelevantTokens;
 import org.sami.spn.engine.rule.Rules;
-import org.sami.spn.engine.rule.Scope;
 import org.sami.spn.engine.rule.SubMissions;
-import org.sami.spn.engine.state.Entry;
-import org.sami.spn.engine.state.Mission;
-import org.sami.spn.engine.state.Name;
+import org.sami.spn.engine.state.MissionState;
+import org.sami.spn.engine.state.NamedToken;
 import org.sami.spn.engine.state.NetState;
-import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.TransitionState;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.TokenKind;
@@ -36,8 +36,8 @@ final class WhyNot {
         this.awaiting = new Awaiting(state.net);
     }
 
-    Explanation explain(long mission, String transition) {
-        Mission m = state.missions.get(mission);
+    EnablingExplanation explain(long mission, String transition) {
+        MissionState m = state.missions.get(mission);
         if (m == null) {
             return no("Mission " + mission + " is not running.");
         }
@@ -54,7 +54,7 @@ final class WhyNot {
         return explain(m.transition(t.index));
     }
 
-    private Explanation explain(TransitionState t) {
+    private EnablingExplanation explain(TransitionState t) {
         List<String> reasons = new ArrayList<>();
         for (CompiledInput input : t.transition.inputs) {
             if (t.queues[input.index].size == 0) {
@@ -64,13 +64,13 @@ final class WhyNot {
                                 .orElse(", which has not been received."));
             }
         }
-        List<Pending> received = new ArrayList<>();
+        List<PendingOccurrence> received = new ArrayList<>();
         for (TransitionState.Queue q : t.queues) {
             if (q.first != null) {
                 received.add(q.first);
             }
         }
-        Scope scope = Scope.of(t.transition.reach(), received);
+        FiringScope scope = FiringScope.of(t.transition.reach(), received);
         List<String> subMissions = new ArrayList<>();
         for (CompiledPlace place : t.transition.inPlaces) {
             if (scope.reach != Reach.ALL && !rules.enabling.isReady(t, place, scope)) {
@@ -85,7 +85,7 @@ final class WhyNot {
         if (scope.reach == Reach.FREE && t.transition.wantsSubTokens && !rules.enabling.somethingReturned(t, scope)) {
             reasons.add("It waits for what a sub-mission brings back.");
         }
-        Relevant relevant = Relevant.of(received);
+        RelevantTokens relevant = RelevantTokens.of(received);
         for (CompiledTransition.In in : t.transition.ins) {
             for (InRequirement r : in.requirements()) {
                 if (r.kind() == TokenKind.RELEVANT && received.isEmpty()) {
@@ -104,14 +104,15 @@ final class WhyNot {
                 reasons.add("The events that it has received do not name the same robots or tasks.");
             }
         }
-        return new Explanation(reasons.isEmpty(), reasons, awaiting.awaited(t), subMissions);
+        return new EnablingExplanation(reasons.isEmpty(), reasons, awaiting.awaited(t), subMissions);
     }
 
     private static String describe(CompiledInput input) {
         return input.selector == null ? "" : " '" + input.selector + "'";
     }
 
-    private String unmet(TransitionState t, CompiledPlace place, InRequirement r, Relevant relevant, Scope scope) {
+    private String unmet(
+            TransitionState t, CompiledPlace place, InRequirement r, RelevantTokens relevant, FiringScope scope) {
         PlaceState here = t.mission.places[place.index];
         String what = kind(r);
         int n = here == null ? 0 : rules.enabling.count(here, r, relevant, scope);
@@ -125,9 +126,9 @@ final class WhyNot {
         };
     }
 
-    private String missing(PlaceState here, Relevant relevant, Scope scope) {
+    private String missing(PlaceState here, RelevantTokens relevant, FiringScope scope) {
         List<Token> missing = new ArrayList<>();
-        for (Name n : relevant.names) {
+        for (NamedToken n : relevant.names) {
             boolean found = false;
             for (Token token : n.tokens) {
                 found |= here != null && rules.pool.copies(here, token, scope) > 0;
@@ -146,8 +147,8 @@ final class WhyNot {
             if (here == null) {
                 continue;
             }
-            for (Entry e : here.inOrder()) {
-                if (e.kind != Entry.GENERIC && !silent.contains(e.token) && !hasReported(t, e.token)) {
+            for (PlacedToken e : here.inOrder()) {
+                if (e.kind != PlacedToken.GENERIC && !silent.contains(e.token) && !hasReported(t, e.token)) {
                     silent.add(e.token);
                 }
             }
@@ -179,7 +180,7 @@ final class WhyNot {
         };
     }
 
-    private static Explanation no(String reason) {
-        return new Explanation(false, List.of(reason));
+    private static EnablingExplanation no(String reason) {
+        return new EnablingExplanation(false, List.of(reason));
     }
 }

@@ -14,7 +14,7 @@ final class Attachments {
     private static final String MARK = "mark";
 
     private final Connection connection;
-    private final Chain chain = new Chain();
+    private final HashChain chain = new HashChain();
 
     Attachments(Connection connection) {
         this.connection = connection;

@@ -14,7 +14,7 @@ final class EntryTable implements AutoCloseable {
     private static final int COLUMNS = 4;
     private static final int MANY = 32;
 
-    private final Chain chain = new Chain();
+    private final HashChain chain = new HashChain();
     private final PreparedStatement one;
     private final PreparedStatement many;
 

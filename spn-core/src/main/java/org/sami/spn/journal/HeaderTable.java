@@ -97,7 +97,7 @@ final class HeaderTable {
     }
 
     private static Checksum checksum(List<Row> rows) {
-        return new Chain()
+        return new HashChain()
                 .header(rows.stream()
                         .flatMap(row -> Arrays.stream(new String[] {row.kind, row.name, row.content}))
                         .toList());

@@ -18,7 +18,7 @@ import java.util.TreeSet;
 final class Scan {
     private final Path file;
     private final Connection connection;
-    private final Chain chain = new Chain();
+    private final HashChain chain = new HashChain();
     private final NavigableMap<Long, Checksum> snapshots = new TreeMap<>();
     private final NavigableMap<Long, Checksum> marks = new TreeMap<>();
     private NavigableSet<Long> snapshotIndexes = new TreeSet<>();

@@ -6,9 +6,9 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalLong;
+import org.sami.spn.engine.EnablingExplanation;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineView;
-import org.sami.spn.engine.Explanation;
 import org.sami.spn.engine.StateCodec;
 import org.sami.spn.model.TestCase;
 import org.sami.spn.model.TestStep;
@@ -291,7 +291,7 @@ public final class Stepper {
     }
 
     /** Why a transition of the tried mission, or of an instance in it, cannot fire now. */
-    public Explanation whyNot(long mission, String transition) {
+    public EnablingExplanation whyNot(long mission, String transition) {
         return view().whyNotEnabled(mission, transition);
     }
 

@@ -82,10 +82,10 @@ class WhyNotTest {
         asked.decide(new Answer.YesNo(true));
 
         assertThat(asked.view().whyNotEnabled(m, "yes"))
-                .isEqualTo(new Explanation(
+                .isEqualTo(new EnablingExplanation(
                         false, List.of("'gate' must have at least 1 generic tokens; there are 0."), List.of()));
         assertThat(asked.view().whyNotEnabled(m, "no"))
-                .isEqualTo(new Explanation(
+                .isEqualTo(new EnablingExplanation(
                         false,
                         List.of("It waits for No, which can come no longer: what 's' asked has been answered."),
                         List.of()));
@@ -131,7 +131,7 @@ class WhyNotTest {
         helped.news("News", "A");
 
         assertThat(helped.view().whyNotEnabled(m, "good"))
-                .isEqualTo(new Explanation(
+                .isEqualTo(new EnablingExplanation(
                         false,
                         List.of("It waits for CheckReturn 'good', which can come no longer: "
                                 + "the sub-mission on 's' is over."),

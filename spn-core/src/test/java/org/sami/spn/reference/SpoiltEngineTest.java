@@ -30,8 +30,8 @@ class SpoiltEngineTest {
                 arguments(
                         "timers are not cancelled",
                         "Timers.java",
-                        "for (Timer t : sent.timers) {",
-                        "for (Timer t : java.util.List.<Timer>of()) {"),
+                        "for (RunningTimer t : sent.timers) {",
+                        "for (RunningTimer t : java.util.List.<RunningTimer>of()) {"),
                 arguments(
                         "a visit by nobody does not end without input event",
                         "Firing.java",
@@ -39,17 +39,17 @@ class SpoiltEngineTest {
                         "(t.clears"),
                 arguments(
                         "who left is not struck from pending answers",
-                        "Pendings.java",
+                        "PendingOccurrences.java",
                         "if (t != null && t.pending > 0) {",
                         "if (t != null && t.pending < 0) {"),
                 arguments(
                         "an answer survives its visit",
-                        "Pendings.java",
+                        "PendingOccurrences.java",
                         "if (p.names.length == 0 && p.visit() == visit) {",
                         "if (p.names.length < 0 && p.visit() == visit) {"),
                 arguments(
                         "news are not replaced by newer ones",
-                        "Pendings.java",
+                        "PendingOccurrences.java",
                         "if (p.isNews() && !p.input.isPress()) {",
                         "if (p.isNews() && p.input.isPress()) {"),
                 arguments(
@@ -69,7 +69,7 @@ class SpoiltEngineTest {
                         ";"),
                 arguments(
                         "a robot that is pulled stays in grandchildren",
-                        "Drops.java",
+                        "RobotRemoval.java",
                         "rules.leaving.left(e, before, true);",
                         "rules.leaving.left(e, before, false);"),
                 arguments(
@@ -112,7 +112,7 @@ class SpoiltEngineTest {
                         "MissionEnd.java",
                         "if (outcome == Outcome.ABORTED) {",
                         "if (outcome == Outcome.HALTED) {"),
-                arguments("a dropped robot keeps its tasks", "Allocation.java", "task.allocate(\"\");", ";"),
+                arguments("a dropped robot keeps its tasks", "TaskAllocation.java", "task.allocate(\"\");", ";"),
                 arguments(
                         "interrupts leave commands in force",
                         "Firing.java",
@@ -150,7 +150,7 @@ class SpoiltEngineTest {
                         "place.place.id(), v.id + 1, tokens"),
                 arguments(
                         "a drop takes tokens without a word",
-                        "Drops.java",
+                        "RobotRemoval.java",
                         "rules.leaving.remove(removed);",
                         "removed.forEach(e -> e.place.remove(e));"),
                 arguments(

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.sami.spn.engine.EnablingExplanation;
 import org.sami.spn.engine.EngineView;
-import org.sami.spn.engine.Explanation;
 import org.sami.spn.engine.InterruptButton;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.model.InEdge;
@@ -65,7 +65,7 @@ final class StateText {
     }
 
     private void explain(PrintWriter out, MissionView mission, Transition transition) {
-        Explanation why = view.whyNotEnabled(mission.id(), transition.id());
+        EnablingExplanation why = view.whyNotEnabled(mission.id(), transition.id());
         String name = transition.name().isEmpty() ? transition.id() : transition.name();
         out.printf("    '%s' %s%n", name, why.yes() ? "can fire" : "cannot fire:");
         why.reasons().forEach(reason -> out.println("      " + reason));

@@ -10,8 +10,8 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.sami.crw.sim.report.Wait;
 import org.sami.crw.sim.report.Wait.BlockedTransition;
+import org.sami.spn.engine.EnablingExplanation;
 import org.sami.spn.engine.EngineView;
-import org.sami.spn.engine.Explanation;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InputEventSpec;
@@ -118,7 +118,7 @@ public final class BlockedPlaces {
             if (!edge.place().equals(place) || comesAtAnyTime(transition)) {
                 continue;
             }
-            Explanation why = view.whyNotEnabled(mission.id(), transition.id());
+            EnablingExplanation why = view.whyNotEnabled(mission.id(), transition.id());
             transitions.add(new BlockedTransition(EngineText.transition(plan, transition.id()), why.reasons()));
             if (why.awaitedSubMissions().contains(place)) {
                 running(mission, place).forEach(child -> events.add("the end of " + child));

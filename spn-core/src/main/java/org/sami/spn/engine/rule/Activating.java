@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 import org.sami.spn.engine.net.CompiledInput;
 import org.sami.spn.engine.net.CompiledOutput;
-import org.sami.spn.engine.state.Mission;
-import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.MissionState;
+import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.TaskState;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.model.FieldSource;
@@ -32,7 +32,7 @@ final class Activating {
     /** Activates the outputs of a place that was entered; nobody waits for answers where the mission ends. */
     void activate(Visit v, boolean ending) {
         for (CompiledOutput output : v.place.place.outputs) {
-            Sent sent = new Sent(resolve(v, output), v, output);
+            SentActivation sent = new SentActivation(resolve(v, output), v, output);
             if (!ending) {
                 v.sent.add(sent);
                 rules.state.sent.put(sent.activation.id(), sent);
@@ -43,7 +43,7 @@ final class Activating {
     }
 
     private Activation resolve(Visit v, CompiledOutput output) {
-        Mission m = v.place.mission;
+        MissionState m = v.place.mission;
         Map<String, Value> values = output.fixed;
         Map<TaskId, Map<String, Value>> taskValues = Map.of();
         if (!output.resolved.isEmpty()) {
@@ -75,7 +75,7 @@ final class Activating {
     }
 
     private void resolveField(
-            Mission m, CompiledOutput output, String field, FieldSource source, Map<String, Value> values) {
+            MissionState m, CompiledOutput output, String field, FieldSource source, Map<String, Value> values) {
         if (source instanceof FieldSource.Asked) {
             Value given = m.parameters.get(output.spec.id() + "." + field);
             if (given != null) {
@@ -121,8 +121,8 @@ final class Activating {
     }
 
     /** What the engine itself does for an activation. */
-    private void act(Sent sent, boolean ending) {
-        Mission m = sent.mission();
+    private void act(SentActivation sent, boolean ending) {
+        MissionState m = sent.mission();
         switch (sent.output.role) {
             case RETURN_VALUE ->
                 m.returnValue = sent.activation
@@ -132,11 +132,11 @@ final class Activating {
             case APPLY_ALLOCATION -> rules.allocation.apply(sent);
             case ABORT_MISSION -> {
                 rules.missionEnd.asked(m, Outcome.ABORTED);
-                rules.post(() -> rules.presses.abort(m));
+                rules.post(() -> rules.interrupts.abort(m));
             }
             case COMPLETE_MISSION -> {
                 rules.missionEnd.asked(m, Outcome.COMPLETED);
-                rules.post(() -> rules.presses.complete(m));
+                rules.post(() -> rules.interrupts.complete(m));
             }
             default -> {
                 if (!ending) {
@@ -146,7 +146,7 @@ final class Activating {
         }
     }
 
-    private void actOngoing(Sent sent) {
+    private void actOngoing(SentActivation sent) {
         switch (sent.output.role) {
             case TIMER, PROXY_TIMER -> rules.timers.start(sent);
             case GET_ALL_TOKENS ->
@@ -164,14 +164,14 @@ final class Activating {
     }
 
     /** The engine's own answer to an activation: routed like any other, for whoever moved on may still be waited for. */
-    void answer(Sent sent, EventRole role, List<String> proxies, List<TaskId> tasks) {
+    void answer(SentActivation sent, EventRole role, List<String> proxies, List<TaskId> tasks) {
         if (!sent.mission().ended) {
             rules.routing.route(Occurrence.answer(answerType(sent, role), sent.activation, proxies, tasks, Map.of()));
         }
     }
 
     /** The input event type with which the engine answers an activation in a role. */
-    String answerType(Sent sent, EventRole role) {
+    String answerType(SentActivation sent, EventRole role) {
         List<String> answers = sent.output.type.map(EventType::answers).orElse(List.of());
         for (String answer : answers) {
             if (rules.project()

@@ -3,14 +3,14 @@ package org.sami.spn.engine.rule;
 import java.util.ArrayList;
 import java.util.List;
 import org.sami.spn.engine.net.Reach;
-import org.sami.spn.engine.state.Name;
-import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.NamedToken;
+import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.TransitionState;
 
 /** Finds the earliest combination of pending occurrences that enables a transition (SEMANTICS, Input events). */
 public final class Combinations {
     /** Occurrences that enable a transition together. */
-    public record Found(List<Pending> used, Relevant relevant, Scope scope) {}
+    public record Found(List<PendingOccurrence> used, RelevantTokens relevant, FiringScope scope) {}
 
     private final Rules rules;
 
@@ -26,14 +26,14 @@ public final class Combinations {
             }
         }
         Reach reach = t.transition.reach();
-        if (!t.transition.checksReturns && !isPossible(t, Scope.of(reach))) {
+        if (!t.transition.checksReturns && !isPossible(t, FiringScope.of(reach))) {
             return null;
         }
         if (t.barrier != null) {
             return all(t, reach);
         }
         if (t.queues.length == 1) {
-            for (Pending p = t.queues[0].first; p != null; p = p.next) {
+            for (PendingOccurrence p = t.queues[0].first; p != null; p = p.next) {
                 Found found = attempt(t, List.of(p), reach);
                 if (found != null) {
                     return found;
@@ -45,15 +45,15 @@ public final class Combinations {
     }
 
     /** Whether the marking allows it, whatever occurrences it uses; returns that it checks bind it to other tokens. */
-    private boolean isPossible(TransitionState t, Scope scope) {
+    private boolean isPossible(TransitionState t, FiringScope scope) {
         return rules.enabling.isReady(t, scope) && rules.enabling.meetsPlain(t, scope);
     }
 
-    private Found search(TransitionState t, List<Pending> chosen, Reach reach) {
+    private Found search(TransitionState t, List<PendingOccurrence> chosen, Reach reach) {
         if (chosen.size() == t.queues.length) {
             return attempt(t, List.copyOf(chosen), reach);
         }
-        for (Pending p = t.queues[chosen.size()].first; p != null; p = p.next) {
+        for (PendingOccurrence p = t.queues[chosen.size()].first; p != null; p = p.next) {
             if (joins(chosen, p)) {
                 chosen.add(p);
                 Found found = search(t, chosen, reach);
@@ -67,26 +67,26 @@ public final class Combinations {
     }
 
     /** Those that name tokens must name the same ones; those that name none join with any, returns with those of their visit. */
-    private static boolean joins(List<Pending> chosen, Pending p) {
+    private static boolean joins(List<PendingOccurrence> chosen, PendingOccurrence p) {
         if (excluded(chosen, p)) {
             return false;
         }
         if (p.names.length == 0) {
             return true;
         }
-        for (Pending other : chosen) {
+        for (PendingOccurrence other : chosen) {
             if (other.names.length > 0) {
-                return Pendings.namesSame(other, p);
+                return PendingOccurrences.namesSame(other, p);
             }
         }
         return true;
     }
 
-    private static boolean excluded(List<Pending> chosen, Pending p) {
+    private static boolean excluded(List<PendingOccurrence> chosen, PendingOccurrence p) {
         if (p.told == null) {
             return false;
         }
-        for (Pending other : chosen) {
+        for (PendingOccurrence other : chosen) {
             if (other.told != null && p.told.excludes(other.told)) {
                 return true;
             }
@@ -99,7 +99,7 @@ public final class Combinations {
         if (t.barrier.isEmpty()) {
             return null;
         }
-        List<Pending> used = new ArrayList<>();
+        List<PendingOccurrence> used = new ArrayList<>();
         for (TransitionState.Queue q : t.queues) {
             if (q.naming > 0 && t.barrier.missing(q.first.input.index) > 0) {
                 return null;
@@ -107,7 +107,7 @@ public final class Combinations {
         }
         boolean somebody = false;
         for (TransitionState.Queue q : t.queues) {
-            for (Pending p = q.first; p != null; p = p.next) {
+            for (PendingOccurrence p = q.first; p != null; p = p.next) {
                 if ((p.names.length == 0 || stands(t, p)) && !excluded(used, p)) {
                     used.add(p);
                     somebody |= p.names.length > 0;
@@ -117,8 +117,8 @@ public final class Combinations {
         return somebody ? attempt(t, used, reach) : null;
     }
 
-    private static boolean stands(TransitionState t, Pending p) {
-        for (Name n : p.names) {
+    private static boolean stands(TransitionState t, PendingOccurrence p) {
+        for (NamedToken n : p.names) {
             for (int i = 0; i < n.tokens.length && !n.struck; i++) {
                 if (t.barrier.stands(n.tokens[i])) {
                     return true;
@@ -128,9 +128,9 @@ public final class Combinations {
         return false;
     }
 
-    private Found attempt(TransitionState t, List<Pending> used, Reach reach) {
-        Relevant relevant = Relevant.of(used);
-        Scope scope = Scope.of(reach, used);
+    private Found attempt(TransitionState t, List<PendingOccurrence> used, Reach reach) {
+        RelevantTokens relevant = RelevantTokens.of(used);
+        FiringScope scope = FiringScope.of(reach, used);
         return rules.enabling.isEnabled(t, relevant, scope) ? new Found(used, relevant, scope) : null;
     }
 }

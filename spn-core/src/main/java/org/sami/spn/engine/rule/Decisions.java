@@ -7,9 +7,9 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.spn.engine.net.CompiledOutput;
 import org.sami.spn.engine.state.Instance;
-import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.OpenDecision;
-import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Answer;
@@ -43,7 +43,7 @@ public final class Decisions {
     }
 
     /** An activation asks. */
-    public void open(Sent sent) {
+    public void open(SentActivation sent) {
         Question question = questions.of(sent);
         CompiledOutput output = sent.output;
         OptionalLong deadline = output.trigger == CompiledOutput.Trigger.TIMER
@@ -71,7 +71,7 @@ public final class Decisions {
     }
 
     /** A mission that starts asks for its parameters. */
-    public void openParameters(Mission m, Parameters parameters) {
+    public void openParameters(MissionState m, StartParameters parameters) {
         List<Question.Item> items = parameters.items();
         add(new OpenDecision(
                 own(m, "", "Parameters of " + m.name, new Question.FillIn(items), Questions.defaults(items)),
@@ -83,7 +83,7 @@ public final class Decisions {
     }
 
     /** An interrupt was pressed without saying for whom. */
-    public void openInterruptChoice(Mission m, String interrupt, List<String> candidates) {
+    public void openInterruptChoice(MissionState m, String interrupt, List<String> candidates) {
         Question question = new Question.ChooseProxies(candidates, 1, Integer.MAX_VALUE);
         add(new OpenDecision(
                 own(m, Decision.INTERRUPT + interrupt, "Whom is '" + interrupt + "' for?", question, Optional.empty()),
@@ -96,7 +96,7 @@ public final class Decisions {
 
     /** A child was aborted and no transition waits for that. */
     public void openAborted(Instance instance, String robots) {
-        Mission m = instance.place.mission;
+        MissionState m = instance.place.mission;
         String prompt = "The sub-mission on '" + instance.place.place + "' was aborted. Return " + robots
                 + " to the plan? Otherwise they stay there.";
         add(new OpenDecision(
@@ -145,7 +145,7 @@ public final class Decisions {
                 .findFirst();
     }
 
-    private Decision own(Mission m, String type, String prompt, Question question, Optional<Answer> automatic) {
+    private Decision own(MissionState m, String type, String prompt, Question question, Optional<Answer> automatic) {
         return new Decision(
                 ++rules.state.lastDecision,
                 m.id,
@@ -192,7 +192,7 @@ public final class Decisions {
         boolean mayReject = open.sent != null
                 && open.purpose == OpenDecision.Purpose.ACTIVATION
                 && !typeOf(open).rejected().isEmpty();
-        return Answers.wrong(open.decision.question(), answer, mayReject, rules.project().vocabulary);
+        return AnswerCheck.wrong(open.decision.question(), answer, mayReject, rules.project().vocabulary);
     }
 
     private static boolean namesNobody(OpenDecision open, Answer answer) {
@@ -233,12 +233,12 @@ public final class Decisions {
             case ACTIVATION -> occur(open, answer);
             case PARAMETERS -> {
                 Map<String, Value> values = new LinkedHashMap<>(open.mission.parameters);
-                values.putAll(Answers.values((Question.FillIn) open.decision.question(), (Answer.Fields) answer));
+                values.putAll(AnswerCheck.values((Question.FillIn) open.decision.question(), (Answer.Fields) answer));
                 open.mission.parameters = values;
                 rules.missionStart.begin(open.mission);
             }
             case INTERRUPT_CHOICE ->
-                rules.presses.chosen(open.mission, open.subject, ((Answer.Proxies) answer).proxies());
+                rules.interrupts.chosen(open.mission, open.subject, ((Answer.Proxies) answer).proxies());
             case DOMAIN ->
                 rules.emit(
                         new Effect.QuestionAnswered(open.decision.type(), open.subject, ((Answer.YesNo) answer).yes()));
@@ -282,7 +282,7 @@ public final class Decisions {
 
     private static Map<String, Value> values(OpenDecision open, DecisionType type, Answer answer) {
         if (answer instanceof Answer.Fields fields) {
-            return Answers.values((Question.FillIn) open.decision.question(), fields);
+            return AnswerCheck.values((Question.FillIn) open.decision.question(), fields);
         }
         Map<String, Value> values = new LinkedHashMap<>();
         if (answer instanceof Answer.Option chosen) {

@@ -4,9 +4,9 @@ import java.util.function.Predicate;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledTransition;
 import org.sami.spn.engine.net.Reach;
-import org.sami.spn.engine.state.Entry;
-import org.sami.spn.engine.state.Name;
+import org.sami.spn.engine.state.NamedToken;
 import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.TaskState;
 import org.sami.spn.engine.state.TransitionState;
 import org.sami.spn.engine.state.Visit;
@@ -23,12 +23,12 @@ public final class Enabling {
         this.rules = rules;
     }
 
-    public boolean isEnabled(TransitionState t, Relevant relevant, Scope scope) {
+    public boolean isEnabled(TransitionState t, RelevantTokens relevant, FiringScope scope) {
         return isReady(t, scope) && meetsPlain(t, scope) && meetsRelevant(t, relevant, scope);
     }
 
     /** Whether no in place makes it wait for a sub-mission. */
-    public boolean isReady(TransitionState t, Scope scope) {
+    public boolean isReady(TransitionState t, FiringScope scope) {
         if (scope.reach == Reach.ALL) {
             return true;
         }
@@ -41,7 +41,7 @@ public final class Enabling {
     }
 
     /** Whether an in place has a completion for a transition that speaks of sub-mission tokens: it fires for each once. */
-    public boolean somethingReturned(TransitionState t, Scope scope) {
+    public boolean somethingReturned(TransitionState t, FiringScope scope) {
         boolean possible = false;
         for (CompiledPlace place : t.transition.inPlaces) {
             if (scope.reach != Reach.FREE || !place.shared.isEmpty()) {
@@ -52,7 +52,7 @@ public final class Enabling {
         return !possible || anyVisit(t, scope, v -> v.complete() && (!v.used || v.hasSubTokens()));
     }
 
-    private static boolean anyVisit(TransitionState t, Scope scope, Predicate<Visit> test) {
+    private static boolean anyVisit(TransitionState t, FiringScope scope, Predicate<Visit> test) {
         for (CompiledPlace place : t.transition.inPlaces) {
             PlaceState state = t.mission.places[place.index];
             if (state != null && anyVisit(state, scope, test)) {
@@ -62,7 +62,7 @@ public final class Enabling {
         return false;
     }
 
-    private static boolean anyVisit(PlaceState place, Scope scope, Predicate<Visit> test) {
+    private static boolean anyVisit(PlaceState place, FiringScope scope, Predicate<Visit> test) {
         Visit bound = scope.visitIn(place);
         for (Visit v : place.instanceVisits().values()) {
             if ((bound == null || bound == v) && test.test(v)) {
@@ -72,7 +72,7 @@ public final class Enabling {
         return false;
     }
 
-    public boolean isReady(TransitionState t, CompiledPlace place, Scope scope) {
+    public boolean isReady(TransitionState t, CompiledPlace place, FiringScope scope) {
         PlaceState state = t.mission.places[place.index];
         for (int i = 0; i < place.shared.size(); i++) {
             if (state == null || state.shared.length <= i) {
@@ -85,15 +85,15 @@ public final class Enabling {
         return state == null || state.instanceVisits().isEmpty() || anyVisit(state, scope, v -> isOver(v, scope));
     }
 
-    private static boolean isOver(Visit v, Scope scope) {
+    private static boolean isOver(Visit v, FiringScope scope) {
         return v.complete() || (scope.reach == Reach.ABORTED && v.leftByAborted());
     }
 
     /** Requirements that do not depend on occurrences. */
-    public boolean meetsPlain(TransitionState t, Scope scope) {
+    public boolean meetsPlain(TransitionState t, FiringScope scope) {
         for (CompiledTransition.In in : t.transition.ins) {
             for (InRequirement r : in.requirements()) {
-                if (r.kind() != TokenKind.RELEVANT && !isMet(t, in.place(), r, Relevant.NOBODY, scope)) {
+                if (r.kind() != TokenKind.RELEVANT && !isMet(t, in.place(), r, RelevantTokens.NOBODY, scope)) {
                     return false;
                 }
             }
@@ -101,7 +101,7 @@ public final class Enabling {
         return true;
     }
 
-    private boolean meetsRelevant(TransitionState t, Relevant relevant, Scope scope) {
+    private boolean meetsRelevant(TransitionState t, RelevantTokens relevant, FiringScope scope) {
         for (CompiledTransition.In in : t.transition.ins) {
             for (InRequirement r : in.requirements()) {
                 if (r.kind() == TokenKind.RELEVANT && !isMet(t, in.place(), r, relevant, scope)) {
@@ -112,7 +112,8 @@ public final class Enabling {
         return true;
     }
 
-    public boolean isMet(TransitionState t, CompiledPlace place, InRequirement r, Relevant relevant, Scope scope) {
+    public boolean isMet(
+            TransitionState t, CompiledPlace place, InRequirement r, RelevantTokens relevant, FiringScope scope) {
         if (r.kind() == TokenKind.UNCONDITIONAL) {
             return true;
         }
@@ -130,8 +131,8 @@ public final class Enabling {
     }
 
     /** For every name one of its tokens is here. */
-    private boolean allHere(PlaceState state, Relevant relevant, Scope scope) {
-        for (Name n : relevant.names) {
+    private boolean allHere(PlaceState state, RelevantTokens relevant, FiringScope scope) {
+        for (NamedToken n : relevant.names) {
             boolean here = false;
             for (int i = 0; i < n.tokens.length && !here; i++) {
                 here = rules.pool.copies(state, n.tokens[i], scope) > 0;
@@ -144,18 +145,18 @@ public final class Enabling {
     }
 
     /** What a requirement counts: the pool where it wants tokens, everything that stands here where it inhibits. */
-    public int count(PlaceState state, InRequirement r, Relevant relevant, Scope scope) {
-        Scope counted = r.match() == Match.AT_LEAST ? scope : Scope.of(Reach.ALL);
-        Pool pool = rules.pool;
+    public int count(PlaceState state, InRequirement r, RelevantTokens relevant, FiringScope scope) {
+        FiringScope counted = r.match() == Match.AT_LEAST ? scope : FiringScope.of(Reach.ALL);
+        TokenPool pool = rules.pool;
         return switch (r.kind()) {
-            case GENERIC -> pool.count(state, Entry.GENERIC, counted);
-            case ANY_PROXY -> pool.count(state, Entry.PROXY, counted);
-            case ANY_TASK -> pool.count(state, Entry.TASK, counted);
+            case GENERIC -> pool.count(state, PlacedToken.GENERIC, counted);
+            case ANY_PROXY -> pool.count(state, PlacedToken.PROXY, counted);
+            case ANY_TASK -> pool.count(state, PlacedToken.TASK, counted);
             case ANY_TOKEN ->
-                pool.count(state, Entry.GENERIC, counted)
-                        + pool.count(state, Entry.PROXY, counted)
-                        + pool.count(state, Entry.TASK, counted);
-            case TASK -> pool.count(state, Entry.TASK, counted, isTask(r.task()));
+                pool.count(state, PlacedToken.GENERIC, counted)
+                        + pool.count(state, PlacedToken.PROXY, counted)
+                        + pool.count(state, PlacedToken.TASK, counted);
+            case TASK -> pool.count(state, PlacedToken.TASK, counted, isTask(r.task()));
             case RELEVANT -> {
                 int n = 0;
                 for (Token token : relevant.tokens) {
@@ -215,14 +216,14 @@ public final class Enabling {
     }
 
     /** Whether a requirement counts a token that is removed from its place (occasion d). */
-    public boolean counts(InRequirement r, Entry e) {
+    public boolean counts(InRequirement r, PlacedToken e) {
         if (r.match() != Match.AT_LEAST && r.match() != Match.EXACTLY) {
             return false;
         }
         return switch (r.kind()) {
-            case GENERIC -> e.kind == Entry.GENERIC;
-            case ANY_PROXY -> e.kind == Entry.PROXY;
-            case ANY_TASK -> e.kind == Entry.TASK;
+            case GENERIC -> e.kind == PlacedToken.GENERIC;
+            case ANY_PROXY -> e.kind == PlacedToken.PROXY;
+            case ANY_TASK -> e.kind == PlacedToken.TASK;
             case ANY_TOKEN -> true;
             case TASK -> isTask(r.task()).test(e.token);
             default -> false;

@@ -8,10 +8,10 @@ import java.util.Set;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledTransition;
 import org.sami.spn.engine.net.Reach;
-import org.sami.spn.engine.state.Entry;
-import org.sami.spn.engine.state.Mission;
-import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.MissionState;
+import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.Return;
 import org.sami.spn.engine.state.SharedRun;
 import org.sami.spn.engine.state.TaskState;
@@ -43,8 +43,8 @@ public final class Firing {
     /** Looks at a transition whose turn it is on the work list. */
     public void lookAt(TransitionState t) {
         if (!t.transition.hasInputs()) {
-            if (rules.enabling.isEnabled(t, Relevant.NOBODY, Scope.FREE) && mayFire(t)) {
-                fire(t, List.of(), Relevant.NOBODY, Scope.FREE);
+            if (rules.enabling.isEnabled(t, RelevantTokens.NOBODY, FiringScope.FREE) && mayFire(t)) {
+                fire(t, List.of(), RelevantTokens.NOBODY, FiringScope.FREE);
             }
             return;
         }
@@ -56,12 +56,12 @@ public final class Firing {
                     rules.work.add(t);
                 }
             }
-            rules.presses.refuseKept(t);
+            rules.interrupts.refuseKept(t);
         }
     }
 
     private boolean mayFire(TransitionState t) {
-        Mission m = t.mission;
+        MissionState m = t.mission;
         if (m.chainNumber != chain) {
             m.chainNumber = chain;
             m.chain = 0;
@@ -75,17 +75,17 @@ public final class Firing {
         return true;
     }
 
-    private void fire(TransitionState t, List<Pending> used, Relevant relevant, Scope scope) {
-        Mission m = t.mission;
+    private void fire(TransitionState t, List<PendingOccurrence> used, RelevantTokens relevant, FiringScope scope) {
+        MissionState m = t.mission;
         CompiledTransition ct = t.transition;
         Selection.Selected selected = rules.selection.select(t, relevant, scope);
         long before = rules.state.stamp;
         rules.state.firings++;
         List<Occurrence> occurrences = new ArrayList<>(used.size());
-        for (Pending p : used) {
+        for (PendingOccurrence p : used) {
             occurrences.add(p.occurrence);
             t.remove(p);
-            rules.presses.taken(p);
+            rules.interrupts.taken(p);
         }
         rules.emit(new Effect.Fired(rules.state.firings, m.id, ct.id(), occurrences, selected.moves));
         for (String shortOf : selected.shortOf) {
@@ -98,7 +98,7 @@ public final class Firing {
             withdrawCommands(m, selected.removed);
         }
         List<Return> returns = useReturns(m, ct, selected, scope);
-        for (Entry e : selected.removed) {
+        for (PlacedToken e : selected.removed) {
             rules.leaving.left(e, before, scope.reach != Reach.FREE);
         }
         if (scope.reach != Reach.FREE) {
@@ -132,7 +132,7 @@ public final class Firing {
         lookAround(t, entered, selected.removed);
     }
 
-    private static boolean ends(Mission m, CompiledTransition t) {
+    private static boolean ends(MissionState m, CompiledTransition t) {
         if (m.instance != null && m.instance.isShared()) {
             for (CompiledTransition.Out out : t.outs) {
                 if (out.place().isEnd() && out.place().place.endsSharedInstance()) {
@@ -150,7 +150,7 @@ public final class Firing {
     }
 
     /** Removes, then adds; the visits that begin, in out-edge order. */
-    private List<Visit> move(Mission m, CompiledTransition t, Selection.Selected selected) {
+    private List<Visit> move(MissionState m, CompiledTransition t, Selection.Selected selected) {
         rules.leaving.remove(selected.removed);
         List<Visit> entered = new ArrayList<>(t.outs.length);
         for (int i = 0; i < t.outs.length; i++) {
@@ -164,7 +164,8 @@ public final class Firing {
     }
 
     /** Uses up completions and returns of sub-missions; the returns of static instances that it used. */
-    private List<Return> useReturns(Mission m, CompiledTransition t, Selection.Selected selected, Scope scope) {
+    private List<Return> useReturns(
+            MissionState m, CompiledTransition t, Selection.Selected selected, FiringScope scope) {
         for (Selection.UsedReturn used : selected.usedReturns) {
             used.instance().returned.remove(used.token());
         }
@@ -192,9 +193,9 @@ public final class Firing {
         return result;
     }
 
-    private void withdrawCommands(Mission m, List<Entry> removed) {
+    private void withdrawCommands(MissionState m, List<PlacedToken> removed) {
         Set<String> robots = new LinkedHashSet<>();
-        for (Entry e : removed) {
+        for (PlacedToken e : removed) {
             if (e.token instanceof Token.Proxy proxy) {
                 robots.add(proxy.proxy());
             } else if (e.token instanceof Token.Task task) {
@@ -213,7 +214,8 @@ public final class Firing {
      * Visits by nobody end by an answer to them, by a transition without input event, or when all is taken. Where several visits of
      * a place have instances, one completion lets the transition fire: whose instances still run goes on.
      */
-    private static List<Visit> endingVisitsByNobody(Mission m, CompiledTransition t, List<Pending> used, Reach reach) {
+    private static List<Visit> endingVisitsByNobody(
+            MissionState m, CompiledTransition t, List<PendingOccurrence> used, Reach reach) {
         List<Visit> ending = List.of();
         for (CompiledPlace place : t.inPlaces) {
             PlaceState state = m.places[place.index];
@@ -231,8 +233,8 @@ public final class Firing {
         return ending;
     }
 
-    private static boolean answers(List<Pending> used, Visit v) {
-        for (Pending p : used) {
+    private static boolean answers(List<PendingOccurrence> used, Visit v) {
+        for (PendingOccurrence p : used) {
             if (p.visit() == v) {
                 return true;
             }
@@ -240,8 +242,8 @@ public final class Firing {
         return false;
     }
 
-    private void write(Mission m, List<Pending> used) {
-        for (Pending p : used) {
+    private void write(MissionState m, List<PendingOccurrence> used) {
+        for (PendingOccurrence p : used) {
             for (Map.Entry<String, String> write : p.input.writes) {
                 Value value = p.occurrence.values().get(write.getKey());
                 if (value != null) {
@@ -252,11 +254,11 @@ public final class Firing {
     }
 
     /** Puts on the work list what this firing gave occasion to look at. */
-    private void lookAround(TransitionState t, List<Visit> entered, List<Entry> removed) {
+    private void lookAround(TransitionState t, List<Visit> entered, List<PlacedToken> removed) {
         for (Visit v : entered) {
             rules.work.entered(v.place);
         }
-        Mission m = t.mission;
+        MissionState m = t.mission;
         for (CompiledPlace place : t.transition.inPlaces) {
             PlaceState state = m.places[place.index];
             if (state != null) {
@@ -276,8 +278,8 @@ public final class Firing {
         }
     }
 
-    private static boolean anyFrom(List<Entry> removed, PlaceState place) {
-        for (Entry e : removed) {
+    private static boolean anyFrom(List<PlacedToken> removed, PlaceState place) {
+        for (PlacedToken e : removed) {
             if (e.place == place) {
                 return true;
             }
@@ -286,8 +288,8 @@ public final class Firing {
     }
 
     /** Occasion (d). */
-    private boolean removedCounted(CompiledTransition t, List<Entry> removed) {
-        for (Entry e : removed) {
+    private boolean removedCounted(CompiledTransition t, List<PlacedToken> removed) {
+        for (PlacedToken e : removed) {
             for (CompiledTransition.In in : t.ins) {
                 if (in.place() == e.place.place) {
                     for (InRequirement r : in.requirements()) {

@@ -3,9 +3,9 @@ package org.sami.spn.engine.rule;
 import java.util.ArrayList;
 import java.util.List;
 import org.sami.spn.engine.net.CompiledTransition;
-import org.sami.spn.engine.state.Entry;
 import org.sami.spn.engine.state.Instance;
 import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Token;
@@ -19,7 +19,7 @@ final class Leaving {
     }
 
     /** Takes tokens out of the marking and tells so, in one effect for neighbours of one visit. */
-    void remove(List<Entry> entries) {
+    void remove(List<PlacedToken> entries) {
         for (int i = 0; i < entries.size(); ) {
             Visit v = entries.get(i).visit;
             List<Token> tokens = new ArrayList<>(entries.size() - i);
@@ -32,9 +32,9 @@ final class Leaving {
         }
     }
 
-    private void takeOut(Entry e) {
+    private void takeOut(PlacedToken e) {
         e.place.remove(e);
-        if (e.kind != Entry.GENERIC) {
+        if (e.kind != PlacedToken.GENERIC) {
             for (CompiledTransition t : e.place.place.barriers) {
                 e.place.mission.transition(t.index).barrier.left(e.token);
             }
@@ -47,9 +47,9 @@ final class Leaving {
      * @param before the stamp before the firing: what entered later has a greater order
      * @param withdraw whether it is to be taken out of running instances too (interrupts, abort, complete, dropped robots)
      */
-    void left(Entry e, long before, boolean withdraw) {
+    void left(PlacedToken e, long before, boolean withdraw) {
         Visit v = e.visit;
-        if (e.kind != Entry.GENERIC) {
+        if (e.kind != PlacedToken.GENERIC) {
             rules.timers.tokenLeft(v, e.token);
             rules.pendings.left(e.place, e.token, before);
         }

@@ -1,7 +1,7 @@
 package org.sami.spn.engine.rule;
 
 import java.util.List;
-import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.OpenDecision;
 import org.sami.spn.engine.state.PlaceState;
 import org.sami.spn.engine.state.Visit;
@@ -19,32 +19,32 @@ final class MissionEnd {
     }
 
     /** A firing entered an end place: what was commanded before is withdrawn, what the end place asks is sent after. */
-    void lastWords(Mission m) {
+    void lastWords(MissionState m) {
         rules.emit(new Effect.CommandsWithdrawn(m.id, List.of()));
     }
 
     /** An abort or a completion was asked of a mission: that is its outcome, however it ends. An abort is the stronger. */
-    void asked(Mission m, Outcome outcome) {
+    void asked(MissionState m, Outcome outcome) {
         if (m.asked != Outcome.ABORTED) {
             m.asked = outcome;
         }
     }
 
-    private static Outcome outcome(Mission m, Outcome otherwise) {
+    private static Outcome outcome(MissionState m, Outcome otherwise) {
         return m.asked == null || otherwise == Outcome.ABORTED ? otherwise : m.asked;
     }
 
     /** The firing that entered an end place is complete. */
-    void ended(Mission m) {
+    void ended(MissionState m) {
         end(m, outcome(m, Outcome.ENDED), false);
     }
 
     /** Ends a mission from outside, with all its descendants. */
-    void stop(Mission m, Outcome outcome) {
+    void stop(MissionState m, Outcome outcome) {
         end(m, outcome(m, outcome), true);
     }
 
-    private void end(Mission m, Outcome outcome, boolean withdraw) {
+    private void end(MissionState m, Outcome outcome, boolean withdraw) {
         if (m.instance != null && outcome != Outcome.ABORTED) {
             rules.subMissions.collect(m);
         }
@@ -53,11 +53,11 @@ final class MissionEnd {
     }
 
     /** Ends an instance that nobody waits for any longer. */
-    void stopSilently(Mission m, Outcome outcome) {
+    void stopSilently(MissionState m, Outcome outcome) {
         endTree(m, outcome, true);
     }
 
-    private void tellParent(Mission m, Outcome outcome) {
+    private void tellParent(MissionState m, Outcome outcome) {
         if (m.instance != null && !m.parent.ended) {
             if (outcome == Outcome.ABORTED) {
                 rules.subMissions.aborted(m.instance);
@@ -67,12 +67,12 @@ final class MissionEnd {
         }
     }
 
-    private void endTree(Mission m, Outcome ofAncestor, boolean withdraw) {
+    private void endTree(MissionState m, Outcome ofAncestor, boolean withdraw) {
         if (m.ended) {
             return;
         }
         Outcome outcome = outcome(m, ofAncestor);
-        for (Mission child : List.copyOf(m.children.values())) {
+        for (MissionState child : List.copyOf(m.children.values())) {
             endTree(child, outcome, true);
         }
         m.ended = true;
@@ -99,7 +99,7 @@ final class MissionEnd {
     }
 
     /** Stops a livelock: the marking stays, the mission does not react until it is aborted. */
-    void halt(Mission m, String why) {
+    void halt(MissionState m, String why) {
         m.status = MissionStatus.HALTED;
         rules.note(NoteKind.LIVELOCK, m.id, "'" + m.name + "' is halted after " + why);
         rules.emit(new Effect.MissionEnded(m.id, Outcome.HALTED));

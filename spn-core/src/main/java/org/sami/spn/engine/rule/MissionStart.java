@@ -10,7 +10,7 @@ import org.sami.spn.engine.net.CompiledOutput;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledPlan;
 import org.sami.spn.engine.state.Instance;
-import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.TaskState;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.model.FieldSource;
@@ -50,7 +50,7 @@ public final class MissionStart {
         if (plan.start == null) {
             return Optional.of("The plan '" + plan.plan.name() + "' has no start place");
         }
-        Parameters parameters = new Parameters(rules, plan);
+        StartParameters parameters = new StartParameters(rules, plan);
         Optional<String> wrong = parameters.read(input.parameters());
         if (wrong.isPresent()) {
             return wrong;
@@ -61,7 +61,7 @@ public final class MissionStart {
                 return wrong;
             }
         }
-        Mission m = make(plan, input.name(), null, null);
+        MissionState m = make(plan, input.name(), null, null);
         parameters.variables().forEach((name, value) -> rules.variables.write(m, name, value));
         if (marking.isPresent()) {
             m.parameters = parameters.given();
@@ -72,7 +72,7 @@ public final class MissionStart {
         return Optional.empty();
     }
 
-    private void enter(Mission m, StartMarking marking) {
+    private void enter(MissionState m, StartMarking marking) {
         for (StartMarking.Tokens at : marking.places()) {
             List<Token> tokens = new ArrayList<>(Collections.nCopies(at.generic(), Token.GENERIC));
             at.proxies().forEach(p -> tokens.add(new Token.Proxy(p)));
@@ -86,8 +86,8 @@ public final class MissionStart {
     }
 
     /** Makes a mission with its tasks and variables; nothing stands in its places yet. */
-    public Mission make(CompiledPlan plan, String name, Mission parent, Instance instance) {
-        Mission m = new Mission(++rules.state.lastMission, plan, name, parent, instance);
+    public MissionState make(CompiledPlan plan, String name, MissionState parent, Instance instance) {
+        MissionState m = new MissionState(++rules.state.lastMission, plan, name, parent, instance);
         for (VariableSpec v : plan.plan.variables()) {
             v.initial().ifPresent(value -> m.setVariable(v.name(), value));
         }
@@ -100,7 +100,7 @@ public final class MissionStart {
     }
 
     /** The effect that tells the start of a mission. */
-    public static Effect.MissionStarted started(Mission m) {
+    public static Effect.MissionStarted started(MissionState m) {
         return new Effect.MissionStarted(
                 m.id,
                 m.parent == null ? Ids.NONE : m.parent.id,
@@ -110,7 +110,7 @@ public final class MissionStart {
     }
 
     /** Asks for what is to be asked, or begins. */
-    public void ask(Mission m, Parameters parameters) {
+    public void ask(MissionState m, StartParameters parameters) {
         m.parameters = parameters.given();
         if (parameters.mustAsk()) {
             rules.decisions.openParameters(m, parameters);
@@ -120,7 +120,7 @@ public final class MissionStart {
     }
 
     /** All parameters are known: constants, static instances, start marking. */
-    public void begin(Mission m) {
+    public void begin(MissionState m) {
         begin(m, () -> {
             if (m.instance == null) {
                 enter(m, rootTokens(m));
@@ -132,7 +132,7 @@ public final class MissionStart {
         });
     }
 
-    private void begin(Mission m, Runnable startMarking) {
+    private void begin(MissionState m, Runnable startMarking) {
         m.status = MissionStatus.RUNNING;
         writeConstants(m);
         rules.sharedInstances.start(m);
@@ -140,18 +140,18 @@ public final class MissionStart {
     }
 
     /** Tokens, or nobody, enter the start place. */
-    public void enter(Mission m, List<Token> tokens) {
+    public void enter(MissionState m, List<Token> tokens) {
         enter(m, m.plan.start, tokens);
     }
 
-    private void enter(Mission m, CompiledPlace place, List<Token> tokens) {
+    private void enter(MissionState m, CompiledPlace place, List<Token> tokens) {
         Visit v = rules.visits.begin(m.place(place.index), tokens);
         rules.activating.activate(v, false);
         rules.subMissions.entered(v);
         rules.work.entered(v.place);
     }
 
-    private List<Token> rootTokens(Mission m) {
+    private List<Token> rootTokens(MissionState m) {
         List<Token> tokens = new ArrayList<>();
         tokens.add(Token.GENERIC);
         rules.state.proxies.forEach(p -> tokens.add(new Token.Proxy(p)));
@@ -160,7 +160,7 @@ public final class MissionStart {
     }
 
     /** Fields that never change write their variables before the start marking. */
-    private void writeConstants(Mission m) {
+    private void writeConstants(MissionState m) {
         for (CompiledPlace place : m.plan.places) {
             for (CompiledOutput output : place.outputs) {
                 for (Map.Entry<String, String> write : output.spec.writes().entrySet()) {
@@ -173,7 +173,7 @@ public final class MissionStart {
         }
     }
 
-    private static Value constant(Mission m, CompiledOutput output, String field) {
+    private static Value constant(MissionState m, CompiledOutput output, String field) {
         FieldSource source = output.resolved.get(field);
         if (source == null) {
             return output.fixed.get(field);
@@ -182,8 +182,8 @@ public final class MissionStart {
     }
 
     /** Parameters of an instance: what has to be asked of the operator when it is made. */
-    public Parameters parametersOf(CompiledPlan plan) {
-        Parameters parameters = new Parameters(rules, plan);
+    public StartParameters parametersOf(CompiledPlan plan) {
+        StartParameters parameters = new StartParameters(rules, plan);
         parameters.read(new LinkedHashMap<>());
         return parameters;
     }

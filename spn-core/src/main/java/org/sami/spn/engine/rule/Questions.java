@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.engine.net.CompiledInput;
-import org.sami.spn.engine.state.Entry;
-import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.PlacedToken;
+import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Question;
@@ -33,7 +33,7 @@ final class Questions {
         this.rules = rules;
     }
 
-    String prompt(Sent sent) {
+    String prompt(SentActivation sent) {
         Value question = sent.activation.values().get(Reserved.QUESTION);
         if (question instanceof TextValue text && !text.value().isBlank()) {
             return text.value();
@@ -42,7 +42,7 @@ final class Questions {
         return label + " (" + sent.visit.place.place + ")";
     }
 
-    Question of(Sent sent) {
+    Question of(SentActivation sent) {
         DecisionType type = sent.output.decision;
         return switch (type.form()) {
             case APPROVE -> new Question.Approve();
@@ -56,19 +56,19 @@ final class Questions {
     }
 
     /** The robots that entered; where none did, those that stand in the place; else all known ones. */
-    private List<String> candidates(Sent sent) {
+    private List<String> candidates(SentActivation sent) {
         List<String> entered = sent.activation.proxies();
         if (!entered.isEmpty()) {
             return entered;
         }
         Set<String> standing = new LinkedHashSet<>();
-        for (Entry e = sent.visit.place.first[Entry.PROXY]; e != null; e = e.nextOfKind) {
+        for (PlacedToken e = sent.visit.place.first[PlacedToken.PROXY]; e != null; e = e.nextOfKind) {
             standing.add(((Token.Proxy) e.token).proxy());
         }
         return standing.isEmpty() ? List.copyOf(rules.state.proxies) : List.copyOf(standing);
     }
 
-    private List<Value> options(Sent sent) {
+    private List<Value> options(SentActivation sent) {
         String field = sent.output.decision.optionsField();
         Value options = sent.activation.values().get(field);
         if (options instanceof ListValue list) {
@@ -83,7 +83,7 @@ final class Questions {
                 .orElse(List.of());
     }
 
-    private List<Value> variablesOfClass(Sent sent) {
+    private List<Value> variablesOfClass(SentActivation sent) {
         Value named = sent.activation.values().get(Reserved.VARIABLE_CLASS);
         return Optional.ofNullable(named)
                 .flatMap(value -> TypeNames.parse(CompiledInput.text(value)))
@@ -105,16 +105,16 @@ final class Questions {
         return items;
     }
 
-    private static List<Value> variable(Sent sent) {
+    private static List<Value> variable(SentActivation sent) {
         Value named = sent.activation.values().get(Reserved.VARIABLE);
         return named == null ? List.of() : List.of(named);
     }
 
-    private static List<Value> listed(Sent sent) {
+    private static List<Value> listed(SentActivation sent) {
         return sent.activation.values().get(Reserved.VARIABLES) instanceof ListValue list ? list.items() : List.of();
     }
 
-    private List<Question.Item> variables(Sent sent, List<Value> named) {
+    private List<Question.Item> variables(SentActivation sent, List<Value> named) {
         Set<String> names = new LinkedHashSet<>();
         named.forEach(
                 value -> names.add(value instanceof VariableReference r ? r.variable() : CompiledInput.text(value)));
@@ -122,7 +122,7 @@ final class Questions {
         return names.stream().map(name -> item(sent, name)).toList();
     }
 
-    private Question.Item item(Sent sent, String name) {
+    private Question.Item item(SentActivation sent, String name) {
         VariableSpec declared = rules.variables.declaration(sent.mission(), name);
         Optional<Value> current = Optional.ofNullable(rules.variables.read(sent.mission(), name));
         ValueType type = declared == null ? ValueType.Simple.ANY : declared.type();

@@ -5,9 +5,9 @@ import java.util.Collections;
 import java.util.List;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledTransition;
-import org.sami.spn.engine.state.Entry;
 import org.sami.spn.engine.state.Instance;
 import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.Return;
 import org.sami.spn.engine.state.SharedRun;
 import org.sami.spn.engine.state.TransitionState;
@@ -51,11 +51,11 @@ final class ReturnedTokens {
         this.left = requirement.takesAll() ? Integer.MAX_VALUE : requirement.n();
     }
 
-    void select(Scope scope) {
+    void select(FiringScope scope) {
         for (CompiledPlace place : t.transition.inPlaces) {
             PlaceState state = t.mission.places[place.index];
             if (state != null) {
-                List<Entry> returned = rules.pool.returned(state, scope);
+                List<PlacedToken> returned = rules.pool.returned(state, scope);
                 selectReturns(state, scope, returned);
                 Visit bound = scope.visitIn(state);
                 for (Visit v : state.instanceVisits().values()) {
@@ -70,12 +70,12 @@ final class ReturnedTokens {
         }
     }
 
-    private void selectReturns(PlaceState state, Scope scope, List<Entry> entries) {
+    private void selectReturns(PlaceState state, FiringScope scope, List<PlacedToken> entries) {
         for (SharedRun run : state.shared) {
             Return used = scope.returnOf(run);
             for (Token token : used == null ? List.<Token>of() : used.tokens) {
-                Entry standing = null;
-                for (Entry e : entries) {
+                PlacedToken standing = null;
+                for (PlacedToken e : entries) {
                     if (e.token.equals(token) && e.pickedBy != pick) {
                         standing = e;
                         break;
@@ -86,7 +86,7 @@ final class ReturnedTokens {
         }
     }
 
-    private void selectVisit(Visit v, List<Entry> free) {
+    private void selectVisit(Visit v, List<PlacedToken> free) {
         for (Instance instance : v.instances) {
             for (Token token : instance.returned) {
                 use(instance, token, standing(v, token, free));
@@ -94,8 +94,8 @@ final class ReturnedTokens {
         }
     }
 
-    private Entry standing(Visit v, Token token, List<Entry> free) {
-        for (Entry e = v.first; e != null; e = e.nextOfVisit) {
+    private PlacedToken standing(Visit v, Token token, List<PlacedToken> free) {
+        for (PlacedToken e = v.first; e != null; e = e.nextOfVisit) {
             if (e.pickedBy != pick && e.token.equals(token) && (free == null || free.contains(e))) {
                 return e;
             }
@@ -103,7 +103,7 @@ final class ReturnedTokens {
         return null;
     }
 
-    private void use(Instance instance, Token token, Entry standing) {
+    private void use(Instance instance, Token token, PlacedToken standing) {
         if (left == 0) {
             return;
         }

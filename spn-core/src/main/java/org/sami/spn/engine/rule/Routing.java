@@ -5,12 +5,12 @@ import java.util.List;
 import org.sami.spn.engine.net.CompiledInput;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledTransition;
-import org.sami.spn.engine.state.Entry;
-import org.sami.spn.engine.state.Mission;
-import org.sami.spn.engine.state.Name;
-import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.MissionState;
+import org.sami.spn.engine.state.NamedToken;
+import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.PlaceState;
-import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.PlacedToken;
+import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.TransitionState;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.protocol.Ids;
@@ -45,7 +45,7 @@ public final class Routing {
     /** Brings an occurrence to whom it is for, or notes why nobody wants it; says whether somebody does. */
     public boolean route(Occurrence o) {
         int type = rules.project().knownTypeId(o.type());
-        Sent sent = o.activation() == Ids.NONE ? null : rules.state.sent.get(o.activation());
+        SentActivation sent = o.activation() == Ids.NONE ? null : rules.state.sent.get(o.activation());
         Fate fate = new Fate();
         if (type >= 0) {
             if (o.activation() == Ids.NONE) {
@@ -66,8 +66,8 @@ public final class Routing {
         return fate.received;
     }
 
-    private void answer(Occurrence o, int type, Sent sent, Fate fate) {
-        Mission m = sent.mission();
+    private void answer(Occurrence o, int type, SentActivation sent, Fate fate) {
+        MissionState m = sent.mission();
         if (!m.runs()) {
             return;
         }
@@ -81,15 +81,15 @@ public final class Routing {
     }
 
     /** News to one mission or to all, in order of their ids; an answer in the mission that asked. */
-    private void news(Occurrence o, int type, Sent asked, Fate fate) {
+    private void news(Occurrence o, int type, SentActivation asked, Fate fate) {
         if (o.mission() != Ids.NONE) {
-            Mission m = rules.state.missions.get(o.mission());
+            MissionState m = rules.state.missions.get(o.mission());
             if (m != null) {
                 newsIn(m, o, type, fate);
             }
             return;
         }
-        for (Mission m : rules.state.attentive(type).values()) {
+        for (MissionState m : rules.state.attentive(type).values()) {
             if (asked != null && m == asked.mission()) {
                 answer(o, type, asked, fate);
             } else {
@@ -98,7 +98,7 @@ public final class Routing {
         }
     }
 
-    private void newsIn(Mission m, Occurrence o, int type, Fate fate) {
+    private void newsIn(MissionState m, Occurrence o, int type, Fate fate) {
         if (!m.runs()) {
             return;
         }
@@ -112,7 +112,8 @@ public final class Routing {
     }
 
     /** Offers an occurrence to one input event of one transition. */
-    private void offer(Mission m, CompiledTransition t, CompiledInput input, Occurrence o, Sent sent, Fate fate) {
+    private void offer(
+            MissionState m, CompiledTransition t, CompiledInput input, Occurrence o, SentActivation sent, Fate fate) {
         if (!fits(input, o) || !isAttentive(m, t)) {
             return;
         }
@@ -126,8 +127,8 @@ public final class Routing {
             return;
         }
         TransitionState state = m.transition(t.index);
-        List<Token> names = Pendings.names(o, input.role);
-        Pending p = rules.pendings.make(state, input, o, names, sent, null);
+        List<Token> names = PendingOccurrences.names(o, input.role);
+        PendingOccurrence p = rules.pendings.make(state, input, o, names, sent, null);
         if (sent != null && !answers(t, p, sent)) {
             return;
         }
@@ -139,7 +140,7 @@ public final class Routing {
     }
 
     /** Whether one of its in places is marked or visited by nobody, or it has none. */
-    public static boolean isAttentive(Mission m, CompiledTransition t) {
+    public static boolean isAttentive(MissionState m, CompiledTransition t) {
         if (t.inPlaces.length == 0) {
             return true;
         }
@@ -177,8 +178,8 @@ public final class Routing {
     }
 
     /** Whether somebody it names is still in the visit or in another in place; or the visit goes on, where it names others. */
-    private boolean answers(CompiledTransition t, Pending p, Sent sent) {
-        for (Name n : p.names) {
+    private boolean answers(CompiledTransition t, PendingOccurrence p, SentActivation sent) {
+        for (NamedToken n : p.names) {
             if (n.stood) {
                 return true;
             }
@@ -186,7 +187,7 @@ public final class Routing {
         if (sent.visit.ended) {
             return false;
         }
-        for (Name n : p.names) {
+        for (NamedToken n : p.names) {
             for (Token token : n.tokens) {
                 if (sent.activation.tokens().contains(token)) {
                     return false;
@@ -201,7 +202,7 @@ public final class Routing {
         if (visit.byNobody || !t.wantsNone) {
             return true;
         }
-        for (Entry e = visit.first; e != null; e = e.nextOfVisit) {
+        for (PlacedToken e = visit.first; e != null; e = e.nextOfVisit) {
             if (!rules.enabling.wantsAbsence(t, visit.place.place, e.token, false)) {
                 return true;
             }
@@ -209,8 +210,8 @@ public final class Routing {
         return false;
     }
 
-    private boolean anyHere(Mission m, CompiledTransition t, Pending p) {
-        for (Name n : p.names) {
+    private boolean anyHere(MissionState m, CompiledTransition t, PendingOccurrence p) {
+        for (NamedToken n : p.names) {
             for (Token token : n.tokens) {
                 for (CompiledPlace place : t.inPlaces) {
                     PlaceState state = m.places[place.index];
@@ -225,7 +226,7 @@ public final class Routing {
         return false;
     }
 
-    private void unwanted(Occurrence o, Sent sent, Fate fate) {
+    private void unwanted(Occurrence o, SentActivation sent, Fate fate) {
         EventType type = rules.project().vocabulary.event(o.type()).orElse(null);
         if (type != null && type.flags().contains(EventFlag.COALESCE)) {
             rules.state.unwanted.merge(type.name(), 1L, Long::sum);
@@ -233,7 +234,7 @@ public final class Routing {
         }
         long mission = o.mission() != Ids.NONE || sent == null ? o.mission() : sent.activation.mission();
         if (type != null && CompiledInput.isInterrupt(type.role())) {
-            rules.presses.untaken(o);
+            rules.interrupts.untaken(o);
         } else if (fate.namesNobody) {
             rules.note(
                     NoteKind.NAMES_NOBODY, mission, o.type() + " names nobody though robots or tasks were asked for");

@@ -13,9 +13,9 @@ import org.sami.spn.value.TaskId;
 public final class Rules {
     public final NetState state;
     public final WorkList work;
-    public final Pendings pendings;
+    public final PendingOccurrences pendings;
     public final Routing routing;
-    public final Pool pool;
+    public final TokenPool pool;
     public final Enabling enabling;
     public final Selection selection;
     public final Firing firing;
@@ -28,10 +28,10 @@ public final class Rules {
     public final SharedInstances sharedInstances;
     public final MissionStart missionStart;
     public final MissionEnd missionEnd;
-    public final Presses presses;
+    public final Interrupts interrupts;
     public final Variables variables;
-    public final Allocation allocation;
-    public final Drops drops;
+    public final TaskAllocation allocation;
+    public final RobotRemoval robotRemoval;
 
     /** What the engine says to itself, taken one by one whenever the work list is empty. */
     private final ArrayDeque<Runnable> ownInputs = new ArrayDeque<>();
@@ -41,9 +41,9 @@ public final class Rules {
     public Rules(NetState state) {
         this.state = state;
         work = new WorkList(this);
-        pendings = new Pendings(this);
+        pendings = new PendingOccurrences(this);
         routing = new Routing(this);
-        pool = new Pool();
+        pool = new TokenPool();
         enabling = new Enabling(this);
         selection = new Selection(this);
         firing = new Firing(this);
@@ -56,10 +56,10 @@ public final class Rules {
         sharedInstances = new SharedInstances(this);
         missionStart = new MissionStart(this);
         missionEnd = new MissionEnd(this);
-        presses = new Presses(this);
+        interrupts = new Interrupts(this);
         variables = new Variables(this);
-        allocation = new Allocation(this);
-        drops = new Drops(this);
+        allocation = new TaskAllocation(this);
+        robotRemoval = new RobotRemoval(this);
     }
 
     public void begin(Consumer<? super Effect> effects) {

@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Optional;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledTransition;
-import org.sami.spn.engine.state.Entry;
 import org.sami.spn.engine.state.Instance;
-import org.sami.spn.engine.state.Name;
+import org.sami.spn.engine.state.NamedToken;
 import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.TransitionState;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.OutRequirement;
@@ -27,7 +27,7 @@ final class Selection {
 
     /** What a firing will do. */
     static final class Selected {
-        final List<Entry> removed = new ArrayList<>(4);
+        final List<PlacedToken> removed = new ArrayList<>(4);
         final List<List<Token>> added = new ArrayList<>(4);
         final List<TokenMove> moves = new ArrayList<>(4);
         /** Named tokens that were made for the edge at hand: copies of them are not added to it again. */
@@ -38,13 +38,13 @@ final class Selection {
     }
 
     private final Rules rules;
-    private final List<Entry> picked = new ArrayList<>();
+    private final List<PlacedToken> picked = new ArrayList<>();
 
     Selection(Rules rules) {
         this.rules = rules;
     }
 
-    Selected select(TransitionState t, Relevant relevant, Scope scope) {
+    Selected select(TransitionState t, RelevantTokens relevant, FiringScope scope) {
         Selected result = new Selected();
         long firing = ++rules.state.stamp;
         for (CompiledTransition.Out out : t.transition.outs) {
@@ -63,8 +63,8 @@ final class Selection {
             TransitionState t,
             CompiledTransition.Out out,
             OutRequirement r,
-            Relevant relevant,
-            Scope scope,
+            RelevantTokens relevant,
+            FiringScope scope,
             Selected result,
             List<Token> added,
             long firing,
@@ -93,7 +93,7 @@ final class Selection {
         } else {
             pick(t, r, scope, result);
         }
-        for (Entry e : picked) {
+        for (PlacedToken e : picked) {
             use(e, r.action(), out, result, added, firing, edge);
         }
         picked.clear();
@@ -101,7 +101,7 @@ final class Selection {
 
     /** Applies an action to one selected token of the pool. */
     static void use(
-            Entry e,
+            PlacedToken e,
             Action action,
             CompiledTransition.Out out,
             Selected result,
@@ -133,7 +133,7 @@ final class Selection {
         result.moves.add(new TokenMove(token, Optional.empty(), out.place().inMoves));
     }
 
-    private void pick(TransitionState t, OutRequirement r, Scope scope, Selected result) {
+    private void pick(TransitionState t, OutRequirement r, FiringScope scope, Selected result) {
         int wanted = r.takesAll() ? Integer.MAX_VALUE : r.n();
         int found = 0;
         for (CompiledPlace place : t.transition.inPlaces) {
@@ -147,23 +147,23 @@ final class Selection {
         }
     }
 
-    private int pickIn(PlaceState state, OutRequirement r, int limit, Scope scope) {
-        Pool pool = rules.pool;
+    private int pickIn(PlaceState state, OutRequirement r, int limit, FiringScope scope) {
+        TokenPool pool = rules.pool;
         return switch (r.kind()) {
-            case GENERIC -> pool.collect(state, Entry.GENERIC, limit, scope, null, picked);
-            case ANY_PROXY -> pool.collect(state, Entry.PROXY, limit, scope, null, picked);
-            case ANY_TASK -> pool.collect(state, Entry.TASK, limit, scope, null, picked);
-            case TASK -> pool.collect(state, Entry.TASK, limit, scope, rules.enabling.isTask(r.task()), picked);
+            case GENERIC -> pool.collect(state, PlacedToken.GENERIC, limit, scope, null, picked);
+            case ANY_PROXY -> pool.collect(state, PlacedToken.PROXY, limit, scope, null, picked);
+            case ANY_TASK -> pool.collect(state, PlacedToken.TASK, limit, scope, null, picked);
+            case TASK -> pool.collect(state, PlacedToken.TASK, limit, scope, rules.enabling.isTask(r.task()), picked);
             default -> pool.collectAny(state, limit, scope, picked);
         };
     }
 
     /** Makes a token for each of the first names, wherever that token stands. */
     private static void addRelevant(
-            OutRequirement r, Relevant relevant, CompiledTransition.Out out, Selected result, List<Token> added) {
+            OutRequirement r, RelevantTokens relevant, CompiledTransition.Out out, Selected result, List<Token> added) {
         int wanted = r.takesAll() ? Integer.MAX_VALUE : r.n();
         List<Token> chosen = new ArrayList<>();
-        for (Name n : relevant.names) {
+        for (NamedToken n : relevant.names) {
             if (chosen.size() < wanted && !chosen.contains(n.token)) {
                 chosen.add(n.token);
                 if (!added.contains(n.token)) {
@@ -176,7 +176,8 @@ final class Selection {
         }
     }
 
-    private void pickRelevant(TransitionState t, OutRequirement r, Relevant relevant, Scope scope, Selected result) {
+    private void pickRelevant(
+            TransitionState t, OutRequirement r, RelevantTokens relevant, FiringScope scope, Selected result) {
         CompiledPlace[] places = t.transition.inPlaces;
         for (Token token : relevant.tokens) {
             for (CompiledPlace place : places) {
@@ -187,7 +188,7 @@ final class Selection {
             }
         }
         if (picked.size() > 1) {
-            picked.sort(Comparator.comparingInt((Entry e) -> indexOf(places, e.place.place))
+            picked.sort(Comparator.comparingInt((PlacedToken e) -> indexOf(places, e.place.place))
                     .thenComparingLong(e -> e.order));
         }
         if (picked.isEmpty()) {

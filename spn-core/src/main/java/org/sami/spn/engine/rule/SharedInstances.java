@@ -3,10 +3,10 @@ package org.sami.spn.engine.rule;
 import java.util.ArrayList;
 import java.util.List;
 import org.sami.spn.engine.net.CompiledPlace;
-import org.sami.spn.engine.state.Entry;
 import org.sami.spn.engine.state.Instance;
-import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.Return;
 import org.sami.spn.engine.state.SharedRun;
 import org.sami.spn.engine.state.Visit;
@@ -24,7 +24,7 @@ final class SharedInstances {
     }
 
     /** Starts the static instances of a mission, in the plan's order, before its start marking. */
-    void start(Mission m) {
+    void start(MissionState m) {
         if (!m.plan.hasShared) {
             return;
         }
@@ -43,7 +43,7 @@ final class SharedInstances {
                 state.shared[i] = new SharedRun(new Instance(null, state, i, List.of()));
             }
             for (int i = 0; i < specs.size(); i++) {
-                Mission child = rules.subMissions.make(state.shared[i].instance, specs.get(i));
+                MissionState child = rules.subMissions.make(state.shared[i].instance, specs.get(i));
                 if (child != null) {
                     rules.missionStart.ask(child, rules.missionStart.parametersOf(child.plan));
                 }
@@ -53,7 +53,7 @@ final class SharedInstances {
 
     /** Tokens, or nobody, that entered the parent's place join the start place. */
     void join(SharedRun run, Visit v) {
-        Mission child = run.instance.child;
+        MissionState child = run.instance.child;
         if (child == null || child.status == MissionStatus.HALTED) {
             tellThatItIsOver(run.instance, v);
             return;
@@ -82,15 +82,15 @@ final class SharedInstances {
     }
 
     /** Tokens entered an end place that does not end the instance: they leave it as one completion. */
-    void returned(Mission child, Visit v) {
+    void returned(MissionState child, Visit v) {
         List<Token> tokens = new ArrayList<>();
         long before = rules.state.stamp;
-        List<Entry> entries = new ArrayList<>();
-        for (Entry e = v.first; e != null; e = e.nextOfVisit) {
+        List<PlacedToken> entries = new ArrayList<>();
+        for (PlacedToken e = v.first; e != null; e = e.nextOfVisit) {
             entries.add(e);
         }
         rules.leaving.remove(entries);
-        for (Entry e : entries) {
+        for (PlacedToken e : entries) {
             rules.leaving.left(e, before, false);
             Token token = SubMissions.toParent(child, e.token);
             if (token != null) {
@@ -132,10 +132,10 @@ final class SharedInstances {
      * @param used returns that the firing used: they brought back what left with them
      * @param before the stamp before the firing: what entered later has a greater order
      */
-    void pulled(List<Entry> removed, List<Return> used, long before) {
+    void pulled(List<PlacedToken> removed, List<Return> used, long before) {
         List<Return> left = new ArrayList<>();
         used.forEach(r -> left.add(new Return(r.instance, r.tokens, r.value)));
-        for (Entry e : removed) {
+        for (PlacedToken e : removed) {
             for (SharedRun run : e.place.shared) {
                 boolean broughtBack =
                         left.stream().anyMatch(r -> r.instance == run.instance && r.tokens.remove(e.token));
@@ -151,14 +151,14 @@ final class SharedInstances {
         if (!voidOldest(run, token)) {
             run.instance.starting.remove(token);
         }
-        Entry oldest = place.find(token);
-        if (Entry.kindOf(token) == Entry.GENERIC || (oldest != null && oldest.order <= before)) {
+        PlacedToken oldest = place.find(token);
+        if (PlacedToken.kindOf(token) == PlacedToken.GENERIC || (oldest != null && oldest.order <= before)) {
             return;
         }
         forget(run, token);
-        Mission child = run.instance.child;
+        MissionState child = run.instance.child;
         if (child != null) {
-            rules.drops.takeOut(child, SubMissions.toChild(child, token));
+            rules.robotRemoval.takeOut(child, SubMissions.toChild(child, token));
         }
     }
 

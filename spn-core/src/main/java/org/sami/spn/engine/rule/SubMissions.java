@@ -8,11 +8,11 @@ import org.sami.spn.engine.net.CompiledInput;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledPlan;
 import org.sami.spn.engine.net.CompiledTransition;
-import org.sami.spn.engine.state.Entry;
 import org.sami.spn.engine.state.Instance;
-import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.OpenDecision;
 import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.Return;
 import org.sami.spn.engine.state.SharedRun;
 import org.sami.spn.engine.state.TaskState;
@@ -39,7 +39,7 @@ public final class SubMissions {
     }
 
     /** The specification by which a mission runs in its parent, null for a root. */
-    public static SubMissionSpec specOf(Mission m) {
+    public static SubMissionSpec specOf(MissionState m) {
         if (m.instance == null) {
             return null;
         }
@@ -71,7 +71,7 @@ public final class SubMissions {
         }
         v.setHeld(true);
         for (Instance instance : List.copyOf(v.instances)) {
-            Mission child = make(instance, specs.get(instance.specIndex));
+            MissionState child = make(instance, specs.get(instance.specIndex));
             if (child != null) {
                 List<Token> tokens = new ArrayList<>();
                 v.entered.forEach(token -> tokens.add(toChild(child, token)));
@@ -85,8 +85,8 @@ public final class SubMissions {
     }
 
     /** Makes the mission of an instance; null, with a note, where its plan cannot run. */
-    public Mission make(Instance instance, SubMissionSpec spec) {
-        Mission parent = instance.place.mission;
+    public MissionState make(Instance instance, SubMissionSpec spec) {
+        MissionState parent = instance.place.mission;
         CompiledPlan plan = rules.project().plan(spec.plan());
         if (plan == null || plan.start == null) {
             rules.note(
@@ -96,7 +96,7 @@ public final class SubMissions {
                             + "' with a start place");
             return null;
         }
-        Mission child = rules.missionStart.make(plan, plan.plan.title(), parent, instance);
+        MissionState child = rules.missionStart.make(plan, plan.plan.title(), parent, instance);
         instance.child = child;
         for (Map.Entry<String, String> mapped : spec.tasks().entrySet()) {
             TaskState original = findTask(parent, mapped.getKey());
@@ -112,8 +112,8 @@ public final class SubMissions {
         return child;
     }
 
-    private static TaskState findTask(Mission mission, String name) {
-        for (Mission m = mission; m != null; m = m.parent) {
+    private static TaskState findTask(MissionState mission, String name) {
+        for (MissionState m = mission; m != null; m = m.parent) {
             TaskState task = m.tasks.get(name);
             if (task != null) {
                 return task;
@@ -122,12 +122,12 @@ public final class SubMissions {
         return null;
     }
 
-    private static boolean isMapped(Mission child, TaskState task) {
+    private static boolean isMapped(MissionState child, TaskState task) {
         return specOf(child).tasks().containsValue(task.id.name());
     }
 
     /** A parent's token as its child names it. */
-    public static Token toChild(Mission child, Token token) {
+    public static Token toChild(MissionState child, Token token) {
         if (token instanceof Token.Task task) {
             for (TaskState own : child.tasks.values()) {
                 if (own.original != null && own.original.id.equals(task.task())) {
@@ -139,7 +139,7 @@ public final class SubMissions {
     }
 
     /** A child's token as its parent names it; null for a task of the child's own. */
-    public static Token toParent(Mission child, Token token) {
+    public static Token toParent(MissionState child, Token token) {
         if (token instanceof Token.Task task && task.task().mission() == child.id) {
             TaskState own = child.tasks.get(task.task().name());
             return own == null || own.original == null ? null : new Token.Task(own.original.id);
@@ -148,11 +148,11 @@ public final class SubMissions {
     }
 
     /** Takes what stands in the end places of a mission that ends as its returned tokens, and its return value. */
-    public void collect(Mission m) {
+    public void collect(MissionState m) {
         m.instance.returnValue = m.returnValue;
         for (PlaceState place : m.places) {
             if (place != null && place.place.isEnd()) {
-                for (Entry e : place.inOrder()) {
+                for (PlacedToken e : place.inOrder()) {
                     Token token = toParent(m, e.token);
                     if (token != null) {
                         m.instance.returned.add(token);
@@ -208,14 +208,14 @@ public final class SubMissions {
     public void aborted(Instance instance) {
         instance.status = Instance.Status.ABORTED;
         instance.returned.clear();
-        Mission m = instance.place.mission;
+        MissionState m = instance.place.mission;
         if (instance.isShared()) {
             rules.sharedInstances.gone(instance);
         }
         rules.post(() -> postAborted(m, instance));
     }
 
-    private void postAborted(Mission m, Instance instance) {
+    private void postAborted(MissionState m, Instance instance) {
         if (!m.runs() || (instance.visit != null && instance.visit.ended)) {
             return;
         }
@@ -234,7 +234,7 @@ public final class SubMissions {
                 if (input.role == EventRole.SUB_MISSION_ABORTED) {
                     Occurrence o = new Occurrence(input.spec.type(), m.id, Ids.NONE, robots, tasks, Map.of());
                     TransitionState state = m.transition(t.index);
-                    List<Token> names = Pendings.names(o, input.role);
+                    List<Token> names = PendingOccurrences.names(o, input.role);
                     if (!names.isEmpty()
                             && names.stream()
                                     .allMatch(n -> rules.enabling.wantsAbsence(t, instance.place.place, n, true))) {
@@ -272,8 +272,8 @@ public final class SubMissions {
         if (!instance.starting.remove(token) || instance.child == null) {
             return;
         }
-        if (Entry.kindOf(token) != Entry.GENERIC && !instance.visit.has(token)) {
-            rules.drops.takeOut(instance.child, toChild(instance.child, token));
+        if (PlacedToken.kindOf(token) != PlacedToken.GENERIC && !instance.visit.has(token)) {
+            rules.robotRemoval.takeOut(instance.child, toChild(instance.child, token));
         }
         if (instance.starting.isEmpty()) {
             instance.status = Instance.Status.ABORTED;

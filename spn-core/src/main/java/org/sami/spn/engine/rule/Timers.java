@@ -3,9 +3,9 @@ package org.sami.spn.engine.rule;
 import java.util.List;
 import java.util.Map;
 import org.sami.spn.engine.state.OpenDecision;
-import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.RunningTimer;
+import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.TaskState;
-import org.sami.spn.engine.state.Timer;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Occurrence;
@@ -24,7 +24,7 @@ public final class Timers {
     }
 
     /** Starts the timers of an activation: one, or one per entering robot. */
-    public void start(Sent sent) {
+    public void start(SentActivation sent) {
         long millis = sent.activation
                 .value(Reserved.DURATION)
                 .map(v -> v instanceof DurationValue d ? d.millis() : -1L)
@@ -48,16 +48,16 @@ public final class Timers {
         }
     }
 
-    private static boolean hasTimer(Sent sent, Token token) {
+    private static boolean hasTimer(SentActivation sent, Token token) {
         return sent.timers.stream().anyMatch(t -> t.token().equals(token));
     }
 
-    public Timer deadline(OpenDecision decision, long millis) {
+    public RunningTimer deadline(OpenDecision decision, long millis) {
         return add(millis, null, null, decision);
     }
 
-    private Timer add(long millis, Sent sent, Token token, OpenDecision decision) {
-        Timer timer = new Timer(rules.state.now + millis, ++rules.state.lastTimer, sent, token, decision);
+    private RunningTimer add(long millis, SentActivation sent, Token token, OpenDecision decision) {
+        RunningTimer timer = new RunningTimer(rules.state.now + millis, ++rules.state.lastTimer, sent, token, decision);
         rules.state.timers.add(timer);
         if (sent != null) {
             sent.add(timer);
@@ -65,12 +65,12 @@ public final class Timers {
         return timer;
     }
 
-    public void cancel(Timer timer) {
+    public void cancel(RunningTimer timer) {
         rules.state.timers.remove(timer);
     }
 
-    public void cancelAll(Sent sent) {
-        for (Timer t : sent.timers) {
+    public void cancelAll(SentActivation sent) {
+        for (RunningTimer t : sent.timers) {
             rules.state.timers.remove(t);
         }
         sent.timers = List.of();
@@ -78,7 +78,7 @@ public final class Timers {
 
     /** A token left its visit: its own timers end. */
     public void tokenLeft(Visit v, Token token) {
-        for (Sent sent : v.sent) {
+        for (SentActivation sent : v.sent) {
             if (!sent.timers.isEmpty() && !v.has(token)) {
                 sent.timers.removeIf(t -> t.token().equals(token) && rules.state.timers.remove(t));
             }
@@ -89,7 +89,7 @@ public final class Timers {
     public void runUntil(long time) {
         rules.firing.newChain();
         while (!rules.state.timers.isEmpty() && rules.state.timers.first().due() <= time) {
-            Timer next = rules.state.timers.pollFirst();
+            RunningTimer next = rules.state.timers.pollFirst();
             if (next.due() > rules.state.now) {
                 rules.state.now = next.due();
                 rules.firing.newChain();
@@ -100,12 +100,12 @@ public final class Timers {
         rules.state.now = Math.max(rules.state.now, time);
     }
 
-    private void expire(Timer timer) {
+    private void expire(RunningTimer timer) {
         if (timer.decision() != null) {
             rules.decisions.deadline(timer.decision());
             return;
         }
-        Sent sent = timer.sent();
+        SentActivation sent = timer.sent();
         sent.timers.remove(timer);
         boolean perRobot = sent.output.role == EventRole.PROXY_TIMER;
         String type =

@@ -3,7 +3,7 @@ package org.sami.spn.engine.rule;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.protocol.Effect;
@@ -15,7 +15,7 @@ import org.sami.spn.value.ValueType;
 /** Reads and writes variables in their scopes (thesis 3.1, Variables; SEMANTICS, Variables). */
 public final class Variables {
     /** Where a name leads: a mission, or the globals where it is null, and the name there. */
-    private record Place(Mission owner, String name, VariableSpec declaration) {}
+    private record Place(MissionState owner, String name, VariableSpec declaration) {}
 
     private final Rules rules;
 
@@ -24,9 +24,9 @@ public final class Variables {
     }
 
     /** A variable as a mission reads it, null mission = globals; null where it has no value. */
-    public Value read(Mission mission, String variable) {
+    public Value read(MissionState mission, String variable) {
         String name = variable;
-        for (Mission m = mission; m != null; m = m.parent) {
+        for (MissionState m = mission; m != null; m = m.parent) {
             String mapped = mapping(m).get(name);
             if (mapped != null) {
                 name = mapped;
@@ -41,12 +41,12 @@ public final class Variables {
     }
 
     /** The declaration that a write of a mission would meet, or null. */
-    public VariableSpec declaration(Mission mission, String variable) {
+    public VariableSpec declaration(MissionState mission, String variable) {
         return place(mission, variable).declaration;
     }
 
     /** Writes a variable where the nearest enclosing plan declares it, else in the own plan; says whether it fits. */
-    public boolean write(Mission mission, String variable, Value value) {
+    public boolean write(MissionState mission, String variable, Value value) {
         Place place = place(mission, variable);
         if (!fits(place.declaration, value)) {
             rules.note(
@@ -65,7 +65,7 @@ public final class Variables {
     }
 
     /** The declared variables of a type that a mission can read, its own first, the globals last. */
-    public List<String> namesInScope(Mission mission, ValueType type) {
+    public List<String> namesInScope(MissionState mission, ValueType type) {
         return declaredInScope(mission).entrySet().stream()
                 .filter(e -> e.getValue().type().equals(type))
                 .map(Map.Entry::getKey)
@@ -73,7 +73,7 @@ public final class Variables {
     }
 
     /** The values of a type that variables hold which a mission can read, its own first, the globals last. */
-    public List<Value> valuesInScope(Mission mission, ValueType type) {
+    public List<Value> valuesInScope(MissionState mission, ValueType type) {
         return declaredInScope(mission).keySet().stream()
                 .map(name -> read(mission, name))
                 .filter(value -> value != null
@@ -82,9 +82,9 @@ public final class Variables {
                 .toList();
     }
 
-    private Map<String, VariableSpec> declaredInScope(Mission mission) {
+    private Map<String, VariableSpec> declaredInScope(MissionState mission) {
         Map<String, VariableSpec> declared = new LinkedHashMap<>();
-        for (Mission m = mission; m != null; m = m.parent) {
+        for (MissionState m = mission; m != null; m = m.parent) {
             m.plan.variables.forEach(declared::putIfAbsent);
         }
         rules.project().globals.forEach(declared::putIfAbsent);
@@ -96,11 +96,11 @@ public final class Variables {
                 || declaration.type().accepts(value, rules.project().vocabulary.types());
     }
 
-    private Place place(Mission mission, String variable) {
+    private Place place(MissionState mission, String variable) {
         String name = variable;
-        Mission own = mission;
+        MissionState own = mission;
         String ownName = variable;
-        for (Mission m = mission; m != null; m = m.parent) {
+        for (MissionState m = mission; m != null; m = m.parent) {
             String mapped = mapping(m).get(name);
             if (mapped != null) {
                 name = mapped;
@@ -117,7 +117,7 @@ public final class Variables {
         return global != null || mission == null ? new Place(null, name, global) : new Place(own, ownName, null);
     }
 
-    private static Map<String, String> mapping(Mission m) {
+    private static Map<String, String> mapping(MissionState m) {
         SubMissionSpec spec = SubMissions.specOf(m);
         return spec == null ? Map.of() : spec.variables();
     }

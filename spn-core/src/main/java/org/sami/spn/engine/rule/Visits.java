@@ -2,11 +2,11 @@ package org.sami.spn.engine.rule;
 
 import java.util.LinkedHashMap;
 import java.util.List;
-import org.sami.spn.engine.state.Entry;
 import org.sami.spn.engine.state.Instance;
 import org.sami.spn.engine.state.NetState;
 import org.sami.spn.engine.state.PlaceState;
-import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.PlacedToken;
+import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Token;
@@ -65,7 +65,7 @@ final class Visits {
     /** Ends what a visit has going on outside the marking: timers, questions, activations. */
     void close(Visit v) {
         v.ended = true;
-        for (Sent sent : v.sent) {
+        for (SentActivation sent : v.sent) {
             sent.open = false;
             rules.timers.cancelAll(sent);
             if (sent.decision != null) {
@@ -82,7 +82,7 @@ final class Visits {
             place.lastVisits = new LinkedHashMap<>();
         }
         for (Token token : v.entered) {
-            if (Entry.kindOf(token) != Entry.GENERIC) {
+            if (PlacedToken.kindOf(token) != PlacedToken.GENERIC) {
                 Visit older = place.lastVisits.put(token, v);
                 if (older != v) {
                     v.remembered++;
@@ -98,7 +98,7 @@ final class Visits {
     }
 
     void forget(Visit v) {
-        for (Sent sent : v.sent) {
+        for (SentActivation sent : v.sent) {
             rules.state.sent.remove(sent.activation.id());
         }
     }

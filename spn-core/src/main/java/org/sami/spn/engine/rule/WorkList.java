@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import org.sami.spn.engine.net.CompiledTransition;
-import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.PlaceState;
 import org.sami.spn.engine.state.TransitionState;
 
@@ -56,7 +56,7 @@ final class WorkList {
     }
 
     /** Those whom a dropped robot left in a mission, whoever took it out; what it left in others waits for their turn. */
-    void addDropped(Mission mission) {
+    void addDropped(MissionState mission) {
         for (PlaceState place : withdrawnFrom) {
             if (place.mission == mission) {
                 left(place);
@@ -65,7 +65,7 @@ final class WorkList {
         withdrawnFrom.removeIf(place -> place.mission == mission);
     }
 
-    private void addIfWaiting(Mission mission, CompiledTransition t) {
+    private void addIfWaiting(MissionState mission, CompiledTransition t) {
         if (!t.hasInputs()) {
             add(mission.transition(t.index));
         } else {

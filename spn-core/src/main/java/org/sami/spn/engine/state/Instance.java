@@ -23,7 +23,7 @@ public final class Instance {
     public final int specIndex;
     public Status status = Status.RUNNING;
     /** The mission while it runs, else null. */
-    public Mission child;
+    public MissionState child;
     /** Starting tokens that were not withdrawn; for a static instance those that have not returned. */
     public final List<Token> starting;
     /** Tokens in the end places when it completed, that no firing has used. */

@@ -29,10 +29,10 @@ public final class NetState {
     public long stamp;
 
     public final Set<String> proxies = new LinkedHashSet<>();
-    public final Map<Long, Mission> missions = new LinkedHashMap<>();
-    public final Map<Long, Sent> sent = new HashMap<>();
+    public final Map<Long, MissionState> missions = new LinkedHashMap<>();
+    public final Map<Long, SentActivation> sent = new HashMap<>();
     public final Map<Long, OpenDecision> decisions = new LinkedHashMap<>();
-    public final TreeSet<Timer> timers = new TreeSet<>();
+    public final TreeSet<RunningTimer> timers = new TreeSet<>();
     public final Map<String, Value> globals = new LinkedHashMap<>();
     /** What handlers remember for the session, whatever missions run. */
     public final Map<String, Value> memory = new LinkedHashMap<>();
@@ -40,7 +40,7 @@ public final class NetState {
     public final Map<String, Long> unwanted = new LinkedHashMap<>();
 
     /** Missions whose plans have an input event of a type, by number of the type; in order of their start. */
-    private final List<Map<Long, Mission>> attentive = new ArrayList<>();
+    private final List<Map<Long, MissionState>> attentive = new ArrayList<>();
 
     public NetState(CompiledProject project) {
         this.project = project;
@@ -50,7 +50,7 @@ public final class NetState {
         }
     }
 
-    public void add(Mission mission) {
+    public void add(MissionState mission) {
         missions.put(mission.id, mission);
         for (int type : mission.plan.inputTypes) {
             attentive.get(type).put(mission.id, mission);
@@ -60,7 +60,7 @@ public final class NetState {
         }
     }
 
-    public void remove(Mission mission) {
+    public void remove(MissionState mission) {
         missions.remove(mission.id);
         for (int type : mission.plan.inputTypes) {
             attentive.get(type).remove(mission.id);
@@ -71,13 +71,13 @@ public final class NetState {
     }
 
     /** Missions with a transition for that type. */
-    public Map<Long, Mission> attentive(int typeId) {
+    public Map<Long, MissionState> attentive(int typeId) {
         return typeId < 0 ? Map.of() : attentive.get(typeId);
     }
 
     /** A task of a running mission, or null. */
     public TaskState task(TaskId id) {
-        Mission mission = missions.get(id.mission());
+        MissionState mission = missions.get(id.mission());
         return mission == null ? null : mission.tasks.get(id.name());
     }
 }

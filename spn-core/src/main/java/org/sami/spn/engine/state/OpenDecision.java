@@ -16,18 +16,23 @@ public final class OpenDecision {
     public final Decision decision;
     public final Purpose purpose;
     /** The mission that asks; null where the domain does. */
-    public final Mission mission;
+    public final MissionState mission;
     /** The asking activation; for an interrupt's choice the first that offers it; else null. */
-    public final Sent sent;
+    public final SentActivation sent;
     /** The aborted child, else null. */
     public final Instance instance;
     /** The interrupt whose robots are chosen, or whom the domain's question is about, else empty text. */
     public final String subject;
 
-    public Timer deadline;
+    public RunningTimer deadline;
 
     public OpenDecision(
-            Decision decision, Purpose purpose, Mission mission, Sent sent, Instance instance, String subject) {
+            Decision decision,
+            Purpose purpose,
+            MissionState mission,
+            SentActivation sent,
+            Instance instance,
+            String subject) {
         this.decision = decision;
         this.purpose = purpose;
         this.mission = mission;

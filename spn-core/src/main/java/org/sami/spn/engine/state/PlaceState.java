@@ -13,15 +13,15 @@ import org.sami.spn.protocol.Token;
  * oldest of a kind take constant time.
  */
 public final class PlaceState {
-    public final Mission mission;
+    public final MissionState mission;
     public final CompiledPlace place;
-    public final int[] count = new int[Entry.KINDS];
+    public final int[] count = new int[PlacedToken.KINDS];
     /** How many of them are held by running instances. */
-    public final int[] held = new int[Entry.KINDS];
+    public final int[] held = new int[PlacedToken.KINDS];
 
-    public final Entry[] first = new Entry[Entry.KINDS];
-    private final Entry[] last = new Entry[Entry.KINDS];
-    private final Map<Token, Entry> named = new HashMap<>(4);
+    public final PlacedToken[] first = new PlacedToken[PlacedToken.KINDS];
+    private final PlacedToken[] last = new PlacedToken[PlacedToken.KINDS];
+    private final Map<Token, PlacedToken> named = new HashMap<>(4);
     /** Visits by nobody that have not ended. */
     public final List<Visit> nobody = new ArrayList<>(0);
     /** Visits with sub-mission instances that have not ended, by id; created when needed. */
@@ -31,7 +31,7 @@ public final class PlaceState {
     /** The last ended visit of each token, where answers outlive visits. */
     public Map<Token, Visit> lastVisits;
 
-    public PlaceState(Mission mission, CompiledPlace place) {
+    public PlaceState(MissionState mission, CompiledPlace place) {
         this.mission = mission;
         this.place = place;
     }
@@ -45,7 +45,7 @@ public final class PlaceState {
     }
 
     /** The oldest copy of a proxy or task token, or null. */
-    public Entry find(Token token) {
+    public PlacedToken find(Token token) {
         return named.get(token);
     }
 
@@ -60,7 +60,7 @@ public final class PlaceState {
         instanceVisits.put(visit.id, visit);
     }
 
-    public void add(Entry e) {
+    public void add(PlacedToken e) {
         int k = e.kind;
         count[k]++;
         if (e.visit.held) {
@@ -73,8 +73,8 @@ public final class PlaceState {
             last[k].nextOfKind = e;
         }
         last[k] = e;
-        if (k != Entry.GENERIC) {
-            Entry copy = named.putIfAbsent(e.token, e);
+        if (k != PlacedToken.GENERIC) {
+            PlacedToken copy = named.putIfAbsent(e.token, e);
             while (copy != null) {
                 if (copy.nextCopy == null) {
                     copy.nextCopy = e;
@@ -86,7 +86,7 @@ public final class PlaceState {
         e.visit.add(e);
     }
 
-    public void remove(Entry e) {
+    public void remove(PlacedToken e) {
         int k = e.kind;
         count[k]--;
         if (e.visit.held) {
@@ -102,14 +102,14 @@ public final class PlaceState {
         } else {
             e.nextOfKind.previousOfKind = e.previousOfKind;
         }
-        if (k != Entry.GENERIC) {
+        if (k != PlacedToken.GENERIC) {
             removeNamed(e);
         }
         e.visit.remove(e);
     }
 
-    private void removeNamed(Entry e) {
-        Entry copy = named.get(e.token);
+    private void removeNamed(PlacedToken e) {
+        PlacedToken copy = named.get(e.token);
         if (copy == e) {
             if (e.nextCopy == null) {
                 named.remove(e.token);
@@ -125,12 +125,12 @@ public final class PlaceState {
     }
 
     /** Tokens in order of entry. */
-    public List<Entry> inOrder() {
-        List<Entry> result = new ArrayList<>(total());
-        Entry[] next = first.clone();
+    public List<PlacedToken> inOrder() {
+        List<PlacedToken> result = new ArrayList<>(total());
+        PlacedToken[] next = first.clone();
         for (int i = total(); i > 0; i--) {
             int oldest = -1;
-            for (int k = 0; k < Entry.KINDS; k++) {
+            for (int k = 0; k < PlacedToken.KINDS; k++) {
                 if (next[k] != null && (oldest < 0 || next[k].order < next[oldest].order)) {
                     oldest = k;
                 }

@@ -11,14 +11,14 @@ import org.sami.spn.protocol.Token;
 public final class TransitionState {
     /** Pending occurrences of one input event in order of arrival. */
     public static final class Queue {
-        public Pending first;
-        private Pending last;
+        public PendingOccurrence first;
+        private PendingOccurrence last;
         public int size;
         /** How many of them name somebody. */
         public int naming;
     }
 
-    public final Mission mission;
+    public final MissionState mission;
     public final CompiledTransition transition;
     /** Whether it stands on the work list. */
     public boolean queued;
@@ -30,9 +30,9 @@ public final class TransitionState {
     /** Counts who has reported, where the transition waits for all; else null. */
     public final Barrier barrier;
 
-    private final Map<Token, List<Name>> index = new HashMap<>(4);
+    private final Map<Token, List<NamedToken>> index = new HashMap<>(4);
 
-    public TransitionState(Mission mission, CompiledTransition transition) {
+    public TransitionState(MissionState mission, CompiledTransition transition) {
         this.mission = mission;
         this.transition = transition;
         this.queues = new Queue[transition.inputs.length];
@@ -42,7 +42,7 @@ public final class TransitionState {
         this.barrier = transition.waitsForAll ? new Barrier(queues.length) : null;
     }
 
-    public void add(Pending p) {
+    public void add(PendingOccurrence p) {
         Queue q = queues[p.input.index];
         p.previous = q.last;
         if (q.last == null) {
@@ -57,7 +57,7 @@ public final class TransitionState {
             nameless++;
         } else {
             q.naming++;
-            for (Name n : p.names) {
+            for (NamedToken n : p.names) {
                 if (!n.struck) {
                     index(n);
                 }
@@ -65,7 +65,7 @@ public final class TransitionState {
         }
     }
 
-    public void remove(Pending p) {
+    public void remove(PendingOccurrence p) {
         Queue q = queues[p.input.index];
         if (p.previous == null) {
             q.first = p.next;
@@ -84,7 +84,7 @@ public final class TransitionState {
             nameless--;
         } else {
             q.naming--;
-            for (Name n : p.names) {
+            for (NamedToken n : p.names) {
                 if (!n.struck) {
                     unindex(n);
                 }
@@ -92,27 +92,27 @@ public final class TransitionState {
         }
     }
 
-    public void strike(Name n) {
+    public void strike(NamedToken n) {
         unindex(n);
         n.struck = true;
         n.pending.namesLeft--;
     }
 
     /** Replaces the tokens that a name speaks of, after an allocation changed. */
-    public void renew(Name n, Token[] tokens) {
+    public void renew(NamedToken n, Token[] tokens) {
         unindex(n);
         n.tokens = tokens;
         index(n);
     }
 
     /** Names that speak of a token and are not struck. */
-    public List<Name> speakingOf(Token token) {
+    public List<NamedToken> speakingOf(Token token) {
         return index.getOrDefault(token, List.of());
     }
 
-    private void index(Name n) {
+    private void index(NamedToken n) {
         for (Token token : n.tokens) {
-            List<Name> list = index.get(token);
+            List<NamedToken> list = index.get(token);
             if (list == null) {
                 list = new ArrayList<>(2);
                 index.put(token, list);
@@ -124,9 +124,9 @@ public final class TransitionState {
         }
     }
 
-    private void unindex(Name n) {
+    private void unindex(NamedToken n) {
         for (Token token : n.tokens) {
-            List<Name> list = index.get(token);
+            List<NamedToken> list = index.get(token);
             if (list.size() == 1) {
                 index.remove(token);
             } else {

@@ -15,10 +15,10 @@ public final class Visit {
     /** How many of its tokens have not left. */
     public int live;
 
-    public Entry first;
-    private Entry last;
+    public PlacedToken first;
+    private PlacedToken last;
     public boolean ended;
-    public final List<Sent> sent = new ArrayList<>(1);
+    public final List<SentActivation> sent = new ArrayList<>(1);
     /** Dynamic instances, none for most places. */
     public List<Instance> instances = List.of();
     /** Whether an instance runs or was aborted: its tokens are outside every pool. */
@@ -40,16 +40,16 @@ public final class Visit {
 
     /** Puts one of its tokens into the marking. */
     public void enter(Token token, long order) {
-        Entry e = new Entry(token, order, place, this);
+        PlacedToken e = new PlacedToken(token, order, place, this);
         place.add(e);
-        if (e.kind != Entry.GENERIC) {
+        if (e.kind != PlacedToken.GENERIC) {
             for (CompiledTransition t : place.place.barriers) {
                 place.mission.transition(t.index).barrier.entered(token);
             }
         }
     }
 
-    public void add(Entry e) {
+    public void add(PlacedToken e) {
         live++;
         e.previousOfVisit = last;
         if (last == null) {
@@ -60,7 +60,7 @@ public final class Visit {
         last = e;
     }
 
-    public void remove(Entry e) {
+    public void remove(PlacedToken e) {
         live--;
         if (e.previousOfVisit == null) {
             first = e.nextOfVisit;
@@ -76,7 +76,7 @@ public final class Visit {
 
     /** Whether a copy of a proxy or task token that entered by it is still there. */
     public boolean has(Token token) {
-        for (Entry e = place.find(token); e != null; e = e.nextCopy) {
+        for (PlacedToken e = place.find(token); e != null; e = e.nextCopy) {
             if (e.visit == this) {
                 return true;
             }
@@ -136,7 +136,7 @@ public final class Visit {
             return;
         }
         held = value;
-        for (Entry e = first; e != null; e = e.nextOfVisit) {
+        for (PlacedToken e = first; e != null; e = e.nextOfVisit) {
             place.held[e.kind] += value ? 1 : -1;
         }
     }

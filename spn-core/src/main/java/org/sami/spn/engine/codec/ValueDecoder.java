@@ -22,11 +22,11 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.VariableReference;
 
-/** Reads what {@link ValueWriter} wrote. */
-public final class ValueReader {
-    private final ProtocolReader in;
+/** Reads what {@link ValueEncoder} wrote. */
+public final class ValueDecoder {
+    private final ProtocolDecoder in;
 
-    public ValueReader(ProtocolReader in) {
+    public ValueDecoder(ProtocolDecoder in) {
         this.in = in;
     }
 

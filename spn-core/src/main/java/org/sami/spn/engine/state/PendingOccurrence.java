@@ -4,23 +4,23 @@ import org.sami.spn.engine.net.CompiledInput;
 import org.sami.spn.protocol.Occurrence;
 
 /** An occurrence that a transition has received and not used, a knot in the list of its input event. */
-public final class Pending {
+public final class PendingOccurrence {
     public final Occurrence occurrence;
     public final CompiledInput input;
     /** The answered activation; null for news. */
-    public final Sent answered;
+    public final SentActivation answered;
     /** A visit with whose end it goes, though it answers no activation; else null. */
     public final Visit bound;
     /** The return whose value it tells; else null. */
     public final Return told;
 
-    public Name[] names = {};
+    public NamedToken[] names = {};
     public int namesLeft;
-    public Pending previous;
-    public Pending next;
+    public PendingOccurrence previous;
+    public PendingOccurrence next;
     public boolean removed;
 
-    public Pending(Occurrence occurrence, CompiledInput input, Sent answered, Visit bound) {
+    public PendingOccurrence(Occurrence occurrence, CompiledInput input, SentActivation answered, Visit bound) {
         this.occurrence = occurrence;
         this.input = input;
         this.answered = answered;
@@ -29,7 +29,7 @@ public final class Pending {
     }
 
     /** Tells the value of a return. */
-    public Pending(Occurrence occurrence, CompiledInput input, Return told) {
+    public PendingOccurrence(Occurrence occurrence, CompiledInput input, Return told) {
         this.occurrence = occurrence;
         this.input = input;
         this.answered = null;

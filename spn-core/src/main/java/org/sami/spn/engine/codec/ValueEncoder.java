@@ -19,11 +19,11 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.VariableReference;
 
-/** Writes values: a tag for the kind, then what it holds. The tags are those of {@link ValueReader}. */
-public final class ValueWriter {
-    private final ProtocolWriter out;
+/** Writes values: a tag for the kind, then what it holds. The tags are those of {@link ValueDecoder}. */
+public final class ValueEncoder {
+    private final ProtocolEncoder out;
 
-    public ValueWriter(ProtocolWriter out) {
+    public ValueEncoder(ProtocolEncoder out) {
         this.out = out;
     }
 

@@ -3,10 +3,10 @@ package org.sami.spn.engine.rule;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.sami.spn.engine.state.Entry;
 import org.sami.spn.engine.state.Instance;
-import org.sami.spn.engine.state.Mission;
+import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.SharedRun;
 import org.sami.spn.engine.state.TaskState;
 import org.sami.spn.engine.state.TransitionState;
@@ -17,16 +17,16 @@ import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Token;
 
 /** Takes robots out of missions: dropped by the operator, or withdrawn by an interrupt in a parent. */
-public final class Drops {
+public final class RobotRemoval {
     private final Rules rules;
 
-    public Drops(Rules rules) {
+    public RobotRemoval(Rules rules) {
         this.rules = rules;
     }
 
     /** The operator drops a robot; a reason where that makes no sense. */
     public Optional<String> drop(Input.ProxyDropped input) {
-        Mission root = rules.state.missions.get(input.mission());
+        MissionState root = rules.state.missions.get(input.mission());
         if (input.mission() != Ids.NONE && root == null) {
             return Optional.of("There is no running mission " + input.mission());
         }
@@ -34,12 +34,12 @@ public final class Drops {
         if (input.mission() == Ids.NONE && !rules.state.proxies.remove(input.proxy()) && !standsSomewhere(token)) {
             return Optional.of("No robot '" + input.proxy() + "' is known");
         }
-        List<Mission> concerned = rules.state.missions.values().stream()
+        List<MissionState> concerned = rules.state.missions.values().stream()
                 .filter(m -> !m.ended && (root == null || m.root == root.root))
                 .toList();
         // before any of them ends for want of the robot: its tasks are released as well
         concerned.forEach(m -> rules.allocation.release(m, input.proxy()));
-        for (Mission m :
+        for (MissionState m :
                 concerned) { // in the order of their ids: a child is looked at in its own turn, not in its parent's
             if (!m.ended) {
                 drop(m, token);
@@ -51,7 +51,7 @@ public final class Drops {
 
     /** An occurrence can have brought in a robot that never joined. */
     private boolean standsSomewhere(Token token) {
-        for (Mission m : rules.state.missions.values()) {
+        for (MissionState m : rules.state.missions.values()) {
             for (PlaceState place : m.places) {
                 if (place != null && place.find(token) != null) {
                     return true;
@@ -61,7 +61,7 @@ public final class Drops {
         return false;
     }
 
-    private void drop(Mission m, Token token) {
+    private void drop(MissionState m, Token token) {
         for (List<Token> waiting : m.waiting) {
             waiting.removeIf(token::equals);
         }
@@ -79,7 +79,7 @@ public final class Drops {
     }
 
     /** Nobody waits for the robot in instances of a mission any longer, wherever it stands. */
-    private void forget(Mission m, Token token) {
+    private void forget(MissionState m, Token token) {
         for (PlaceState place : m.places) {
             if (place == null) {
                 continue;
@@ -101,14 +101,14 @@ public final class Drops {
     }
 
     /** Removes every copy of a token from a mission and its descendants. */
-    public void takeOut(Mission m, Token token) {
+    public void takeOut(MissionState m, Token token) {
         if (m.ended) {
             return;
         }
-        List<Entry> removed = new ArrayList<>();
+        List<PlacedToken> removed = new ArrayList<>();
         for (PlaceState place : m.places) {
             if (place != null) {
-                for (Entry e = place.find(token); e != null; e = e.nextCopy) {
+                for (PlacedToken e = place.find(token); e != null; e = e.nextCopy) {
                     removed.add(e);
                 }
             }
@@ -122,16 +122,16 @@ public final class Drops {
         long before = rules.state.stamp;
         rules.leaving.remove(removed);
         withdrawCommands(m, token);
-        for (Entry e : removed) {
+        for (PlacedToken e : removed) {
             rules.work.withdrawn(e.place);
         }
-        for (Entry e : removed) {
+        for (PlacedToken e : removed) {
             rules.leaving.left(e, before, true);
         }
         rules.sharedInstances.pulled(removed, List.of(), before);
     }
 
-    private void withdrawCommands(Mission m, Token token) {
+    private void withdrawCommands(MissionState m, Token token) {
         if (token instanceof Token.Proxy proxy) {
             rules.emit(new Effect.CommandsWithdrawn(m.id, List.of(proxy.proxy())));
         } else if (token instanceof Token.Task task) {

@@ -11,21 +11,21 @@ import org.sami.spn.model.InputEventSpec;
  *     that is missing can come no longer
  * @param awaitedSubMissions ids of in places whose sub-missions must end or return somebody first, and still can
  */
-public record Explanation(
+public record EnablingExplanation(
         boolean yes, List<String> reasons, List<InputEventSpec> awaited, List<String> awaitedSubMissions) {
-    public Explanation {
+    public EnablingExplanation {
         reasons = List.copyOf(reasons);
         awaited = List.copyOf(awaited);
         awaitedSubMissions = List.copyOf(awaitedSubMissions);
     }
 
     /** An answer that no sub-mission changes. */
-    public Explanation(boolean yes, List<String> reasons, List<InputEventSpec> awaited) {
+    public EnablingExplanation(boolean yes, List<String> reasons, List<InputEventSpec> awaited) {
         this(yes, reasons, awaited, List.of());
     }
 
     /** An answer that no event changes. */
-    public Explanation(boolean yes, List<String> reasons) {
+    public EnablingExplanation(boolean yes, List<String> reasons) {
         this(yes, reasons, List.of());
     }
 }

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
 import org.sami.spn.engine.net.Reach;
-import org.sami.spn.engine.state.Entry;
 import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.Return;
 import org.sami.spn.engine.state.SharedRun;
 import org.sami.spn.engine.state.Visit;
@@ -15,9 +15,9 @@ import org.sami.spn.protocol.Token;
  * What a firing may speak of in one in place: tokens in order of entry, without those that running instances hold
  * (SEMANTICS, Requirements and Sub-missions).
  */
-public final class Pool {
+public final class TokenPool {
     /** How many tokens of a kind the pool has. */
-    public int count(PlaceState place, int kind, Scope scope) {
+    public int count(PlaceState place, int kind, FiringScope scope) {
         if (scope.checked.isEmpty()) {
             if (scope.reach == Reach.ALL) {
                 return place.count[kind];
@@ -30,10 +30,10 @@ public final class Pool {
     }
 
     /** How many tokens of a kind the pool has that fit. */
-    public int count(PlaceState place, int kind, Scope scope, Predicate<Token> fits) {
-        List<Entry> returned = returned(place, scope);
+    public int count(PlaceState place, int kind, FiringScope scope, Predicate<Token> fits) {
+        List<PlacedToken> returned = returned(place, scope);
         int n = 0;
-        for (Entry e = place.first[kind]; e != null; e = e.nextOfKind) {
+        for (PlacedToken e = place.first[kind]; e != null; e = e.nextOfKind) {
             if (fits.test(e.token) && usable(e, scope, returned)) {
                 n++;
             }
@@ -42,12 +42,12 @@ public final class Pool {
     }
 
     /** How many copies of a proxy or task token the pool has. */
-    public int copies(PlaceState place, Token token, Scope scope) {
-        Entry e = place.find(token);
+    public int copies(PlaceState place, Token token, FiringScope scope) {
+        PlacedToken e = place.find(token);
         if (e == null) {
             return 0;
         }
-        List<Entry> returned = returned(place, scope);
+        List<PlacedToken> returned = returned(place, scope);
         int n = 0;
         for (; e != null; e = e.nextCopy) {
             if (usable(e, scope, returned)) {
@@ -58,10 +58,11 @@ public final class Pool {
     }
 
     /** Adds the oldest tokens of a kind that fit, at most so many; says how many were added. */
-    public int collect(PlaceState place, int kind, int limit, Scope scope, Predicate<Token> fits, List<Entry> into) {
-        List<Entry> returned = returned(place, scope);
+    public int collect(
+            PlaceState place, int kind, int limit, FiringScope scope, Predicate<Token> fits, List<PlacedToken> into) {
+        List<PlacedToken> returned = returned(place, scope);
         int n = 0;
-        for (Entry e = place.first[kind]; e != null && n < limit; e = e.nextOfKind) {
+        for (PlacedToken e = place.first[kind]; e != null && n < limit; e = e.nextOfKind) {
             if ((fits == null || fits.test(e.token)) && usable(e, scope, returned)) {
                 into.add(e);
                 n++;
@@ -71,10 +72,10 @@ public final class Pool {
     }
 
     /** Adds the oldest tokens of any kind, at most so many; says how many were added. */
-    public int collectAny(PlaceState place, int limit, Scope scope, List<Entry> into) {
+    public int collectAny(PlaceState place, int limit, FiringScope scope, List<PlacedToken> into) {
         int kinds = 0;
         int only = 0;
-        for (int k = 0; k < Entry.KINDS; k++) {
+        for (int k = 0; k < PlacedToken.KINDS; k++) {
             if (place.count[k] > 0) {
                 kinds++;
                 only = k;
@@ -83,9 +84,9 @@ public final class Pool {
         if (kinds <= 1) {
             return collect(place, only, limit, scope, null, into);
         }
-        List<Entry> returned = returned(place, scope);
+        List<PlacedToken> returned = returned(place, scope);
         int n = 0;
-        for (Entry e : place.inOrder()) {
+        for (PlacedToken e : place.inOrder()) {
             if (n == limit) {
                 break;
             }
@@ -98,12 +99,12 @@ public final class Pool {
     }
 
     /** Adds every copy of a proxy or task token; says how many were added. */
-    public int collectCopies(PlaceState place, Token token, Scope scope, List<Entry> into) {
-        Entry e = place.find(token);
+    public int collectCopies(PlaceState place, Token token, FiringScope scope, List<PlacedToken> into) {
+        PlacedToken e = place.find(token);
         if (e == null) {
             return 0;
         }
-        List<Entry> returned = returned(place, scope);
+        List<PlacedToken> returned = returned(place, scope);
         int n = 0;
         for (; e != null; e = e.nextCopy) {
             if (usable(e, scope, returned)) {
@@ -118,8 +119,8 @@ public final class Pool {
      * The tokens of a place that the returns used by a firing brought back, in order of entry; null where no static instance
      * limits the firing. A token is free when every static instance on the place has brought it back.
      */
-    public List<Entry> returned(PlaceState place, Scope scope) {
-        List<Entry> result = null;
+    public List<PlacedToken> returned(PlaceState place, FiringScope scope) {
+        List<PlacedToken> result = null;
         for (SharedRun run : place.shared) {
             if (scope.needsReturn(run)) {
                 if (result == null) {
@@ -133,17 +134,17 @@ public final class Pool {
     }
 
     /** Keeps the oldest of those equal to what returned, one for one. */
-    private static void keepEqual(List<Entry> entries, Return returned) {
+    private static void keepEqual(List<PlacedToken> entries, Return returned) {
         List<Token> left = returned == null ? new ArrayList<>() : new ArrayList<>(returned.tokens);
         entries.removeIf(e -> !left.remove(e.token));
     }
 
-    private static boolean usable(Entry e, Scope scope, List<Entry> returned) {
+    private static boolean usable(PlacedToken e, FiringScope scope, List<PlacedToken> returned) {
         return returned == null ? standsFree(e, scope) : returned.contains(e);
     }
 
     /** Whether no dynamic instance holds a token back, and no checked return binds the firing to another visit. */
-    private static boolean standsFree(Entry e, Scope scope) {
+    private static boolean standsFree(PlacedToken e, FiringScope scope) {
         Visit bound = scope.checked.isEmpty() ? null : scope.visitIn(e.place);
         if (bound != null && bound != e.visit) {
             return false;

@@ -13,13 +13,13 @@ import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.FieldType;
 
 /** The fields of a plan that are asked when a mission starts: what was given, what is still to be asked. */
-final class Parameters {
+final class StartParameters {
     private final Rules rules;
     private final CompiledPlan plan;
     private final Map<String, Value> given = new LinkedHashMap<>();
     private final Map<String, Value> variables = new LinkedHashMap<>();
 
-    Parameters(Rules rules, CompiledPlan plan) {
+    StartParameters(Rules rules, CompiledPlan plan) {
         this.rules = rules;
         this.plan = plan;
     }

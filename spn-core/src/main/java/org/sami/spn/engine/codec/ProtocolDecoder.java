@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
-import org.sami.spn.engine.state.Entry;
+import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Answer;
@@ -21,12 +21,12 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 
-/** Reads what {@link ProtocolWriter} wrote. */
-public final class ProtocolReader {
+/** Reads what {@link ProtocolEncoder} wrote. */
+public final class ProtocolDecoder {
     private final ByteBuffer in;
-    private final ValueReader values = new ValueReader(this);
+    private final ValueDecoder values = new ValueDecoder(this);
 
-    public ProtocolReader(byte[] bytes) {
+    public ProtocolDecoder(byte[] bytes) {
         this.in = ByteBuffer.wrap(bytes);
     }
 
@@ -92,9 +92,9 @@ public final class ProtocolReader {
 
     public Token token() {
         return switch (tag()) {
-            case Entry.GENERIC -> Token.GENERIC;
-            case Entry.PROXY -> new Token.Proxy(text());
-            case Entry.TASK -> new Token.Task((TaskId) value());
+            case PlacedToken.GENERIC -> Token.GENERIC;
+            case PlacedToken.PROXY -> new Token.Proxy(text());
+            case PlacedToken.TASK -> new Token.Task((TaskId) value());
             default -> throw new IllegalArgumentException("No kind of token");
         };
     }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.sami.spn.engine.net.Reach;
 import org.sami.spn.engine.state.Instance;
-import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.PlaceState;
 import org.sami.spn.engine.state.Return;
 import org.sami.spn.engine.state.SharedRun;
@@ -14,21 +14,21 @@ import org.sami.spn.engine.state.Visit;
  * What a firing may speak of in its in places: how far it reaches, and which returns it checks the values of. Those bind it
  * to the tokens of their visit, or of their return, and to no others (SEMANTICS, Sub-missions).
  */
-public final class Scope {
-    public static final Scope FREE = new Scope(Reach.FREE, List.of());
-    private static final Scope ABORTED = new Scope(Reach.ABORTED, List.of());
-    private static final Scope ALL = new Scope(Reach.ALL, List.of());
+public final class FiringScope {
+    public static final FiringScope FREE = new FiringScope(Reach.FREE, List.of());
+    private static final FiringScope ABORTED = new FiringScope(Reach.ABORTED, List.of());
+    private static final FiringScope ALL = new FiringScope(Reach.ALL, List.of());
 
     public final Reach reach;
     /** Returns whose values the used occurrences tell. */
     public final List<Return> checked;
 
-    private Scope(Reach reach, List<Return> checked) {
+    private FiringScope(Reach reach, List<Return> checked) {
         this.reach = reach;
         this.checked = checked;
     }
 
-    public static Scope of(Reach reach) {
+    public static FiringScope of(Reach reach) {
         return switch (reach) {
             case FREE -> FREE;
             case ABORTED -> ABORTED;
@@ -37,15 +37,15 @@ public final class Scope {
     }
 
     /** The scope of a firing that uses these occurrences. */
-    public static Scope of(Reach reach, List<Pending> used) {
+    public static FiringScope of(Reach reach, List<PendingOccurrence> used) {
         List<Return> checked = List.of();
-        for (Pending p : used) {
+        for (PendingOccurrence p : used) {
             if (p.told != null && !checked.contains(p.told)) {
                 checked = checked.isEmpty() ? new ArrayList<>(1) : checked;
                 checked.add(p.told);
             }
         }
-        return checked.isEmpty() ? of(reach) : new Scope(reach, checked);
+        return checked.isEmpty() ? of(reach) : new FiringScope(reach, checked);
     }
 
     /** The only visit that it may speak of in a place; null where it is bound to none. */

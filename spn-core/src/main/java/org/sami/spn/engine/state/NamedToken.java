@@ -6,15 +6,15 @@ import org.sami.spn.protocol.Token;
  * One robot or task that a pending occurrence names, with the tokens it speaks of: itself, and for a robot the tasks
  * allocated to it among those of the answered activation (SEMANTICS, Input events, relevant tokens).
  */
-public final class Name {
-    public final Pending pending;
+public final class NamedToken {
+    public final PendingOccurrence pending;
     public final Token token;
     public Token[] tokens;
     public boolean struck;
     /** Whether one of its tokens stood in the answered visit or an in place when it arrived. */
     public boolean stood;
 
-    public Name(Pending pending, Token token) {
+    public NamedToken(PendingOccurrence pending, Token token) {
         this.pending = pending;
         this.token = token;
         this.tokens = new Token[] {token};

@@ -9,7 +9,7 @@ import java.security.NoSuchAlgorithmException;
  * The checksums of a journal: 16 bytes of SHA-256. That of an entry covers that of its predecessor, so that an entry that
  * is missing, twice, out of order or changed shows; that of the first covers the header's. Used by one thread.
  */
-final class Chain {
+final class HashChain {
     private final MessageDigest digest = sha256();
     private final ByteBuffer numbers = ByteBuffer.allocate(2 * Long.BYTES);
 

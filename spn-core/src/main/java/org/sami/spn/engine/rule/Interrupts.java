@@ -7,11 +7,11 @@ import java.util.Set;
 import org.sami.spn.engine.net.CompiledInput;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledTransition;
-import org.sami.spn.engine.state.Entry;
-import org.sami.spn.engine.state.Mission;
-import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.MissionState;
+import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.PlaceState;
-import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.PlacedToken;
+import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.TransitionState;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.protocol.Ids;
@@ -29,17 +29,17 @@ import org.sami.spn.vocabulary.Reserved;
  * What is never kept: interrupts, abort and complete. The transition fires now or refuses (SEMANTICS, Interrupts and
  * aborts; thesis 7.0.2).
  */
-public final class Presses {
+public final class Interrupts {
     private final Rules rules;
     /** How many transitions a press has fired. */
     private int taken;
 
-    public Presses(Rules rules) {
+    public Interrupts(Rules rules) {
         this.rules = rules;
     }
 
     /** A pending occurrence is used by a firing. */
-    public void taken(Pending p) {
+    public void taken(PendingOccurrence p) {
         if (p.input.isPress()) {
             taken++;
         }
@@ -52,7 +52,7 @@ public final class Presses {
         }
         for (CompiledInput input : t.transition.inputs) {
             if (input.isPress()) {
-                for (Pending p = t.queues[input.index].first; p != null; p = p.next) {
+                for (PendingOccurrence p = t.queues[input.index].first; p != null; p = p.next) {
                     t.remove(p);
                     if (input.role != EventRole.ABORT_RECEIVED && input.role != EventRole.COMPLETE_RECEIVED) {
                         refused(t.mission.id, "'" + t.transition + "' cannot take the interrupt now");
@@ -68,14 +68,14 @@ public final class Presses {
 
     /** A button is pressed. */
     public void interrupt(Input.Interrupt press) {
-        List<Mission> missions = new ArrayList<>();
+        List<MissionState> missions = new ArrayList<>();
         if (press.mission() == Ids.NONE) {
             missions.addAll(rules.state.missions.values());
         } else if (rules.state.missions.containsKey(press.mission())) {
             missions.add(rules.state.missions.get(press.mission()));
         }
         boolean offered = false;
-        for (Mission m : missions) {
+        for (MissionState m : missions) {
             if (m.runs()) {
                 offered |= pressNamed(m, press.name(), press.proxies());
                 offered |= pressPlaces(m, press.name(), press.proxies());
@@ -87,7 +87,7 @@ public final class Presses {
     }
 
     /** Named interrupt events on transitions (appendix .2.2). */
-    private boolean pressNamed(Mission m, String name, List<String> proxies) {
+    private boolean pressNamed(MissionState m, String name, List<String> proxies) {
         for (CompiledTransition t : m.plan.transitions) {
             for (CompiledInput input : t.inputs) {
                 if (input.role == EventRole.INTERRUPT && name.equals(nameOf(input))) {
@@ -105,10 +105,10 @@ public final class Presses {
     }
 
     /** Interrupt places (thesis 7.0.2): the press answers every open activation of that name. */
-    private boolean pressPlaces(Mission m, String name, List<String> proxies) {
+    private boolean pressPlaces(MissionState m, String name, List<String> proxies) {
         boolean offered = false;
         boolean asked = false;
-        for (Sent sent : openInterrupts(m, name)) {
+        for (SentActivation sent : openInterrupts(m, name)) {
             boolean robots = sent.output.role == EventRole.PROXY_INTERRUPT;
             if (robots && proxies.isEmpty()) {
                 asked = asked || ask(m, sent, name);
@@ -121,7 +121,7 @@ public final class Presses {
     }
 
     /** Asks whom the press is for; where nobody stands whom it could take, it is refused. */
-    private boolean ask(Mission m, Sent sent, String name) {
+    private boolean ask(MissionState m, SentActivation sent, String name) {
         List<String> candidates = candidates(sent);
         if (candidates.isEmpty()) {
             refused(m.id, "Nobody is there for the interrupt '" + name + "'");
@@ -132,15 +132,15 @@ public final class Presses {
     }
 
     /** The robots of an interrupt were chosen. */
-    public void chosen(Mission m, String name, List<String> proxies) {
-        for (Sent sent : openInterrupts(m, name)) {
+    public void chosen(MissionState m, String name, List<String> proxies) {
+        for (SentActivation sent : openInterrupts(m, name)) {
             if (sent.output.role == EventRole.PROXY_INTERRUPT) {
                 press(sent, proxies);
             }
         }
     }
 
-    private void press(Sent sent, List<String> proxies) {
+    private void press(SentActivation sent, List<String> proxies) {
         EventRole role = sent.output.role == EventRole.PROXY_INTERRUPT
                 ? EventRole.PROXY_INTERRUPT_RECEIVED
                 : EventRole.GENERAL_INTERRUPT_RECEIVED;
@@ -152,7 +152,7 @@ public final class Presses {
     /** No transition can take a press: it is not kept, and the operator is told. */
     public void untaken(Occurrence press) {
         Value name = press.values().get(Reserved.INTERRUPT_NAME);
-        Mission m = rules.state.missions.get(press.mission());
+        MissionState m = rules.state.missions.get(press.mission());
         refused(
                 press.mission(),
                 "Nobody is there for the interrupt '" + (name == null ? press.type() : CompiledInput.text(name)) + "'"
@@ -160,7 +160,7 @@ public final class Presses {
     }
 
     /** Where the named robots stand instead, in words. */
-    private static String whereabouts(Mission m, List<String> proxies) {
+    private static String whereabouts(MissionState m, List<String> proxies) {
         StringBuilder words = new StringBuilder();
         for (PlaceState place : m.places) {
             for (String proxy : place == null ? List.<String>of() : proxies) {
@@ -176,10 +176,10 @@ public final class Presses {
         return words.toString();
     }
 
-    private static List<Sent> openInterrupts(Mission m, String name) {
-        List<Sent> result = new ArrayList<>();
+    private static List<SentActivation> openInterrupts(MissionState m, String name) {
+        List<SentActivation> result = new ArrayList<>();
         for (Visit v = m.firstVisit(); v != null; v = v.next) {
-            for (Sent sent : v.sent) {
+            for (SentActivation sent : v.sent) {
                 if (sent.open && isInterrupt(sent.output.role) && nameOf(sent).equals(name)) {
                     result.add(sent);
                 }
@@ -192,7 +192,7 @@ public final class Presses {
         return role == EventRole.GENERAL_INTERRUPT || role == EventRole.PROXY_INTERRUPT;
     }
 
-    public static String nameOf(Sent sent) {
+    public static String nameOf(SentActivation sent) {
         return sent.activation
                 .value(Reserved.INTERRUPT_NAME)
                 .map(CompiledInput::text)
@@ -200,9 +200,9 @@ public final class Presses {
     }
 
     /** The robots that stand in the in places of the transitions that the interrupt's answer is for. */
-    private List<String> candidates(Sent sent) {
+    private List<String> candidates(SentActivation sent) {
         Set<String> robots = new java.util.LinkedHashSet<>();
-        Mission m = sent.mission();
+        MissionState m = sent.mission();
         for (CompiledTransition t : sent.visit.place.place.outTransitions) {
             for (CompiledInput input : t.inputs) {
                 if (input.role == EventRole.PROXY_INTERRUPT_RECEIVED) {
@@ -219,13 +219,13 @@ public final class Presses {
     }
 
     private static void addRobots(PlaceState place, Set<String> robots) {
-        for (Entry e = place.first[Entry.PROXY]; e != null; e = e.nextOfKind) {
+        for (PlacedToken e = place.first[PlacedToken.PROXY]; e != null; e = e.nextOfKind) {
             robots.add(((Token.Proxy) e.token).proxy());
         }
     }
 
     /** Aborts a mission: a transition of it may intercept, else it ends with all its descendants; its outcome is decided. */
-    public void abort(Mission m) {
+    public void abort(MissionState m) {
         rules.missionEnd.asked(m, Outcome.ABORTED);
         if (!m.ended && !intercepted(m, EventRole.ABORT_RECEIVED)) {
             rules.missionEnd.stop(m, Outcome.ABORTED);
@@ -233,14 +233,14 @@ public final class Presses {
     }
 
     /** Completes a mission, likewise. */
-    public void complete(Mission m) {
+    public void complete(MissionState m) {
         rules.missionEnd.asked(m, Outcome.COMPLETED);
         if (!m.ended && !intercepted(m, EventRole.COMPLETE_RECEIVED)) {
             rules.missionEnd.stop(m, Outcome.COMPLETED);
         }
     }
 
-    private boolean intercepted(Mission m, EventRole role) {
+    private boolean intercepted(MissionState m, EventRole role) {
         if (!m.runs()) {
             return false;
         }

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.spn.engine.net.CompiledInput;
-import org.sami.spn.engine.state.Mission;
-import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.MissionState;
+import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.TaskState;
 import org.sami.spn.engine.state.TransitionState;
 import org.sami.spn.model.TaskSpec;
@@ -25,10 +25,10 @@ import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Reserved;
 
 /** Tasks made at run time, and which robot a task is allocated to (SEMANTICS, Tokens). */
-public final class Allocation {
+public final class TaskAllocation {
     private final Rules rules;
 
-    public Allocation(Rules rules) {
+    public TaskAllocation(Rules rules) {
         this.rules = rules;
     }
 
@@ -63,7 +63,7 @@ public final class Allocation {
     }
 
     /** Releases what a robot had of a mission's own tasks. */
-    public void release(Mission m, String robot) {
+    public void release(MissionState m, String robot) {
         List<TaskState> released = new ArrayList<>();
         Map<TaskId, String> before = new LinkedHashMap<>();
         for (TaskState task : m.tasks.values()) {
@@ -85,7 +85,7 @@ public final class Allocation {
     }
 
     /** Applies the allocation in an activation. */
-    public void apply(Sent sent) {
+    public void apply(SentActivation sent) {
         Value tasks = sent.activation.values().get(Reserved.TASKS);
         if (tasks == null && sent.activation.values().get(Reserved.ALLOCATION) instanceof RecordValue record) {
             tasks = record.field(Reserved.TASKS).orElse(null);
@@ -107,7 +107,7 @@ public final class Allocation {
     }
 
     private void renewNames() {
-        for (Mission m : rules.state.missions.values()) {
+        for (MissionState m : rules.state.missions.values()) {
             for (TransitionState t : m.transitions) {
                 if (t != null && t.pending > 0) {
                     rules.pendings.renewNames(t);
@@ -118,7 +118,7 @@ public final class Allocation {
 
     /** Adds tasks to a running mission; a reason where it cannot. */
     public Optional<String> add(Input.AddTasks input) {
-        Mission m = rules.state.missions.get(input.mission());
+        MissionState m = rules.state.missions.get(input.mission());
         if (m == null) {
             return Optional.of("There is no running mission " + input.mission());
         }
@@ -132,8 +132,8 @@ public final class Allocation {
     }
 
     /** Makes one task per item of the list in an activation. */
-    public List<TaskId> generate(Sent sent) {
-        Mission m = sent.mission();
+    public List<TaskId> generate(SentActivation sent) {
+        MissionState m = sent.mission();
         String taskClass = sent.activation
                 .value(Reserved.TASK_CLASS)
                 .map(CompiledInput::text)

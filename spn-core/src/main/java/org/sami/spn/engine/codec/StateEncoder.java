@@ -5,32 +5,32 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
 import org.sami.spn.engine.net.CompiledPlace;
-import org.sami.spn.engine.state.Entry;
 import org.sami.spn.engine.state.Instance;
-import org.sami.spn.engine.state.Mission;
-import org.sami.spn.engine.state.Name;
+import org.sami.spn.engine.state.MissionState;
+import org.sami.spn.engine.state.NamedToken;
 import org.sami.spn.engine.state.NetState;
 import org.sami.spn.engine.state.OpenDecision;
-import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.Return;
-import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.RunningTimer;
+import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.SharedRun;
 import org.sami.spn.engine.state.TaskState;
-import org.sami.spn.engine.state.Timer;
 import org.sami.spn.engine.state.TransitionState;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Token;
 
 /** Writes a whole state between two steps. What can be worked out again from the rest is left out. */
-public final class StateWriter {
+public final class StateEncoder {
     /** First bytes of every encoded state: "SPNS". */
     public static final int MAGIC = 0x53504e53;
     /** Version of the form. */
     public static final int VERSION = 3;
 
-    private final ProtocolWriter out = new ProtocolWriter();
+    private final ProtocolEncoder out = new ProtocolEncoder();
 
     public byte[] write(NetState s) {
         out.integer(MAGIC);
@@ -53,24 +53,24 @@ public final class StateWriter {
         out.integer(s.decisions.size());
         s.decisions.values().forEach(this::decision);
         out.integer(s.timers.size());
-        for (Timer t : s.timers) {
+        for (RunningTimer t : s.timers) {
             out.number(t.due());
             out.number(t.id());
             out.number(t.sent() == null ? Ids.NONE : t.sent().activation.id());
             out.token(t.token() == null ? Token.GENERIC : t.token());
             out.number(t.decision() == null ? Ids.NONE : t.decision().decision.id());
         }
-        List<Mission> asked =
+        List<MissionState> asked =
                 s.missions.values().stream().filter(m -> m.asked != null).toList();
         out.integer(asked.size());
-        for (Mission m : asked) {
+        for (MissionState m : asked) {
             out.number(m.id);
             out.text(m.asked.name());
         }
         return out.bytes();
     }
 
-    private void mission(Mission m) {
+    private void mission(MissionState m) {
         out.number(m.id);
         out.text(m.plan.plan.id());
         out.text(m.name);
@@ -119,7 +119,7 @@ public final class StateWriter {
         out.text(i.returnValue);
     }
 
-    private void shared(Mission m) {
+    private void shared(MissionState m) {
         for (CompiledPlace place : m.plan.places) {
             if (place.shared.isEmpty()) {
                 continue;
@@ -138,7 +138,7 @@ public final class StateWriter {
     }
 
     /** Visits that go on, and ended ones of which something still speaks. */
-    private void visits(Mission m) {
+    private void visits(MissionState m) {
         TreeSet<Visit> visits = new TreeSet<>(Comparator.comparingLong((Visit v) -> v.id));
         for (Visit v = m.firstVisit(); v != null; v = v.next) {
             visits.add(v);
@@ -151,7 +151,7 @@ public final class StateWriter {
         for (TransitionState t : m.transitions) {
             if (t != null) {
                 for (TransitionState.Queue q : t.queues) {
-                    for (Pending p = q.first; p != null; p = p.next) {
+                    for (PendingOccurrence p = q.first; p != null; p = p.next) {
                         if (p.visit() != null) {
                             visits.add(p.visit());
                         }
@@ -183,17 +183,17 @@ public final class StateWriter {
         out.integer(instances.size());
         instances.forEach(this::instance);
         out.integer(v.sent.size());
-        for (Sent s : v.sent) {
+        for (SentActivation s : v.sent) {
             out.integer(List.of(v.place.place.outputs).indexOf(s.output));
             out.activation(s.activation);
         }
     }
 
-    private void marking(Mission m) {
+    private void marking(MissionState m) {
         for (PlaceState place : m.places) {
-            List<Entry> entries = place == null ? List.of() : place.inOrder();
+            List<PlacedToken> entries = place == null ? List.of() : place.inOrder();
             out.integer(entries.size());
-            for (Entry e : entries) {
+            for (PlacedToken e : entries) {
                 out.token(e.token);
                 out.number(e.order);
                 out.number(e.visit.id);
@@ -201,21 +201,21 @@ public final class StateWriter {
         }
     }
 
-    private void pending(Mission m) {
+    private void pending(MissionState m) {
         for (TransitionState t : m.transitions) {
             out.integer(t == null ? 0 : t.pending);
             if (t == null || t.pending == 0) {
                 continue;
             }
             for (TransitionState.Queue q : t.queues) {
-                for (Pending p = q.first; p != null; p = p.next) {
+                for (PendingOccurrence p = q.first; p != null; p = p.next) {
                     pending(p);
                 }
             }
         }
     }
 
-    private void pending(Pending p) {
+    private void pending(PendingOccurrence p) {
         out.integer(p.input.index);
         out.occurrence(p.occurrence);
         out.number(p.answered == null ? Ids.NONE : p.answered.activation.id());
@@ -225,7 +225,7 @@ public final class StateWriter {
             told(p.told);
         }
         out.integer(p.names.length);
-        for (Name n : p.names) {
+        for (NamedToken n : p.names) {
             out.token(n.token);
             out.tokens(List.of(n.tokens));
             out.flag(n.struck);

@@ -12,15 +12,15 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
 /** A running plan: a root mission or a sub-mission instance. What it does not use, it does not allocate. */
-public final class Mission {
+public final class MissionState {
     public final long id;
     public final CompiledPlan plan;
     public final String name;
     /** The instance of the parent that this mission is; null for a root. */
     public final Instance instance;
 
-    public final Mission parent;
-    public final Mission root;
+    public final MissionState parent;
+    public final MissionState root;
     public final int depth;
     public MissionStatus status = MissionStatus.WAITING;
     public boolean ended;
@@ -33,7 +33,7 @@ public final class Mission {
     public Map<String, TaskState> tasks = Map.of();
     public Map<String, Value> memory = Map.of();
     public Map<String, Value> parameters = Map.of();
-    public Map<Long, Mission> children = Map.of();
+    public Map<Long, MissionState> children = Map.of();
     public Map<Long, OpenDecision> decisions = Map.of();
     /** Visits that wait for the parameters: tokens that entered, in order; for a root none. */
     public List<List<Token>> waiting = List.of();
@@ -47,7 +47,7 @@ public final class Mission {
     private Visit firstVisit;
     private Visit lastVisit;
 
-    public Mission(long id, CompiledPlan plan, String name, Mission parent, Instance instance) {
+    public MissionState(long id, CompiledPlan plan, String name, MissionState parent, Instance instance) {
         this.id = id;
         this.plan = plan;
         this.name = name;
@@ -118,7 +118,7 @@ public final class Mission {
         waiting.add(new ArrayList<>(tokens));
     }
 
-    public void addChild(Mission child) {
+    public void addChild(MissionState child) {
         if (children.isEmpty()) {
             children = new LinkedHashMap<>();
         }

@@ -6,7 +6,7 @@ import org.sami.spn.protocol.Token;
  * One token standing in one place: a knot in the place's list of its kind and in its visit's list. Copies of a token are
  * chained, oldest first.
  */
-public final class Entry {
+public final class PlacedToken {
     public static final int GENERIC = 0;
     public static final int PROXY = 1;
     public static final int TASK = 2;
@@ -17,11 +17,11 @@ public final class Entry {
     public final long order;
     public final PlaceState place;
     public final Visit visit;
-    public Entry previousOfKind;
-    public Entry nextOfKind;
-    public Entry previousOfVisit;
-    public Entry nextOfVisit;
-    public Entry nextCopy;
+    public PlacedToken previousOfKind;
+    public PlacedToken nextOfKind;
+    public PlacedToken previousOfVisit;
+    public PlacedToken nextOfVisit;
+    public PlacedToken nextCopy;
     /** Number of the firing that removes it; marks need no clearing. */
     public long removedBy;
     /** Number of the last requirement that picked it as a returned token. */
@@ -29,7 +29,7 @@ public final class Entry {
     /** Number of the last edge that adds it. */
     public long addedBy;
 
-    public Entry(Token token, long order, PlaceState place, Visit visit) {
+    public PlacedToken(Token token, long order, PlaceState place, Visit visit) {
         this.token = token;
         this.kind = kindOf(token);
         this.order = order;

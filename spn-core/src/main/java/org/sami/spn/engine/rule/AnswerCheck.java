@@ -12,8 +12,8 @@ import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** Whether an answer fits its question. */
-final class Answers {
-    private Answers() {}
+final class AnswerCheck {
+    private AnswerCheck() {}
 
     /** Why an answer does not fit; empty where it does. */
     static Optional<String> wrong(Question question, Answer answer, boolean mayReject, Vocabulary vocabulary) {

@@ -3,16 +3,17 @@ package org.sami.spn.engine.state;
 import org.sami.spn.protocol.Token;
 
 /** Something that is due at a time: a timer activation, for a token or for nobody, or a decision's deadline. */
-public record Timer(long due, long id, Sent sent, Token token, OpenDecision decision) implements Comparable<Timer> {
+public record RunningTimer(long due, long id, SentActivation sent, Token token, OpenDecision decision)
+        implements Comparable<RunningTimer> {
     @Override
-    public int compareTo(Timer other) {
+    public int compareTo(RunningTimer other) {
         int byDue = Long.compare(due, other.due);
         return byDue != 0 ? byDue : Long.compare(id, other.id);
     }
 
     @Override
     public boolean equals(Object other) {
-        return other instanceof Timer t && t.id == id;
+        return other instanceof RunningTimer t && t.id == id;
     }
 
     @Override

@@ -12,17 +12,17 @@ import org.sami.spn.engine.net.CompiledPlan;
 import org.sami.spn.engine.net.CompiledProject;
 import org.sami.spn.engine.net.CompiledTransition;
 import org.sami.spn.engine.state.Instance;
-import org.sami.spn.engine.state.Mission;
-import org.sami.spn.engine.state.Name;
+import org.sami.spn.engine.state.MissionState;
+import org.sami.spn.engine.state.NamedToken;
 import org.sami.spn.engine.state.NetState;
 import org.sami.spn.engine.state.OpenDecision;
-import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.PlaceState;
 import org.sami.spn.engine.state.Return;
-import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.RunningTimer;
+import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.SharedRun;
 import org.sami.spn.engine.state.TaskState;
-import org.sami.spn.engine.state.Timer;
 import org.sami.spn.engine.state.TransitionState;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.protocol.Activation;
@@ -36,27 +36,27 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventRole;
 
-/** Reads what {@link StateWriter} wrote. */
-public final class StateReader {
-    private final ProtocolReader in;
+/** Reads what {@link StateEncoder} wrote. */
+public final class StateDecoder {
+    private final ProtocolDecoder in;
     private final Map<Long, Visit> visits = new HashMap<>();
-    private final Map<Long, Sent> sent = new HashMap<>();
+    private final Map<Long, SentActivation> sent = new HashMap<>();
     private final Map<Instance, Return> returnsOfVisits = new HashMap<>();
     private NetState state;
     private int version;
 
-    public StateReader(byte[] bytes) {
-        this.in = new ProtocolReader(bytes);
+    public StateDecoder(byte[] bytes) {
+        this.in = new ProtocolDecoder(bytes);
     }
 
     public NetState read(CompiledProject project) {
-        if (in.integer() != StateWriter.MAGIC) {
+        if (in.integer() != StateEncoder.MAGIC) {
             throw new IllegalArgumentException("This is not an engine's state");
         }
         version = in.integer();
-        if (version < 1 || version > StateWriter.VERSION) {
+        if (version < 1 || version > StateEncoder.VERSION) {
             throw new IllegalArgumentException(
-                    "The state is of version " + version + ", not of 1 to " + StateWriter.VERSION);
+                    "The state is of version " + version + ", not of 1 to " + StateEncoder.VERSION);
         }
         state = new NetState(project);
         state.now = in.number();
@@ -104,9 +104,9 @@ public final class StateReader {
             throw new IllegalArgumentException("The state speaks of the plan '" + planId + "', which is not there");
         }
         String name = in.text();
-        Mission parent = state.missions.get(in.number());
+        MissionState parent = state.missions.get(in.number());
         Instance instance = parent == null ? null : instanceReference(parent);
-        Mission m = new Mission(id, plan, name, parent, instance);
+        MissionState m = new MissionState(id, plan, name, parent, instance);
         if (instance != null) {
             instance.child = m;
         }
@@ -129,7 +129,7 @@ public final class StateReader {
         pending(m);
     }
 
-    private void task(Mission m) {
+    private void task(MissionState m) {
         TaskId id = (TaskId) in.value();
         String taskClass = in.text();
         Map<String, Value> fields = in.values();
@@ -142,7 +142,7 @@ public final class StateReader {
         }
     }
 
-    private Instance instanceReference(Mission parent) {
+    private Instance instanceReference(MissionState parent) {
         PlaceState place = parent.place(in.integer());
         long visit = in.number();
         int spec = in.integer();
@@ -160,7 +160,7 @@ public final class StateReader {
         return i;
     }
 
-    private void shared(Mission m) {
+    private void shared(MissionState m) {
         for (CompiledPlace place : m.plan.places) {
             if (place.shared.isEmpty()) {
                 continue;
@@ -177,7 +177,7 @@ public final class StateReader {
         }
     }
 
-    private void visits(Mission m) {
+    private void visits(MissionState m) {
         for (int i = in.integer(); i > 0; i--) {
             visit(m);
         }
@@ -193,7 +193,7 @@ public final class StateReader {
         }
     }
 
-    private void visit(Mission m) {
+    private void visit(MissionState m) {
         long id = in.number();
         PlaceState place = m.place(in.integer());
         boolean ended = in.flag();
@@ -217,7 +217,7 @@ public final class StateReader {
         for (int i = in.integer(); i > 0; i--) {
             CompiledOutput output = place.place.outputs[in.integer()];
             Activation activation = in.activation();
-            Sent s = new Sent(activation, v, output);
+            SentActivation s = new SentActivation(activation, v, output);
             s.open = !ended;
             v.sent.add(s);
             sent.put(activation.id(), s);
@@ -233,7 +233,7 @@ public final class StateReader {
         }
     }
 
-    private void marking(Mission m) {
+    private void marking(MissionState m) {
         for (int p = 0; p < m.places.length; p++) {
             for (int i = in.integer(); i > 0; i--) {
                 Token token = in.token();
@@ -243,7 +243,7 @@ public final class StateReader {
         }
     }
 
-    private void pending(Mission m) {
+    private void pending(MissionState m) {
         for (CompiledTransition t : m.plan.transitions) {
             for (int i = in.integer(); i > 0; i--) {
                 pending(m.transition(t.index));
@@ -254,14 +254,15 @@ public final class StateReader {
     private void pending(TransitionState t) {
         CompiledInput input = t.transition.inputs[in.integer()];
         Occurrence occurrence = in.occurrence();
-        Sent answered = sent.get(in.number());
+        SentActivation answered = sent.get(in.number());
         Visit bound = visits.get(in.number());
         Return told = version > 2 ? told(t.mission) : toldBefore(input, bound);
-        Pending p =
-                told == null ? new Pending(occurrence, input, answered, bound) : new Pending(occurrence, input, told);
-        p.names = new Name[in.integer()];
+        PendingOccurrence p = told == null
+                ? new PendingOccurrence(occurrence, input, answered, bound)
+                : new PendingOccurrence(occurrence, input, told);
+        p.names = new NamedToken[in.integer()];
         for (int i = 0; i < p.names.length; i++) {
-            Name n = new Name(p, in.token());
+            NamedToken n = new NamedToken(p, in.token());
             n.tokens = in.tokens().toArray(Token[]::new);
             n.struck = in.flag();
             n.stood = in.flag();
@@ -273,7 +274,7 @@ public final class StateReader {
         }
     }
 
-    private Return told(Mission m) {
+    private Return told(MissionState m) {
         if (!in.flag()) {
             return null;
         }
@@ -302,8 +303,8 @@ public final class StateReader {
     private void decision() {
         Decision decision = in.decision();
         OpenDecision.Purpose purpose = OpenDecision.Purpose.valueOf(in.text());
-        Mission m = state.missions.get(in.number());
-        Sent asking = sent.get(in.number());
+        MissionState m = state.missions.get(in.number());
+        SentActivation asking = sent.get(in.number());
         Instance instance = in.flag() ? instanceReference(m) : null;
         OpenDecision d = new OpenDecision(decision, purpose, m, asking, instance, in.text());
         state.decisions.put(decision.id(), d);
@@ -318,10 +319,10 @@ public final class StateReader {
     private void timer() {
         long due = in.number();
         long id = in.number();
-        Sent asking = sent.get(in.number());
+        SentActivation asking = sent.get(in.number());
         Token token = in.token();
         OpenDecision decision = state.decisions.get(in.number());
-        Timer timer = new Timer(due, id, asking, token, decision);
+        RunningTimer timer = new RunningTimer(due, id, asking, token, decision);
         state.timers.add(timer);
         if (asking != null) {
             asking.add(timer);

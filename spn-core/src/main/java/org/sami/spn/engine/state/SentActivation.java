@@ -7,7 +7,7 @@ import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Token;
 
 /** An activation as the engine remembers it: with its visit and what the engine itself does for it. */
-public final class Sent {
+public final class SentActivation {
     public final Activation activation;
     public final Visit visit;
     public final CompiledOutput output;
@@ -16,20 +16,20 @@ public final class Sent {
 
     public boolean open = true;
     public OpenDecision decision;
-    public List<Timer> timers = List.of();
+    public List<RunningTimer> timers = List.of();
 
-    public Sent(Activation activation, Visit visit, CompiledOutput output) {
+    public SentActivation(Activation activation, Visit visit, CompiledOutput output) {
         this.activation = activation;
         this.visit = visit;
         this.output = output;
         this.hasTasks = activation.tokens().stream().anyMatch(Token.Task.class::isInstance);
     }
 
-    public Mission mission() {
+    public MissionState mission() {
         return visit.place.mission;
     }
 
-    public void add(Timer timer) {
+    public void add(RunningTimer timer) {
         if (timers.isEmpty()) {
             timers = new ArrayList<>(1);
         }

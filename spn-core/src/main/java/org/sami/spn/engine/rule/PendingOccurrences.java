@@ -6,13 +6,13 @@ import java.util.Map;
 import org.sami.spn.engine.net.CompiledInput;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.engine.net.CompiledTransition;
-import org.sami.spn.engine.state.Entry;
-import org.sami.spn.engine.state.Mission;
-import org.sami.spn.engine.state.Name;
-import org.sami.spn.engine.state.Pending;
+import org.sami.spn.engine.state.MissionState;
+import org.sami.spn.engine.state.NamedToken;
+import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.PlaceState;
+import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.Return;
-import org.sami.spn.engine.state.Sent;
+import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.SharedRun;
 import org.sami.spn.engine.state.TaskState;
 import org.sami.spn.engine.state.TransitionState;
@@ -28,11 +28,11 @@ import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.Reserved;
 
 /** Occurrences that transitions have received and not used (SEMANTICS, Input events, Pending). */
-public final class Pendings {
-    private static final Name[] NOBODY = {};
+public final class PendingOccurrences {
+    private static final NamedToken[] NOBODY = {};
     private final Rules rules;
 
-    public Pendings(Rules rules) {
+    public PendingOccurrences(Rules rules) {
         this.rules = rules;
     }
 
@@ -56,13 +56,18 @@ public final class Pendings {
     }
 
     /** Makes the pending occurrence of a transition, with its names; it is not added yet. */
-    public Pending make(
-            TransitionState t, CompiledInput input, Occurrence o, List<Token> names, Sent answered, Visit bound) {
-        Pending p = new Pending(o, input, answered, bound);
-        p.names = names.isEmpty() ? NOBODY : new Name[names.size()];
+    public PendingOccurrence make(
+            TransitionState t,
+            CompiledInput input,
+            Occurrence o,
+            List<Token> names,
+            SentActivation answered,
+            Visit bound) {
+        PendingOccurrence p = new PendingOccurrence(o, input, answered, bound);
+        p.names = names.isEmpty() ? NOBODY : new NamedToken[names.size()];
         p.namesLeft = p.names.length;
         for (int i = 0; i < p.names.length; i++) {
-            Name n = new Name(p, names.get(i));
+            NamedToken n = new NamedToken(p, names.get(i));
             n.tokens = tokensOf(n.token, answered);
             n.stood = stands(n, t);
             p.names[i] = n;
@@ -70,7 +75,7 @@ public final class Pendings {
         return p;
     }
 
-    public void add(TransitionState t, Pending p) {
+    public void add(TransitionState t, PendingOccurrence p) {
         if (p.isNews() && !p.input.isPress()) {
             replaceOlder(t, p);
         }
@@ -80,7 +85,7 @@ public final class Pendings {
 
     /** Tells all transitions that check it the value of a return: one occurrence for all of them. */
     public void tell(Return r) {
-        Mission m = r.place().mission;
+        MissionState m = r.place().mission;
         if (r.over || !m.runs() || (r.visit() != null && r.visit().ended)) {
             return;
         }
@@ -89,7 +94,7 @@ public final class Pendings {
                 if (input.checks(r.value)) {
                     Map<String, Value> values = Map.of(Reserved.VALUE, new TextValue(r.value));
                     Occurrence o = new Occurrence(input.spec.type(), m.id, Ids.NONE, List.of(), List.of(), values);
-                    add(m.transition(t.index), new Pending(o, input, r));
+                    add(m.transition(t.index), new PendingOccurrence(o, input, r));
                 }
             }
         }
@@ -97,7 +102,7 @@ public final class Pendings {
 
     /** Tells all unused returns of static instances anew. */
     public void tellUnused() {
-        for (Mission m : rules.state.missions.values()) {
+        for (MissionState m : rules.state.missions.values()) {
             for (PlaceState place : m.places) {
                 for (SharedRun run : place == null ? new SharedRun[0] : place.shared) {
                     run.returns.forEach(this::tell);
@@ -115,7 +120,7 @@ public final class Pendings {
                 continue;
             }
             for (TransitionState.Queue q : t.queues) {
-                for (Pending p = q.first; p != null; p = p.next) {
+                for (PendingOccurrence p = q.first; p != null; p = p.next) {
                     if (p.told == r) {
                         t.remove(p);
                     }
@@ -125,7 +130,7 @@ public final class Pendings {
     }
 
     /** The tokens that a name speaks of. */
-    public Token[] tokensOf(Token name, Sent answered) {
+    public Token[] tokensOf(Token name, SentActivation answered) {
         if (answered != null && name instanceof Token.Proxy proxy && answered.hasTasks) {
             List<Token> result = new ArrayList<>();
             result.add(name);
@@ -151,7 +156,7 @@ public final class Pendings {
         for (CompiledTransition ct : place.place.outTransitions) {
             TransitionState t = place.mission.transitions[ct.index];
             if (t != null && t.pending > 0) {
-                List<Name> speaking = t.speakingOf(token);
+                List<NamedToken> speaking = t.speakingOf(token);
                 for (int i = speaking.size() - 1; i >= 0; i--) {
                     if (i < speaking.size()) {
                         strikeIfGone(t, speaking.get(i), place, before);
@@ -164,7 +169,7 @@ public final class Pendings {
     /** Strikes a name from a transition's pending occurrences, news too (a robot was dropped); whether one spoke of it. */
     public boolean strikeAll(TransitionState t, Token token) {
         boolean spoken = false;
-        for (Name n : List.copyOf(t.speakingOf(token))) {
+        for (NamedToken n : List.copyOf(t.speakingOf(token))) {
             if (n.token.equals(token) && !n.struck) {
                 strike(t, n);
                 spoken = true;
@@ -175,14 +180,14 @@ public final class Pendings {
 
     /** A visit ended: pending occurrences that answer it and name nobody go with it. */
     public void visitEnded(Visit visit) {
-        Mission mission = visit.place.mission;
+        MissionState mission = visit.place.mission;
         for (CompiledTransition ct : visit.place.place.outTransitions) {
             TransitionState t = mission.transitions[ct.index];
             if (t == null || t.nameless == 0) {
                 continue;
             }
             for (TransitionState.Queue q : t.queues) {
-                for (Pending p = q.first; p != null; p = p.next) {
+                for (PendingOccurrence p = q.first; p != null; p = p.next) {
                     if (p.names.length == 0 && p.visit() == visit) {
                         t.remove(p);
                         if (p.answered != null) {
@@ -197,9 +202,9 @@ public final class Pendings {
     /** An allocation changed: names of robots may speak of other tasks now. */
     public void renewNames(TransitionState t) {
         for (TransitionState.Queue q : t.queues) {
-            for (Pending p = q.first; p != null; p = p.next) {
+            for (PendingOccurrence p = q.first; p != null; p = p.next) {
                 if (p.answered != null && p.answered.hasTasks) {
-                    for (Name n : p.names) {
+                    for (NamedToken n : p.names) {
                         if (!n.struck) {
                             t.renew(n, tokensOf(n.token, p.answered));
                         }
@@ -209,7 +214,7 @@ public final class Pendings {
         }
     }
 
-    private void strikeIfGone(TransitionState t, Name n, PlaceState left, long before) {
+    private void strikeIfGone(TransitionState t, NamedToken n, PlaceState left, long before) {
         boolean gone =
                 n.pending.isNews() ? watches(t, left) && !standsOn(n, t, left, before) : n.stood && !stands(n, t);
         if (gone) {
@@ -227,11 +232,11 @@ public final class Pendings {
     }
 
     /** Whether a token of a name stands in a watched place, other than as a copy that entered the left place just now. */
-    private boolean standsOn(Name n, TransitionState t, PlaceState left, long before) {
+    private boolean standsOn(NamedToken n, TransitionState t, PlaceState left, long before) {
         for (Token token : n.tokens) {
             for (CompiledPlace place : t.transition.watched) {
                 PlaceState state = t.mission.places[place.index];
-                Entry oldest = state == null ? null : state.find(token);
+                PlacedToken oldest = state == null ? null : state.find(token);
                 if (oldest != null && (state != left || oldest.order <= before)) {
                     return true;
                 }
@@ -240,7 +245,7 @@ public final class Pendings {
         return false;
     }
 
-    private void strike(TransitionState t, Name n) {
+    private void strike(TransitionState t, NamedToken n) {
         t.strike(n);
         if (n.pending.namesLeft == 0) {
             t.remove(n.pending);
@@ -249,7 +254,7 @@ public final class Pendings {
     }
 
     /** Whether a token of a name is in the answered visit or in another in place of the transition. */
-    private boolean stands(Name n, TransitionState t) {
+    private boolean stands(NamedToken n, TransitionState t) {
         Visit visit = n.pending.visit();
         for (Token token : n.tokens) {
             if (visit != null && rules.enabling.wantsAbsence(t.transition, visit.place.place, token, true)) {
@@ -272,9 +277,9 @@ public final class Pendings {
     }
 
     /** There can be two older ones of the same names: one of them spoke of others too, who are no longer there. */
-    private void replaceOlder(TransitionState t, Pending p) {
+    private void replaceOlder(TransitionState t, PendingOccurrence p) {
         if (p.names.length == 0) {
-            for (Pending old = t.queues[p.input.index].first; t.nameless > 0 && old != null; old = old.next) {
+            for (PendingOccurrence old = t.queues[p.input.index].first; t.nameless > 0 && old != null; old = old.next) {
                 if (old.isNews() && old.names.length == 0) {
                     t.remove(old);
                     return;
@@ -282,7 +287,7 @@ public final class Pendings {
             }
             return;
         }
-        for (Name n : List.copyOf(t.speakingOf(p.names[0].token))) {
+        for (NamedToken n : List.copyOf(t.speakingOf(p.names[0].token))) {
             if (n.pending.isNews() && n.pending.input == p.input && namesSame(n.pending, p)) {
                 t.remove(n.pending);
             }
@@ -290,11 +295,11 @@ public final class Pendings {
     }
 
     /** Whether two pending occurrences name the same robots or tasks. */
-    public static boolean namesSame(Pending a, Pending b) {
+    public static boolean namesSame(PendingOccurrence a, PendingOccurrence b) {
         if (a.namesLeft != b.namesLeft) {
             return false;
         }
-        for (Name n : a.names) {
+        for (NamedToken n : a.names) {
             if (!n.struck && !names(b, n.token)) {
                 return false;
             }
@@ -302,8 +307,8 @@ public final class Pendings {
         return true;
     }
 
-    private static boolean names(Pending p, Token token) {
-        for (Name n : p.names) {
+    private static boolean names(PendingOccurrence p, Token token) {
+        for (NamedToken n : p.names) {
             if (!n.struck && n.token.equals(token)) {
                 return true;
             }
@@ -311,7 +316,7 @@ public final class Pendings {
         return false;
     }
 
-    private void discarded(TransitionState t, Pending p) {
+    private void discarded(TransitionState t, PendingOccurrence p) {
         rules.note(
                 NoteKind.DISCARDED,
                 t.mission.id,

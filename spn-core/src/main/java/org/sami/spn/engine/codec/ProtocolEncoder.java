@@ -9,7 +9,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.sami.spn.engine.state.Entry;
+import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Answer;
@@ -22,10 +22,10 @@ import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 
 /** Writes messages and what they are made of. */
-public final class ProtocolWriter {
+public final class ProtocolEncoder {
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     private final DataOutputStream out = new DataOutputStream(bytes);
-    private final ValueWriter values = new ValueWriter(this);
+    private final ValueEncoder values = new ValueEncoder(this);
 
     public byte[] bytes() {
         return bytes.toByteArray();
@@ -93,7 +93,7 @@ public final class ProtocolWriter {
     }
 
     public void token(Token t) {
-        tag(Entry.kindOf(t));
+        tag(PlacedToken.kindOf(t));
         if (t instanceof Token.Proxy p) {
             text(p.proxy());
         } else if (t instanceof Token.Task task) {
