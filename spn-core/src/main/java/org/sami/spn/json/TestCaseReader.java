@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.finding.Suggestions;
+import org.sami.spn.model.AnswerKeys;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.TestCase;

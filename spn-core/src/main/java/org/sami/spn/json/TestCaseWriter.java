@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.sami.spn.model.AnswerKeys;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;

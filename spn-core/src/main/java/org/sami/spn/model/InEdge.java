@@ -12,4 +12,29 @@ public record InEdge(String id, String place, String transition, Mode mode, List
         Objects.requireNonNull(mode, "mode");
         requirements = List.copyOf(requirements);
     }
+
+    /** The same in edge with another id. */
+    public InEdge withId(String id) {
+        return new InEdge(id, place, transition, mode, requirements);
+    }
+
+    /** The same in edge with another place. */
+    public InEdge withPlace(String place) {
+        return new InEdge(id, place, transition, mode, requirements);
+    }
+
+    /** The same in edge with another transition. */
+    public InEdge withTransition(String transition) {
+        return new InEdge(id, place, transition, mode, requirements);
+    }
+
+    /** The same in edge with another mode. */
+    public InEdge withMode(Mode mode) {
+        return new InEdge(id, place, transition, mode, requirements);
+    }
+
+    /** The same in edge with other requirements. */
+    public InEdge withRequirements(List<InRequirement> requirements) {
+        return new InEdge(id, place, transition, mode, requirements);
+    }
 }

@@ -24,4 +24,24 @@ public record InputEventSpec(
         writes = Collections.unmodifiableMap(new LinkedHashMap<>(writes));
         markups = List.copyOf(markups);
     }
+
+    /** The same input event with another id. */
+    public InputEventSpec withId(String id) {
+        return new InputEventSpec(id, type, fields, writes, markups);
+    }
+
+    /** The same input event with other fields. */
+    public InputEventSpec withFields(Map<String, Value> fields) {
+        return new InputEventSpec(id, type, fields, writes, markups);
+    }
+
+    /** The same input event with other writes. */
+    public InputEventSpec withWrites(Map<String, String> writes) {
+        return new InputEventSpec(id, type, fields, writes, markups);
+    }
+
+    /** The same input event with other markups. */
+    public InputEventSpec withMarkups(List<MarkupSpec> markups) {
+        return new InputEventSpec(id, type, fields, writes, markups);
+    }
 }

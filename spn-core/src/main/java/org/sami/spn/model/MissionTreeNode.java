@@ -11,4 +11,14 @@ public record MissionTreeNode(String label, Optional<String> plan, List<MissionT
         Objects.requireNonNull(plan, "plan");
         children = List.copyOf(children);
     }
+
+    /** The same node with another plan. */
+    public MissionTreeNode withPlan(Optional<String> plan) {
+        return new MissionTreeNode(label, plan, children);
+    }
+
+    /** The same node with other children. */
+    public MissionTreeNode withChildren(List<MissionTreeNode> children) {
+        return new MissionTreeNode(label, plan, children);
+    }
 }

@@ -12,4 +12,29 @@ public record OutEdge(String id, String transition, String place, Mode mode, Lis
         Objects.requireNonNull(mode, "mode");
         requirements = List.copyOf(requirements);
     }
+
+    /** The same out edge with another id. */
+    public OutEdge withId(String id) {
+        return new OutEdge(id, transition, place, mode, requirements);
+    }
+
+    /** The same out edge with another transition. */
+    public OutEdge withTransition(String transition) {
+        return new OutEdge(id, transition, place, mode, requirements);
+    }
+
+    /** The same out edge with another place. */
+    public OutEdge withPlace(String place) {
+        return new OutEdge(id, transition, place, mode, requirements);
+    }
+
+    /** The same out edge with another mode. */
+    public OutEdge withMode(Mode mode) {
+        return new OutEdge(id, transition, place, mode, requirements);
+    }
+
+    /** The same out edge with other requirements. */
+    public OutEdge withRequirements(List<OutRequirement> requirements) {
+        return new OutEdge(id, transition, place, mode, requirements);
+    }
 }

@@ -23,4 +23,24 @@ public record OutputEventSpec(
         writes = Collections.unmodifiableMap(new LinkedHashMap<>(writes));
         markups = List.copyOf(markups);
     }
+
+    /** The same output event with another id. */
+    public OutputEventSpec withId(String id) {
+        return new OutputEventSpec(id, type, fields, writes, markups);
+    }
+
+    /** The same output event with other fields. */
+    public OutputEventSpec withFields(Map<String, FieldSource> fields) {
+        return new OutputEventSpec(id, type, fields, writes, markups);
+    }
+
+    /** The same output event with other writes. */
+    public OutputEventSpec withWrites(Map<String, String> writes) {
+        return new OutputEventSpec(id, type, fields, writes, markups);
+    }
+
+    /** The same output event with other markups. */
+    public OutputEventSpec withMarkups(List<MarkupSpec> markups) {
+        return new OutputEventSpec(id, type, fields, writes, markups);
+    }
 }

@@ -77,4 +77,238 @@ public record Plan(
                 .filter(e -> e.transition().equals(transitionId))
                 .toList();
     }
+
+    /** The same plan with another id. */
+    public Plan withId(String id) {
+        return new Plan(
+                id,
+                name,
+                description,
+                places,
+                transitions,
+                inEdges,
+                outEdges,
+                variables,
+                reads,
+                tasks,
+                layout,
+                notes,
+                testCases);
+    }
+
+    /** The same plan with another name. */
+    public Plan withName(String name) {
+        return new Plan(
+                id,
+                name,
+                description,
+                places,
+                transitions,
+                inEdges,
+                outEdges,
+                variables,
+                reads,
+                tasks,
+                layout,
+                notes,
+                testCases);
+    }
+
+    /** The same plan with another description. */
+    public Plan withDescription(String description) {
+        return new Plan(
+                id,
+                name,
+                description,
+                places,
+                transitions,
+                inEdges,
+                outEdges,
+                variables,
+                reads,
+                tasks,
+                layout,
+                notes,
+                testCases);
+    }
+
+    /** The same plan with other places. */
+    public Plan withPlaces(List<Place> places) {
+        return new Plan(
+                id,
+                name,
+                description,
+                places,
+                transitions,
+                inEdges,
+                outEdges,
+                variables,
+                reads,
+                tasks,
+                layout,
+                notes,
+                testCases);
+    }
+
+    /** The same plan with other transitions. */
+    public Plan withTransitions(List<Transition> transitions) {
+        return new Plan(
+                id,
+                name,
+                description,
+                places,
+                transitions,
+                inEdges,
+                outEdges,
+                variables,
+                reads,
+                tasks,
+                layout,
+                notes,
+                testCases);
+    }
+
+    /** The same plan with other in edges. */
+    public Plan withInEdges(List<InEdge> inEdges) {
+        return new Plan(
+                id,
+                name,
+                description,
+                places,
+                transitions,
+                inEdges,
+                outEdges,
+                variables,
+                reads,
+                tasks,
+                layout,
+                notes,
+                testCases);
+    }
+
+    /** The same plan with other out edges. */
+    public Plan withOutEdges(List<OutEdge> outEdges) {
+        return new Plan(
+                id,
+                name,
+                description,
+                places,
+                transitions,
+                inEdges,
+                outEdges,
+                variables,
+                reads,
+                tasks,
+                layout,
+                notes,
+                testCases);
+    }
+
+    /** The same plan with other variables. */
+    public Plan withVariables(List<VariableSpec> variables) {
+        return new Plan(
+                id,
+                name,
+                description,
+                places,
+                transitions,
+                inEdges,
+                outEdges,
+                variables,
+                reads,
+                tasks,
+                layout,
+                notes,
+                testCases);
+    }
+
+    /** The same plan with other variables that it expects of its parents. */
+    public Plan withReads(List<String> reads) {
+        return new Plan(
+                id,
+                name,
+                description,
+                places,
+                transitions,
+                inEdges,
+                outEdges,
+                variables,
+                reads,
+                tasks,
+                layout,
+                notes,
+                testCases);
+    }
+
+    /** The same plan with other tasks. */
+    public Plan withTasks(List<TaskSpec> tasks) {
+        return new Plan(
+                id,
+                name,
+                description,
+                places,
+                transitions,
+                inEdges,
+                outEdges,
+                variables,
+                reads,
+                tasks,
+                layout,
+                notes,
+                testCases);
+    }
+
+    /** The same plan with another layout. */
+    public Plan withLayout(Map<String, LayoutPoint> layout) {
+        return new Plan(
+                id,
+                name,
+                description,
+                places,
+                transitions,
+                inEdges,
+                outEdges,
+                variables,
+                reads,
+                tasks,
+                layout,
+                notes,
+                testCases);
+    }
+
+    /** The same plan with other notes. */
+    public Plan withNotes(List<String> notes) {
+        return new Plan(
+                id,
+                name,
+                description,
+                places,
+                transitions,
+                inEdges,
+                outEdges,
+                variables,
+                reads,
+                tasks,
+                layout,
+                notes,
+                testCases);
+    }
+
+    /** The same plan with other test cases. */
+    public Plan withTestCases(List<TestCase> testCases) {
+        return new Plan(
+                id,
+                name,
+                description,
+                places,
+                transitions,
+                inEdges,
+                outEdges,
+                variables,
+                reads,
+                tasks,
+                layout,
+                notes,
+                testCases);
+    }
 }

@@ -47,4 +47,29 @@ public record Project(
     public Optional<Plan> plan(String planId) {
         return plans.stream().filter(p -> p.id().equals(planId)).findFirst();
     }
+
+    /** The same project with another name. */
+    public Project withName(String name) {
+        return new Project(id, name, domain, globals, missionTree, plans, schema, importedFrom);
+    }
+
+    /** The same project with other globals. */
+    public Project withGlobals(List<VariableSpec> globals) {
+        return new Project(id, name, domain, globals, missionTree, plans, schema, importedFrom);
+    }
+
+    /** The same project with another mission tree. */
+    public Project withMissionTree(List<MissionTreeNode> missionTree) {
+        return new Project(id, name, domain, globals, missionTree, plans, schema, importedFrom);
+    }
+
+    /** The same project with other plans. */
+    public Project withPlans(List<Plan> plans) {
+        return new Project(id, name, domain, globals, missionTree, plans, schema, importedFrom);
+    }
+
+    /** The same project with another origin. */
+    public Project withImportedFrom(Optional<ImportOrigin> importedFrom) {
+        return new Project(id, name, domain, globals, missionTree, plans, schema, importedFrom);
+    }
 }

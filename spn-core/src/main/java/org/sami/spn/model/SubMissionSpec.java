@@ -23,4 +23,24 @@ public record SubMissionSpec(
         tasks = Collections.unmodifiableMap(new LinkedHashMap<>(tasks));
         variables = Collections.unmodifiableMap(new LinkedHashMap<>(variables));
     }
+
+    /** The same sub-mission with another id. */
+    public SubMissionSpec withId(String id) {
+        return new SubMissionSpec(id, plan, shared, tasks, variables);
+    }
+
+    /** The same sub-mission with another plan. */
+    public SubMissionSpec withPlan(String plan) {
+        return new SubMissionSpec(id, plan, shared, tasks, variables);
+    }
+
+    /** The same sub-mission with other tasks. */
+    public SubMissionSpec withTasks(Map<String, String> tasks) {
+        return new SubMissionSpec(id, plan, shared, tasks, variables);
+    }
+
+    /** The same sub-mission with other variables. */
+    public SubMissionSpec withVariables(Map<String, String> variables) {
+        return new SubMissionSpec(id, plan, shared, tasks, variables);
+    }
 }

@@ -13,4 +13,14 @@ public record TaskSpec(String name, String taskClass, Map<String, Value> fields)
         Objects.requireNonNull(taskClass, "taskClass");
         fields = Collections.unmodifiableMap(new LinkedHashMap<>(fields));
     }
+
+    /** The same task with another name. */
+    public TaskSpec withName(String name) {
+        return new TaskSpec(name, taskClass, fields);
+    }
+
+    /** The same task with other fields. */
+    public TaskSpec withFields(Map<String, Value> fields) {
+        return new TaskSpec(name, taskClass, fields);
+    }
 }

@@ -10,4 +10,9 @@ public record TestCase(String name, List<String> proxies, List<TestStep> steps) 
         proxies = List.copyOf(proxies);
         steps = List.copyOf(steps);
     }
+
+    /** The same test case with other steps. */
+    public TestCase withSteps(List<TestStep> steps) {
+        return new TestCase(name, proxies, steps);
+    }
 }

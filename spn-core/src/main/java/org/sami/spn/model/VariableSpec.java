@@ -23,4 +23,14 @@ public record VariableSpec(String name, ValueType type, Optional<Value> initial)
             throw new IllegalArgumentException("@task is reserved (thesis 9.3.4)");
         }
     }
+
+    /** The same variable with another name. */
+    public VariableSpec withName(String name) {
+        return new VariableSpec(name, type, initial);
+    }
+
+    /** The same variable with another first value. */
+    public VariableSpec withInitial(Optional<Value> initial) {
+        return new VariableSpec(name, type, initial);
+    }
 }

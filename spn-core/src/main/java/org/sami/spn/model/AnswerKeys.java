@@ -1,8 +1,7 @@
-package org.sami.spn.json;
+package org.sami.spn.model;
 
 import java.util.Map;
 import java.util.Optional;
-import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.DecisionType;
 import org.sami.spn.vocabulary.EventType;
@@ -10,7 +9,7 @@ import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** The types of the values that an operator gives, by the keys under which a decision asks for them. */
-final class AnswerKeys {
+public final class AnswerKeys {
     private AnswerKeys() {}
 
     /**
@@ -18,7 +17,7 @@ final class AnswerKeys {
      *
      * @param event id of the asking output event, empty for the parameters of the mission
      */
-    static Optional<ValueType> type(
+    public static Optional<ValueType> type(
             Vocabulary vocabulary,
             Map<String, OutputEventSpec> outputs,
             Map<String, ValueType> variables,

@@ -1,0 +1,77 @@
+package org.sami.spn.edit;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.sami.spn.model.LayoutPoint;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.model.TestCase;
+import org.sami.spn.model.TestStep;
+import org.sami.spn.model.Transition;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/** Removes from an edited plan what speaks of vertices and events that are gone, and tells it. */
+final class Leftovers {
+    private final Plan plan;
+    private final Consumer<String> tell;
+    private final TestStepCheck steps;
+    private final Set<String> places = new HashSet<>();
+    private final Set<String> transitions = new HashSet<>();
+
+    Leftovers(Plan plan, Project project, Vocabulary vocabulary, Consumer<String> tell) {
+        this.plan = plan;
+        this.tell = tell;
+        this.steps = new TestStepCheck(plan, project.globals(), vocabulary);
+        plan.places().stream().map(Place::id).forEach(places::add);
+        plan.transitions().stream().map(Transition::id).forEach(transitions::add);
+    }
+
+    Plan removed() {
+        Plan edges = plan.withInEdges(plan.inEdges().stream()
+                        .filter(e -> joins(e.id(), e.place(), e.transition()))
+                        .toList())
+                .withOutEdges(plan.outEdges().stream()
+                        .filter(e -> joins(e.id(), e.place(), e.transition()))
+                        .toList());
+        Map<String, LayoutPoint> layout = new LinkedHashMap<>(plan.layout());
+        layout.keySet().removeIf(id -> !places.contains(id) && !transitions.contains(id));
+        return edges.withLayout(layout)
+                .withPlaces(plan.places().stream().map(this::ordered).toList())
+                .withTestCases(plan.testCases().stream().map(this::meaningful).toList());
+    }
+
+    private boolean joins(String edge, String place, String transition) {
+        boolean joins = places.contains(place) && transitions.contains(transition);
+        if (!joins) {
+            tell.accept("The edge " + edge + " of the plan \"" + plan.id() + "\" went along: it joined " + place
+                    + " and " + transition);
+        }
+        return joins;
+    }
+
+    private Place ordered(Place place) {
+        List<String> order =
+                place.transitionOrder().stream().filter(transitions::contains).toList();
+        return order.size() == place.transitionOrder().size() ? place : place.withTransitionOrder(order);
+    }
+
+    private TestCase meaningful(TestCase testCase) {
+        List<TestStep> kept = new ArrayList<>();
+        for (int i = 0; i < testCase.steps().size(); i++) {
+            TestStep step = testCase.steps().get(i);
+            int number = i + 1;
+            steps.problem(step)
+                    .ifPresentOrElse(
+                            why -> tell.accept("Step " + number + " of the test case \"" + testCase.name()
+                                    + "\" of the plan \"" + plan.id() + "\" went along: " + why),
+                            () -> kept.add(step));
+        }
+        return kept.size() == testCase.steps().size() ? testCase : testCase.withSteps(kept);
+    }
+}
