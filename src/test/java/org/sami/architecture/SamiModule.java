@@ -80,9 +80,11 @@ enum SamiModule {
         return Sources.below(Path.of(folder, "src", "main", "java"));
     }
 
-    /** The Java sources below the module's {@code src/test/java}, in the order of their paths. */
+    /** The Java sources below the module's {@code src/test/java} and {@code src/testFixtures/java}, in the order of their paths. */
     List<Path> testSources() {
-        return Sources.below(Path.of(folder, "src", "test", "java"));
+        List<Path> sources = new ArrayList<>(Sources.below(Path.of(folder, "src", "test", "java")));
+        sources.addAll(Sources.below(Path.of(folder, "src", "testFixtures", "java")));
+        return sources;
     }
 
     @Override

@@ -97,20 +97,7 @@ final class VariableDeclarations {
                 variables.add(new VariableSpec(name, type(plan, name), Optional.empty()));
             }
         }
-        return new Plan(
-                plan.id(),
-                plan.name(),
-                plan.description(),
-                plan.places(),
-                plan.transitions(),
-                plan.inEdges(),
-                plan.outEdges(),
-                variables,
-                reads,
-                plan.tasks(),
-                plan.layout(),
-                plan.notes(),
-                plan.testCases());
+        return plan.withVariables(variables).withReads(reads);
     }
 
     /** Whether a plan that runs this one, at any depth and under whatever name, uses the variable too. */

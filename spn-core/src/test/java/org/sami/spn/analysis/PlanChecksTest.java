@@ -214,20 +214,7 @@ class PlanChecksTest {
     }
 
     private static Plan changed(Plan plan, List<Place> places, List<OutEdge> edges) {
-        return new Plan(
-                plan.id(),
-                plan.name(),
-                plan.description(),
-                places,
-                plan.transitions(),
-                plan.inEdges(),
-                edges,
-                plan.variables(),
-                plan.reads(),
-                plan.tasks(),
-                plan.layout(),
-                plan.notes(),
-                plan.testCases());
+        return plan.withPlaces(places).withOutEdges(edges);
     }
 
     private static void addEventCases(List<Case> cases) {

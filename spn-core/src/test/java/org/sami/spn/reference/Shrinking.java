@@ -153,20 +153,10 @@ final class Shrinking {
 
     private static Plan with(
             Plan plan, List<Place> places, List<Transition> transitions, List<InEdge> in, List<OutEdge> out) {
-        return new Plan(
-                plan.id(),
-                plan.name(),
-                plan.description(),
-                places.stream().map(p -> withOrderOf(p, in)).toList(),
-                transitions,
-                in,
-                out,
-                plan.variables(),
-                plan.reads(),
-                plan.tasks(),
-                plan.layout(),
-                plan.notes(),
-                plan.testCases());
+        return plan.withPlaces(places.stream().map(p -> withOrderOf(p, in)).toList())
+                .withTransitions(transitions)
+                .withInEdges(in)
+                .withOutEdges(out);
     }
 
     /** Without transitions that no edge leads to from that place. */
