@@ -50,6 +50,7 @@ public final class PlanChecks {
             new TaskFields(),
             new InterruptNames(),
             new Autonomy(),
+            new PhaseBranches(),
             new FarLocations(),
             new AvoidedAreas(),
             new WaysBeyondRange());

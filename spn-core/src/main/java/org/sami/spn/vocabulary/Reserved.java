@@ -32,6 +32,21 @@ public final class Reserved {
     /** Option of {@link #PRIORITY}: a constant of {@code org.sami.spn.protocol.Priority}. */
     public static final String RANK = "rank";
 
+    /** Markup: an event is an action of a phase (thesis 5.2.3). */
+    public static final String PHASE_ITEM = "PhaseItem";
+
+    /** Markup: an event is an option of the action before it (thesis 5.2.3). */
+    public static final String PHASE_BRANCH = "PhaseBranch";
+
+    /** Option of {@link #PHASE_ITEM}, and where it differs from the action's of {@link #PHASE_BRANCH}: text. */
+    public static final String PHASE_NAME = "phaseName";
+
+    /** Option of {@link #PHASE_BRANCH}: text on its button. */
+    public static final String ACTION_NAME = "actionName";
+
+    /** Option of {@link #PHASE_ITEM} and {@link #PHASE_BRANCH}: an enumeration of who acts. */
+    public static final String ACTOR = "actor";
+
     /** Field of timers: a duration. */
     public static final String DURATION = "duration";
 

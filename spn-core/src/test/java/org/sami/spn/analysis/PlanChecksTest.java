@@ -299,6 +299,12 @@ class PlanChecksTest {
                 "W-RELEVANT-NOBODY",
                 passOn(begin()).transition("last", "News").in("start", "last", "relevant all"),
                 drive()));
+        MarkupSpec branch = new MarkupSpec("PhaseBranch", Map.of("actionName", new TextValue("Go")));
+        MarkupSpec item = new MarkupSpec("PhaseItem", Map.of("phaseName", new TextValue("Way")));
+        cases.add(of(
+                "W-PHASE-BRANCH",
+                drive().output("end", "Fetch", branch),
+                drive().output("go", "Fetch", item).output("end", "Fetch", branch)));
         cases.add(of("W-ANSWER-MISSED", rest("relevant all"), rest("relevant >= 1")));
         NetBuilder tasks = passOn(begin()).task("T", "Measure", Map.of());
         cases.add(of(

@@ -22,6 +22,7 @@ import picocli.CommandLine.Spec;
             SchemaCommand.class,
             TestCommand.class,
             DrawCommand.class,
+            PhasesCommand.class,
             EventsCommand.class,
             MarkupsCommand.class,
             ComponentsCommand.class,

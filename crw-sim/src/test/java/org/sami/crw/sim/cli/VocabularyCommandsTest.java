@@ -123,6 +123,23 @@ class VocabularyCommandsTest {
     }
 
     @Test
+    void phasesAreShownByActorWithTheEffectsOfABranch() {
+        CommandResult first = CommandResult.crw("phases", "measure");
+        CommandResult again = CommandResult.crw("phases", "measure", "--choose", "No");
+
+        assertThat(first.exitCode()).isZero();
+        assertThat(first.out())
+                .startsWith("Get locations\n  OPERATOR  [Create locations]")
+                .contains("Choose allocation: Yes (shown) | No\n  then Task execution\n")
+                .contains("Task execution\n  PROXY  [Go to location]  [Measure]")
+                .endsWith("then Task assignment\n\n");
+        assertThat(again.out()).contains("Choose allocation: Yes | No (shown)").doesNotContain("[Yes]");
+        assertThat(CommandResult.crw("phases", "clv").out()).contains("has no phases");
+        assertThat(CommandResult.crw("phases", "measure", "--choose", "Perhaps").err())
+                .isEqualTo("crw: --choose: no branch is called 'Perhaps'; there are Yes, No" + System.lineSeparator());
+    }
+
+    @Test
     void unknownNamesAreWrongUsageAndNearOnesAreOffered() {
         CommandResult events = CommandResult.crw("events", "StartTimmer");
         CommandResult markups = CommandResult.crw("markups", "Priorty");

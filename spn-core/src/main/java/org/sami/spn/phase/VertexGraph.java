@@ -1,0 +1,88 @@
+package org.sami.spn.phase;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Deque;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Predicate;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Transition;
+
+/** Which vertices of a plan lie behind which, whatever edges ask for. */
+final class VertexGraph {
+    private final Map<String, Set<String>> after = new LinkedHashMap<>();
+    private final Map<String, Set<String>> before = new LinkedHashMap<>();
+    private final List<String> first = new ArrayList<>();
+
+    VertexGraph(Plan plan) {
+        plan.places().forEach(place -> add(place.id()));
+        plan.transitions().forEach(transition -> add(transition.id()));
+        plan.inEdges().forEach(edge -> connect(edge.place(), edge.transition()));
+        plan.outEdges().forEach(edge -> connect(edge.transition(), edge.place()));
+        plan.places().stream().filter(Place::start).map(Place::id).forEach(first::add);
+        plan.transitions().stream()
+                .map(Transition::id)
+                .filter(id -> before.get(id).isEmpty())
+                .forEach(first::add);
+    }
+
+    private void add(String vertex) {
+        after.put(vertex, new LinkedHashSet<>());
+        before.put(vertex, new LinkedHashSet<>());
+    }
+
+    private void connect(String from, String to) {
+        after.get(from).add(to);
+        before.get(to).add(from);
+    }
+
+    /** The wanted vertices that are reached first from where missions begin: start places, and transitions without in place. */
+    List<String> nearestFromStart(Predicate<String> wanted) {
+        return search(first, after, wanted);
+    }
+
+    /** The wanted vertices that lie behind a vertex with no other wanted one between. */
+    List<String> nearestAfter(String vertex, Predicate<String> wanted) {
+        return search(after.get(vertex), after, wanted);
+    }
+
+    /** The wanted vertices before a vertex that are as few steps away as any. */
+    List<String> nearestBefore(String vertex, Predicate<String> wanted) {
+        Set<String> seen = new LinkedHashSet<>(Set.of(vertex));
+        Set<String> ring = before.get(vertex);
+        while (!ring.isEmpty()) {
+            List<String> found = ring.stream().filter(wanted).toList();
+            if (!found.isEmpty()) {
+                return found;
+            }
+            seen.addAll(ring);
+            Set<String> next = new LinkedHashSet<>();
+            ring.forEach(
+                    v -> before.get(v).stream().filter(b -> !seen.contains(b)).forEach(next::add));
+            ring = next;
+        }
+        return List.of();
+    }
+
+    private static List<String> search(
+            Collection<String> from, Map<String, Set<String>> edges, Predicate<String> wanted) {
+        List<String> found = new ArrayList<>();
+        Set<String> seen = new LinkedHashSet<>(from);
+        Deque<String> open = new ArrayDeque<>(seen);
+        while (!open.isEmpty()) {
+            String vertex = open.remove();
+            if (wanted.test(vertex)) {
+                found.add(vertex);
+            } else {
+                edges.get(vertex).stream().filter(seen::add).forEach(open::add);
+            }
+        }
+        return found;
+    }
+}
