@@ -37,9 +37,12 @@ final class VertexGraph {
         before.put(vertex, new LinkedHashSet<>());
     }
 
+    /** An edge without one of its ends, as a plan that is being drawn may have, connects nothing. */
     private void connect(String from, String to) {
-        after.get(from).add(to);
-        before.get(to).add(from);
+        if (after.containsKey(from) && after.containsKey(to)) {
+            after.get(from).add(to);
+            before.get(to).add(from);
+        }
     }
 
     /** The wanted vertices that are reached first from where missions begin: start places, and transitions without in place. */
