@@ -9,8 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The commands that missions have for one boat, and which of them the boat should carry out (DESIGN, "Commands and
- * missions").
+ * The commands that missions have for one boat, and which of them the boat should carry out (decision 0040).
  *
  * <ul>
  *   <li>Higher priority first; within one priority in order of submission. What runs goes on until it is done.

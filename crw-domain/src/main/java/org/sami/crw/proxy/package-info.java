@@ -1,6 +1,6 @@
 /**
- * Boat proxies: the base's side of the boat link, and the queue of commands that missions have for a boat (DESIGN, "The boat
- * link", "Commands and missions").
+ * Boat proxies: the base's side of the boat link, and the queue of commands that missions have for a boat (docs/link.md;
+ * decision 0040).
  *
  * <p>A {@link org.sami.crw.proxy.BoatProxy} has no thread, socket or clock of its own: its host hands it frames and ticks it
  * ten times a second, and everything it reports is reported on the caller's thread. Missions hand it commands and

@@ -11,7 +11,7 @@ import org.sami.spn.vocabulary.EventType;
 
 /**
  * An input event that answers has its cause on a place before its transition (thesis 4.3.3, Events), because an answer is
- * for a transition only where the place that asked is an in place of it (SEMANTICS, Input events). News have no cause;
+ * for a transition only where the place that asked is an in place of it (R-OCC-4). News have no cause;
  * interrupts, aborts and what sub-missions report come from elsewhere.
  */
 final class CausesOfInputs implements PlanCheck {

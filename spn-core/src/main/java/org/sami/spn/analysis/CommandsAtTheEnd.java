@@ -5,7 +5,7 @@ import org.sami.spn.analysis.PlanContext.PlacedOutput;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.vocabulary.EventFlag;
 
-/** A command at an end place is sent, but nobody waits for it and it ends with the mission (SEMANTICS, Firing). */
+/** A command at an end place is sent, but nobody waits for it and it ends with the mission (R-END-3). */
 final class CommandsAtTheEnd implements PlanCheck {
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

@@ -8,7 +8,7 @@ import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Match;
 import org.sami.spn.model.TokenKind;
 
-/** The requirements of one edge can hold together; else its transition never fires (SEMANTICS, Requirements). */
+/** The requirements of one edge can hold together; else its transition never fires (R-IN-3). */
 final class Contradictions implements PlanCheck {
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

@@ -5,7 +5,11 @@ import org.sami.spn.finding.Finding;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.OutEdge;
 
-/** Every edge has a requirement; one that wants none says unconditional (thesis 4.3.3, Token Requirements). */
+/**
+ * Every edge has a requirement; one that wants none says unconditional (thesis 4.3.3, Token Requirements).
+ *
+ * <p>Implements R-OUT-8.
+ */
 final class EdgesWithoutRequirement implements PlanCheck {
     private static final String CODE = "E-NO-REQUIREMENT";
 

@@ -6,7 +6,7 @@ import org.sami.spn.finding.Suggestions;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.SubMissionSpec;
 
-/** What is read has been declared, or is written somewhere in the plan (SEMANTICS, Variables). */
+/** What is read has been declared, or is written somewhere in the plan (R-VAR-1). */
 final class KnownVariables implements PlanCheck {
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

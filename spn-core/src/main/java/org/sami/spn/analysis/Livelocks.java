@@ -16,8 +16,7 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Transition;
 
 /**
- * A ring of transitions without input events can fire without end, and the engine then halts the mission (SEMANTICS, When a
- * transition is looked at). A ring that waits for a sub-mission, or that consumes tokens on its way, comes to rest; one that closes
+ * A ring of transitions without input events can fire without end, and the engine then halts the mission (R-LOOK-9). A ring that waits for a sub-mission, or that consumes tokens on its way, comes to rest; one that closes
  * over an edge which asks only that tokens are absent is none, since who enters there keeps the transition from firing. Rings that
  * share a transition are reported as one.
  */

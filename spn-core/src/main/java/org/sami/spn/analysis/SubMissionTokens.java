@@ -6,7 +6,7 @@ import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
 
-/** Sub-mission tokens come from a sub-mission on a place before the transition (SEMANTICS, Sub-missions). */
+/** Sub-mission tokens come from a sub-mission on a place before the transition (R-SUB-4). */
 final class SubMissionTokens implements PlanCheck {
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

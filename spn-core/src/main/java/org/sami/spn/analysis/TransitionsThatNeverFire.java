@@ -5,7 +5,7 @@ import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.WaitFor;
 
-/** A transition has an occasion to fire: an in place or an input event (SEMANTICS, When a transition is looked at). */
+/** A transition has an occasion to fire: an in place or an input event (R-LOOK-1). */
 final class TransitionsThatNeverFire implements PlanCheck {
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

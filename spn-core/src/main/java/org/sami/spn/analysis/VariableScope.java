@@ -23,7 +23,7 @@ import org.sami.spn.vocabulary.DecisionForm;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.FieldType;
 
-/** Who declares, reads and writes which variable, as seen from one plan (SEMANTICS, Variables; thesis 3.1). */
+/** Who declares, reads and writes which variable, as seen from one plan (R-VAR-1, R-VAR-2; thesis 3.1). */
 final class VariableScope {
     private static final Set<DecisionForm> ASK_FOR_VARIABLES =
             EnumSet.of(DecisionForm.REDEFINE_VARIABLE, DecisionForm.DEFINE_VARIABLES);

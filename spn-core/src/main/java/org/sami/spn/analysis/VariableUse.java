@@ -8,7 +8,7 @@ import java.util.function.Consumer;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.VariableSpec;
 
-/** What a plan keeps to itself is both written and read (SEMANTICS, Variables). What it shares may be read elsewhere. */
+/** What a plan keeps to itself is both written and read (R-VAR-1). What it shares may be read elsewhere. */
 final class VariableUse implements PlanCheck {
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

@@ -87,7 +87,7 @@ final class Awaiting {
                 : Optional.empty();
     }
 
-    /** Whether it asked robots or tasks of which none stands where its answer is for the transition (SEMANTICS, Input events). */
+    /** Whether it asked robots or tasks of which none stands where its answer is for the transition (R-OCC-4). */
     private static boolean hasNobodyLeft(SentActivation sent, TransitionState t) {
         boolean asksTokens = sent.output.type.map(EventType::tokens).orElse(TokenNeed.NONE) != TokenNeed.NONE;
         List<Token> asked = sent.activation.tokens().stream()

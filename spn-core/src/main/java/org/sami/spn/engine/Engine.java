@@ -21,9 +21,11 @@ import org.sami.spn.protocol.StartMarking;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * Runs the plans of a project: a deterministic function from state and input to state and effects (SEMANTICS; thesis,
- * Algorithms 1 to 3). It holds no state of a run itself and may be shared by threads; each {@link EngineState} belongs to
- * one thread at a time. Bad input never throws: it is answered by {@link Effect.Noted}.
+ * Runs the plans of a project: a deterministic function from state and input to state and effects (thesis,
+ * Algorithms 1 to 3). It holds no state of a run itself and may be shared by threads; each {@link EngineState}
+ * belongs to one thread at a time. Bad input never throws: it is answered by {@link Effect.Noted}.
+ *
+ * <p>Implements R-DET-1, R-DET-2, R-DET-5, R-DET-6.
  */
 public final class Engine {
     /** How often a mission may fire without new input, unless said otherwise. */

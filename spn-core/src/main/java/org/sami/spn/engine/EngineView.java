@@ -55,7 +55,7 @@ public interface EngineView {
     /** The fields of a task of a running mission. */
     Optional<Map<String, Value>> task(TaskId task);
 
-    /** Whether some attentive transition waits for an input event of this type now (DESIGN: telemetry is not input). */
+    /** Whether some attentive transition waits for an input event of this type now (decision 0095). */
     boolean awaits(String inputEvent);
 
     /** What handlers remembered for a mission, or with {@code Ids.NONE} for the session ({@code Input.Remember}). */

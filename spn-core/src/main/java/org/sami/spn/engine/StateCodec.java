@@ -4,8 +4,10 @@ import org.sami.spn.engine.codec.StateDecoder;
 import org.sami.spn.engine.codec.StateEncoder;
 
 /**
- * The whole state of an engine as bytes, exact: what is decoded behaves in the same way for all further inputs. The form is
- * versioned and of the engine's own; plans are not in it, they are those of the engine that decodes.
+ * The whole state of an engine as bytes, exact: what is decoded behaves in the same way for all further inputs. The
+ * form is versioned and of the engine's own; plans are not in it, they are those of the engine that decodes.
+ *
+ * <p>Implements R-DET-4.
  */
 public final class StateCodec {
     private StateCodec() {}

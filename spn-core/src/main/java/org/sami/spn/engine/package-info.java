@@ -1,5 +1,5 @@
 /**
- * The engine: a deterministic function from state and input to state and effects (SEMANTICS; thesis, Algorithms 1 to 3).
+ * The engine: a deterministic function from state and input to state and effects (docs/semantics.md; thesis, Algorithms 1 to 3).
  *
  * <p>Belongs here: what other packages may use. {@code Engine} takes a step, {@code EngineState} is what it changes, {@code
  * EngineView} and {@code MissionView} answer questions about it, {@code StateCodec} makes bytes of it. Does not belong here:

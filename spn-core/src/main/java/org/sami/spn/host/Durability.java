@@ -1,6 +1,6 @@
 package org.sami.spn.host;
 
-/** What a batch of the journal must survive before its effects leave (DESIGN, The engine is a function with a journal). */
+/** What a batch of the journal must survive before its effects leave (decision 0030). */
 public enum Durability {
     /** The death of the process; the loss of power may cost the last 100 ms. */
     PROCESS,

@@ -27,8 +27,7 @@ import org.sami.spn.vocabulary.EventFlag;
 import org.sami.spn.vocabulary.EventType;
 
 /**
- * Hosts one engine: gives it a thread, a clock, a journal, listeners and handlers (DESIGN, The engine is a function with
- * a journal).
+ * Hosts one engine: gives it a thread, a clock, a journal, listeners and handlers (decisions 0030, 0033).
  *
  * <p>Inputs are posted from any thread. On the injected serial executor the host takes all that wait as one batch, steps
  * the engine through them, makes the batch durable, and only then lets out what followed, in order: for each input first

@@ -19,7 +19,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * Brings activations to the handlers of their types, each on the executor that it was registered with. What a handler
- * throws, and an activation that nothing handles, becomes an input: no event that nothing handles (DESIGN).
+ * throws, and an activation that nothing handles, becomes an input: no event that nothing handles.
  */
 final class Handlers {
     private static final System.Logger LOG = System.getLogger(Handlers.class.getName());

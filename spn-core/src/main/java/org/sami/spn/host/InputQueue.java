@@ -12,7 +12,7 @@ import org.sami.spn.protocol.Occurrence;
 
 /**
  * What waits for the engine: postings from any thread, in order, unbounded but counted; and awaited telemetry, of which
- * only the latest per type and named robots is kept (DESIGN, coalesce), so that it is bounded by the fleet.
+ * only the latest per type and named robots is kept, so that it is bounded by the fleet.
  */
 final class InputQueue {
     private final ConcurrentLinkedQueue<List<Input>> postings = new ConcurrentLinkedQueue<>();

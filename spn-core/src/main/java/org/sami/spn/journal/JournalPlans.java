@@ -11,7 +11,7 @@ import org.sami.spn.json.VocabularyReader;
 import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
 
-/** The plans that a journal holds, and no others: a resume runs what ran (DESIGN, Resume). */
+/** The plans that a journal holds, and no others: a resume runs what ran. */
 public final class JournalPlans {
     private JournalPlans() {}
 

@@ -83,7 +83,7 @@ public final class JournalReader implements AutoCloseable {
 
     /**
      * Lets a listener hear entries again, from one to another, both included. Same plans and same journal give the same
-     * effects as in the session (SEMANTICS, One thread, one journal).
+     * effects as in the session (R-DET-1).
      */
     public void replay(Engine engine, long first, long last, HostListener listener) throws JournalException {
         history.replay(engine, first, last, listener);

@@ -8,7 +8,7 @@ import org.sami.spn.model.Match;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.TokenKind;
 
-/** Reads the requirements of edges and refuses combinations that mean nothing (SEMANTICS, Requirements). */
+/** Reads the requirements of edges and refuses combinations that mean nothing (R-IN-1, R-IN-2, R-OUT-1). */
 final class RequirementReader {
     Optional<InRequirement> in(JsonObjectReader m) {
         Optional<TokenKind> kind = m.word("kind", TokenKind.class);

@@ -1,6 +1,6 @@
 package org.sami.spn.model;
 
-/** How many tokens an in requirement wants (SEMANTICS, Requirements; thesis 4.1.4). */
+/** How many tokens an in requirement wants (R-IN-2; thesis 4.1.4). */
 public enum Match {
     ZERO,
     LESS_THAN,

@@ -1,6 +1,6 @@
 package org.sami.spn.model;
 
-/** Which tokens a requirement speaks of (SEMANTICS, Requirements). */
+/** Which tokens a requirement speaks of (R-IN-1). */
 public enum TokenKind {
     GENERIC,
     /** Proxy tokens; never task tokens. */

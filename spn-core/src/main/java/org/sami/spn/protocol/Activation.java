@@ -11,7 +11,7 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
 /**
- * One output event sent for one visit, with everything that its handler needs; immutable (SEMANTICS, Firing).
+ * One output event sent for one visit, with everything that its handler needs; immutable (R-ACT-1).
  *
  * @param rootMission the root of the mission tree that the mission is in
  * @param event id of the output event specification in the plan

@@ -7,7 +7,7 @@ import java.util.OptionalLong;
 import org.sami.spn.model.MarkupSpec;
 
 /**
- * A question to the operator, answered once, by the operator or by autonomy (DESIGN, How data flows).
+ * A question to the operator, answered once, by the operator or by autonomy (R-DEC-1).
  *
  * @param mission the mission that asks, or {@link Ids#NONE} where the domain asks ({@link Input.AskOperator})
  * @param activation the activation that asks, or {@link Ids#NONE} for the parameters of a mission that starts, the

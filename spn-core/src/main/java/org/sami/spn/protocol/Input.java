@@ -11,8 +11,10 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
 /**
- * Something from outside that the engine reacts to. Each is journalled with the time at which the host took it in. Inputs
- * that make no sense (an unknown plan, a decision that was answered before) change nothing and are noted.
+ * Something from outside that the engine reacts to. Each is journalled with the time at which the host took it in.
+ * Inputs that make no sense (an unknown plan, a decision that was answered before) change nothing and are noted.
+ *
+ * <p>Implements R-TOK-4.
  */
 public sealed interface Input {
 

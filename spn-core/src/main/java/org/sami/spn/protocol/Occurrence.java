@@ -9,7 +9,9 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
 /**
- * One input event received (SEMANTICS, Input events).
+ * One input event received.
+ *
+ * <p>Implements R-OCC-1.
  *
  * @param type name of the input event type
  * @param mission the mission that it is for, or {@link Ids#NONE} for news to all

@@ -3,7 +3,11 @@ package org.sami.spn.protocol;
 import java.util.Objects;
 import org.sami.spn.value.TaskId;
 
-/** A token (thesis 3.1, Tokens; SEMANTICS, Tokens). Equal tokens are copies of each other. */
+/**
+ * A token (thesis 3.1, Tokens). Equal tokens are copies of each other.
+ *
+ * <p>Implements R-TOK-1.
+ */
 public sealed interface Token {
     /** The generic token. */
     Token GENERIC = new Generic();

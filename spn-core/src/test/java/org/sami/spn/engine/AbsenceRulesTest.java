@@ -11,7 +11,7 @@ import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.Session;
 import org.sami.spn.value.DurationValue;
 
-/** SEMANTICS: Input events, in edges that ask only for the absence of tokens. */
+/** In edges that ask only for the absence of tokens (R-OCC-7). */
 class AbsenceRulesTest {
     /** Robots go out and home; "all home" ends the mission once all who are home have arrived and nobody is out. */
     private static NetBuilder outAndHome(String... absence) {

@@ -26,7 +26,7 @@ import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.value.VariableReference;
 
-/** Decisions (DESIGN, How data flows) and parameters asked at the start (SEMANTICS, Firing). */
+/** Decisions (R-DEC-*) and parameters asked at the start (R-ACT-4). */
 class DecisionRulesTest {
     private static MarkupSpec trigger(String when, long millis) {
         return new MarkupSpec(

@@ -16,7 +16,7 @@ import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.ValueType;
 
-/** SEMANTICS: Input events. */
+/** Occurrences and what waits (R-OCC-*, R-PEND-*). */
 class InputEventRulesTest {
     private static NetBuilder gate(boolean all) {
         NetBuilder net = new NetBuilder("net")

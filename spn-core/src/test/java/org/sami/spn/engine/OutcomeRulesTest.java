@@ -14,7 +14,7 @@ import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.Session;
 import org.sami.spn.value.TextValue;
 
-/** SEMANTICS: Interrupts and aborts, what a mission's outcome is. */
+/** What a mission's outcome is (R-END-*). */
 class OutcomeRulesTest {
     /** Draws its abort and its completion into end places; robots also end one by one when they are done. */
     private static NetBuilder child() {

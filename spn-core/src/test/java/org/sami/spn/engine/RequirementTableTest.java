@@ -10,7 +10,7 @@ import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.Session;
 
 /**
- * Every kind with every match and every action (SEMANTICS, Requirements). The pool is always {@code generic A B #T} in the
+ * Every kind with every match and every action (R-IN-1, R-IN-2, R-OUT-1). The pool is always {@code generic A B #T} in the
  * start place; a second start of the tokens is made by adding copies where a row wants two of a kind.
  */
 class RequirementTableTest {

@@ -15,7 +15,7 @@ import org.sami.spn.testing.Session;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
-/** SEMANTICS: Sub-missions, returns and return values. */
+/** Returns of static sub-missions (R-SHR-*) and return values (R-RET-*). */
 class ReturnRulesTest {
     /** Robots work one by one; who is done or has failed goes to an end place that returns "good" or "bad". */
     private static final Plan CHILD = new NetBuilder("child")

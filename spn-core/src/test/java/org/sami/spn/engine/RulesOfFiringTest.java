@@ -21,7 +21,7 @@ import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.ValueType;
 
-/** SEMANTICS: Tokens, Requirements, Visits, When a transition is looked at, Firing. */
+/** Tokens, requirements, visits, when a transition is looked at, firing (R-TOK-*, R-OUT-*, R-VIS-*, R-LOOK-*, R-FIRE-*). */
 class RulesOfFiringTest {
     @Test
     void aRootMissionStartsWithOneGenericItsRobotsAndItsTasks() {

@@ -23,7 +23,7 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.ValueType;
 
-/** SEMANTICS: Sub-missions, Interrupts and aborts, Variables. */
+/** Sub-missions, interrupts, aborts, variables (R-SUB-*, R-INT-*, R-END-*, R-VAR-*). */
 class SubMissionRulesTest {
     /** Everybody works, then ends one by one; the instance ends with the first. */
     private static final Plan CHILD = new NetBuilder("child")

@@ -12,7 +12,7 @@ import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.Session;
 import org.sami.spn.value.TextValue;
 
-/** SEMANTICS: Sub-missions, what an interrupt takes out of instances and their descendants. */
+/** What an interrupt takes out of instances and their descendants (R-INT-7). */
 class WithdrawalRulesTest {
     private static final Plan CHILD = new NetBuilder("child")
             .start("c")

@@ -11,7 +11,7 @@ import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.TaskId;
 
-/** Which boat a task is allocated to: "allocation alone changes that" (SEMANTICS, Tokens). */
+/** Which boat a task is allocated to: R-TASK-1. */
 final class Allocating {
     private final World world;
 
@@ -19,7 +19,7 @@ final class Allocating {
         this.world = world;
     }
 
-    /** "On release it loses its boat and stays where it is." */
+    /** A released task loses its boat and nothing else (R-TASK-1). */
     void allocate(Map<TaskId, Optional<String>> allocation) {
         Map<TaskId, Optional<String>> robots = new LinkedHashMap<>();
         Map<TaskId, String> before = new LinkedHashMap<>();

@@ -19,7 +19,7 @@ import org.sami.spn.protocol.Token;
 import org.sami.spn.vocabulary.EventFlag;
 import org.sami.spn.vocabulary.EventRole;
 
-/** Who receives an occurrence, and what becomes of it while it waits (SEMANTICS, Input events). */
+/** Who receives an occurrence, and what becomes of it while it waits (R-OCC-1 to R-OCC-11, R-PEND-1 to R-PEND-8). */
 final class Attention {
     private final World world;
     private final Enabling enabling;
@@ -29,7 +29,7 @@ final class Attention {
         this.enabling = enabling;
     }
 
-    /** "Every transition it is for receives it"; what no transition wants is recorded with the reason. */
+    /** Gives it to all it is for (R-OCC-6), or notes why nobody wants it (R-OCC-11). */
     boolean receive(Occurrence occurrence) {
         boolean wanted = false;
         boolean askedForNames = false;
@@ -59,13 +59,13 @@ final class Attention {
         return wanted;
     }
 
-    /** An answer reaches transitions in the order of the place that asked ("the plan's order of out-transitions"). */
+    /** An answer reaches transitions in the order of the place that asked (R-LOOK-6). */
     private List<Transition> inOrder(Mission m, Occurrence o) {
         Visit asked = world.visitOfActivation.get(o.activation());
         return asked == null || asked.mission != m ? m.plan.transitions() : m.outTransitions(asked.place);
     }
 
-    /** "With an activation and no mission it is an answer in the mission that asked and news in all others." */
+    /** Answer in one mission, news in the others (R-OCC-8). */
     private Optional<Occurrence> asSeenBy(Mission m, Occurrence o) {
         if (o.mission() != Ids.NONE) {
             return o.mission() == m.id ? Optional.of(o) : Optional.empty();
@@ -78,7 +78,7 @@ final class Attention {
                 .map(n -> new Occurrence(n.type(), Ids.NONE, Ids.NONE, o.proxies(), o.tasks(), o.values()));
     }
 
-    /** "It is for transition t when ..." */
+    /** Whether an occurrence is for a transition (R-OCC-2 to R-OCC-5). */
     boolean isFor(Mission m, Pending p) {
         return typeFits(p) && someInPlaceIsMarked(m, p.transition) && answersHere(m, p) && someRelevantIsHere(m, p);
     }
@@ -111,7 +111,7 @@ final class Attention {
                 return true;
             }
         }
-        // "or, where none is named, any token or nobody": none of those that were asked
+        // names nobody, or none of those that were asked (R-OCC-4)
         List<Token> asked = enabling.answered(p).tokens();
         boolean namesNoneAsked = p.names().stream()
                 .flatMap(name -> enabling.tokensOf(name, p).stream())
@@ -123,7 +123,7 @@ final class Attention {
         return namesNoneAsked && !visit.ended && concerned;
     }
 
-    /** "An in edge that asks only for zero of a kind does not count here for tokens of that kind". */
+    /** Whether an edge asks only that a token be absent (R-OCC-7). */
     boolean asksOnlyForAbsence(Mission m, Transition t, Place place, Token token, boolean isNamed) {
         Set<Token> relevant = isNamed ? Set.of(token) : Set.of();
         List<InRequirement> ofItsKind = m.inEdges(t).stream()
@@ -163,7 +163,7 @@ final class Attention {
                                         && later.entered.contains(token)));
     }
 
-    /** "A named token is still in that visit, or a named token now stands in another in place of t". */
+    /** Whether a name stands in the visit that asked or in another in place (R-OCC-4). */
     private boolean standsForIt(Mission m, Pending p, Visit visit, Token name) {
         for (Token token : enabling.tokensOf(name, p)) {
             if (asksOnlyForAbsence(m, p.transition, visit.place, token, true)) {
@@ -181,7 +181,7 @@ final class Attention {
         return false;
     }
 
-    /** "Where t speaks of relevant tokens that it must already have, one of them is here." */
+    /** Whether one of the relevant tokens that it must have stands here (R-OCC-5). */
     private boolean someRelevantIsHere(Mission m, Pending p) {
         boolean mustHave = m.inEdges(p.transition).stream()
                 .flatMap(e -> e.requirements().stream())
@@ -204,7 +204,7 @@ final class Attention {
         return r.kind() == TokenKind.RELEVANT && wantsSome;
     }
 
-    /** "An answer naming nobody where tokens were asked for is reported, and the question stays open." */
+    /** Whether it should have named somebody (R-OCC-10). */
     private boolean namesNobodyWhereAsked(Mission m, Pending p) {
         boolean speaks = m.inEdges(p.transition).stream()
                         .flatMap(e -> e.requirements().stream())
@@ -217,11 +217,11 @@ final class Attention {
         return p.isAnswer() && !p.occurrence.namesSomebody() && speaks && !joinsWithAny && !World.overrides(role);
     }
 
-    /** "Pending." */
+    /** Keeps an occurrence (R-PEND-1). */
     void keep(Mission m, Pending pending) {
         Optional<Visit> answered = pending.answeredVisit(world);
         if (answered.isEmpty() && pending.told.isEmpty()) {
-            // "News: one pending per input event and named set, the newer replaces the older."
+            // of news the newest (R-PEND-2)
             m.pending.removeIf(older -> older.answeredVisit(world).isEmpty()
                     && older.told.isEmpty()
                     && older.transition.equals(pending.transition)
@@ -244,7 +244,7 @@ final class Attention {
         if (askedForNames) {
             world.note(NoteKind.NAMES_NOBODY, occurrence.mission(), occurrence.type());
         } else if (world.eventType(occurrence.type()).flags().contains(EventFlag.COALESCE)) {
-            return; // "it is counted"
+            return; // counted, not noted (R-OCC-11)
         } else if (World.isInterrupt(world.eventType(occurrence.type()).role())) {
             world.note(NoteKind.INTERRUPT_REFUSED, occurrence.mission(), occurrence.type());
         } else if (visit != null && visit.ended) {
@@ -254,7 +254,7 @@ final class Attention {
         }
     }
 
-    /** "An interrupt is never kept: if t cannot fire now, it is refused and the operator is told." */
+    /** Refuses what cannot fire now (R-INT-4). */
     void refuseInterrupts(Mission m, Transition t) {
         for (Pending p : m.pendingOf(t)) {
             if (World.overrides(world.eventType(p.event.type()).role())) {
@@ -264,7 +264,7 @@ final class Attention {
         }
     }
 
-    /** "A token that left is struck from a pending answer; an answer that named only such tokens is discarded." */
+    /** Strikes who left from what waits (R-PEND-3, R-PEND-4). */
     void strike(Mission m, List<Copy> left, List<Visit> entered) {
         for (Pending p : List.copyOf(m.pending)) {
             for (Token name : p.names()) {
@@ -294,7 +294,7 @@ final class Attention {
         if (answered.isPresent()) {
             return p.stood.contains(name) && m.inPlaces(p.transition).contains(copy.visit.place);
         }
-        // "A boat that left must report again"
+        // who left reports again (R-PEND-8)
         return p.transition.waitFor() == WaitFor.ALL
                 && enabling.watched(m, p.transition).contains(copy.visit.place);
     }
@@ -317,7 +317,7 @@ final class Attention {
                 && p.answeredVisit(world).map(visit -> visit.ended).orElse(false);
     }
 
-    /** A dropped boat: "nobody waits for it any longer". Returns the transitions that still have others to hear of. */
+    /** Strikes a dropped boat (R-TOK-5). Returns the transitions that still have others to hear of. */
     List<Transition> forget(Mission m, Token.Proxy boat) {
         List<Transition> struck = new ArrayList<>();
         for (Pending p : new ArrayList<>(m.pending)) {

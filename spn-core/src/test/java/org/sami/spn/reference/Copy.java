@@ -2,7 +2,7 @@ package org.sami.spn.reference;
 
 import org.sami.spn.protocol.Token;
 
-/** One copy of a token in a place; "a token belongs to the visit it entered by" (SEMANTICS, Visits). Compared by identity. */
+/** One copy of a token in a place; it belongs to the visit by which it entered (R-VIS-1). Compared by identity. */
 final class Copy {
     final Token token;
     final Visit visit;

@@ -4,6 +4,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
@@ -71,6 +73,50 @@ final class Coverage {
             "sub-mission with mapped variables started",
             "entry by nobody activates",
             "visit ends");
+
+    /** The rules that a count exercises; those of requirements are {@link #rulesOf} the words. */
+    private static final Map<String, List<String>> RULES = Map.ofEntries(
+            entry("event used TIMER_EXPIRED", "R-VIS-6"),
+            entry("event used PROXY_TIMER_EXPIRED", "R-VIS-6"),
+            entry("event used TOKENS_RETURNED", "R-ACT-5"),
+            entry("event used INTERRUPT", "R-INT-1"),
+            entry("event used GENERAL_INTERRUPT_RECEIVED", "R-INT-2"),
+            entry("event used PROXY_INTERRUPT_RECEIVED", "R-INT-2"),
+            entry("event used ABORT_RECEIVED", "R-END-1"),
+            entry("event used COMPLETE_RECEIVED", "R-END-1"),
+            entry("event used SUB_MISSION_ABORTED", "R-SUB-8"),
+            entry("event used CHECK_RETURN", "R-RET-1"),
+            entry("note SHORT_OF_TOKENS", "R-OUT-3"),
+            entry("note LIVELOCK", "R-LOOK-9"),
+            entry("note NO_AUTOMATIC_ANSWER", "R-DEC-2"),
+            entry("mission ENDED", "R-END-3"),
+            entry("mission ABORTED", "R-END-1"),
+            entry("mission COMPLETED", "R-END-1"),
+            entry("mission HALTED", "R-LOOK-9"),
+            entry("firing without event", "R-LOOK-1"),
+            entry("firing with several events", "R-PEND-6"),
+            entry("firing that waited for all", "R-PEND-7"),
+            entry("firing in a child", "R-SUB-1"),
+            entry("firing in a grandchild", "R-SUB-1"),
+            entry("firing out of a place with a dynamic sub-mission", "R-SUB-3"),
+            entry("firing out of a place with a static sub-mission", "R-SHR-4"),
+            entry("firing out of a place with its own order", "R-LOOK-6"),
+            entry("commands withdrawn from all", "R-END-4"),
+            entry("commands withdrawn from some", "R-INT-6"),
+            entry("decision answered by OPERATOR", "R-DEC-1"),
+            entry("decision answered by AUTONOMY", "R-DEC-2"),
+            entry("decision closed without answer", "R-DEC-3"),
+            entry("task allocated", "R-TASK-1"),
+            entry("task released", "R-TASK-1"),
+            entry("task moved to another robot", "R-TASK-1"),
+            entry("variable of a mission written", "R-VAR-2"),
+            entry("global variable written", "R-VAR-2"),
+            entry("dynamic sub-mission started", "R-SUB-1"),
+            entry("static sub-mission started", "R-SHR-1"),
+            entry("sub-mission with mapped tasks started", "R-TASK-5"),
+            entry("sub-mission with mapped variables started", "R-VAR-1"),
+            entry("entry by nobody activates", "R-OUT-7"),
+            entry("visit ends", "R-VIS-5"));
 
     private final Map<String, Long> counts = new LinkedHashMap<>();
 
@@ -209,6 +255,34 @@ final class Coverage {
                 .filter(e -> e.getValue() < least)
                 .map(e -> "%6d  %s".formatted(e.getValue(), e.getKey()))
                 .toList();
+    }
+
+    /** The rules of docs/semantics.md that sessions exercise where no count is {@link #below} the least. */
+    Set<String> rules() {
+        Set<String> rules = new TreeSet<>();
+        counts.keySet().forEach(word -> rules.addAll(rulesOf(word)));
+        return rules;
+    }
+
+    private static List<String> rulesOf(String word) {
+        if (word.startsWith("in: ")) {
+            return word.contains("unconditional") ? List.of("R-IN-4") : List.of("R-IN-1", "R-IN-2");
+        }
+        if (!word.startsWith("out: ")) {
+            return RULES.getOrDefault(word, List.of());
+        }
+        if (word.endsWith("generic") && word.contains("add")) {
+            return List.of("R-OUT-1", "R-OUT-4");
+        } else if (word.endsWith("relevant")) {
+            return List.of("R-OUT-1", "R-OUT-5");
+        } else if (word.endsWith("sub mission tokens")) {
+            return List.of("R-SUB-4");
+        }
+        return word.endsWith("unconditional") ? List.of("R-OUT-7") : List.of("R-OUT-1");
+    }
+
+    private static Map.Entry<String, List<String>> entry(String count, String... rules) {
+        return Map.entry(count, List.of(rules));
     }
 
     private static String word(TokenKind kind, Match match) {

@@ -25,16 +25,14 @@ final class Enabling {
         this.world = world;
     }
 
-    // ---- SEMANTICS, Requirements: relevant tokens
+    // ---- Relevant tokens (R-REL-1 to R-REL-3)
 
     /** The tokens that stand for one named boat or task in one occurrence. */
     List<Token> tokensOf(Token name, Pending pending) {
         List<Token> tokens = new ArrayList<>();
         tokens.add(name);
         if (name instanceof Token.Proxy boat && pending.isAnswer()) {
-            // "and a task token allocated to a named boat only if it was among the tokens of the answered activation
-            // and is
-            // that boat's current task"
+            // R-REL-3
             for (Token token : answered(pending).tokens()) {
                 if (token instanceof Token.Task task
                         && Optional.of(boat.proxy()).equals(world.boatOf(task.task()))
@@ -54,7 +52,7 @@ final class Enabling {
                 .orElseThrow();
     }
 
-    /** "A set, without duplicates." */
+    /** Each once (R-REL-2). */
     Set<Token> relevant(List<Pending> used) {
         Set<Token> relevant = new LinkedHashSet<>();
         for (Pending pending : used) {
@@ -75,15 +73,15 @@ final class Enabling {
         };
     }
 
-    /** "One named task or task class". */
+    /** Whether a token is of a task, by its name or class (R-IN-1). */
     private boolean isTask(TaskId id, String nameOrClass) {
         return id.name().equals(nameOrClass)
                 || world.task(id).map(t -> t.taskClass().equals(nameOrClass)).orElse(false);
     }
 
-    // ---- SEMANTICS, Requirements: the pool
+    // ---- The pool (R-OUT-2)
 
-    /** "All in places of the transition, in in-edge order, then in order of entry". */
+    /** What stands in the in places, in the order of in edges, then of entry (R-OUT-2). */
     List<Copy> pool(Mission m, Transition t, List<Pending> used) {
         List<Copy> pool = new ArrayList<>();
         m.inPlaces(t).forEach(place -> pool.addAll(poolIn(m, t, place, used)));
@@ -92,7 +90,7 @@ final class Enabling {
 
     /** What of a place is in the pool of a transition that would use these occurrences. */
     List<Copy> poolIn(Mission m, Transition t, Place place, List<Pending> used) {
-        // "While an instance runs, its starting tokens are outside every pool"
+        // held by an instance (R-SUB-2)
         List<Copy> pool = m.tokensIn(place).stream()
                 .filter(copy -> world.overrides(t) || isOver(copy.visit, t))
                 .filter(copy -> mayUse(copy.visit, used))
@@ -109,7 +107,7 @@ final class Enabling {
         return visit.complete() || (visit.aborted() && world.awaitsAborted(t));
     }
 
-    /** "A transition that used its CheckReturn takes that visit's tokens and no other's". */
+    /** Whether a checked value binds the firing to another visit (R-RET-2). */
     static boolean mayUse(Visit visit, List<Pending> used) {
         return used.stream()
                 .flatMap(p -> p.told.stream())
@@ -128,7 +126,7 @@ final class Enabling {
                 : shared.returns.stream().findFirst();
     }
 
-    /** "Out-transitions need one unused return each"; not interrupts, and not for an instance whose abort they answer. */
+    /** Whether it needs a return (R-SHR-4); not interrupts, and not for an instance whose abort they answer. */
     private boolean needsReturn(Instance shared, Transition t, List<Pending> used) {
         boolean answersAbort = shared.state == Instance.State.ABORTED && world.awaitsAborted(t);
         boolean checksIt = used.stream().flatMap(p -> p.told.stream()).anyMatch(r -> r.by == shared);
@@ -141,7 +139,7 @@ final class Enabling {
         return copies.stream().filter(copy -> left.remove(copy.token)).toList();
     }
 
-    /** "Out-transitions wait for it (Algorithm 1, per visit)"; "out-transitions need one unused return each". */
+    /** Whether no sub-mission keeps it waiting (R-SUB-3, R-SHR-4; thesis, Algorithm 1). */
     private boolean waitsForSubMission(Mission m, Transition t, Place place, List<Pending> used) {
         if (world.overrides(t)) {
             return false;
@@ -176,7 +174,7 @@ final class Enabling {
                         .anyMatch(v -> !v.used || v.instances.stream().anyMatch(i -> !i.back.isEmpty()));
     }
 
-    // ---- SEMANTICS, Requirements: in edges
+    // ---- In edges (R-IN-1 to R-IN-5)
 
     boolean requirementsHold(Mission m, Transition t, List<Pending> used) {
         if (!someCompletionIsNew(m, t, used)) {
@@ -216,7 +214,7 @@ final class Enabling {
         };
     }
 
-    /** "Every named token is here". */
+    /** Whether each name has a token here (R-IN-2). */
     private boolean allNamedAreHere(Mission m, Transition t, Place place, Pending pending, List<Pending> used) {
         List<Token> here =
                 poolIn(m, t, place, used).stream().map(copy -> copy.token).toList();
@@ -224,9 +222,9 @@ final class Enabling {
                 .allMatch(name -> tokensOf(name, pending).stream().anyMatch(here::contains));
     }
 
-    // ---- SEMANTICS, Input events: pending
+    // ---- What waits (R-PEND-5 to R-PEND-8)
 
-    /** "t fires with the earliest combination that enables it"; empty where it cannot fire. */
+    /** The earliest combination that enables it (R-PEND-5); empty where it cannot fire. */
     Optional<List<Pending>> enabledWith(Mission m, Transition t) {
         if (!m.reacts()) {
             return Optional.empty();
@@ -265,7 +263,7 @@ final class Enabling {
         return m.pendingOf(t).stream().filter(p -> p.event.equals(event)).toList();
     }
 
-    /** "The occurrences that name tokens must name the same ones; those that name none join with any." */
+    /** Whether occurrences join (R-PEND-6). */
     private static boolean nameTheSame(List<Pending> combination) {
         return combination.stream()
                         .map(p -> new HashSet<>(p.names()))
@@ -290,7 +288,7 @@ final class Enabling {
         return speaking.isEmpty() ? m.inPlaces(t) : speaking;
     }
 
-    /** "Waits until every boat (or task) standing in the watched places has reported, then fires once with all". */
+    /** All reports, once everybody has reported (R-PEND-7). */
     private Optional<List<Pending>> allReported(Mission m, Transition t) {
         Set<Token> standing = new LinkedHashSet<>();
         for (Place place : watched(m, t)) {
@@ -300,7 +298,7 @@ final class Enabling {
                     .forEach(standing::add);
         }
         if (standing.isEmpty()) {
-            return Optional.empty(); // "never fires for nobody"
+            return Optional.empty(); // R-PEND-8
         }
         boolean several = t.inputs().size() > 1;
         boolean somebodyReported = false;
@@ -317,7 +315,7 @@ final class Enabling {
                 return Optional.empty();
             }
             somebodyReported = somebodyReported || !namesNobody;
-            // "Those that name none join with any"
+            // R-PEND-6
             for (Pending p : all) {
                 boolean joins = used.stream()
                         .flatMap(other -> other.told.stream())

@@ -22,7 +22,7 @@ import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.Value;
 
-/** "Select by all out requirements on the marking before; remove; add; write variables; ..." (SEMANTICS, Firing). */
+/** Fires a transition, in the order of R-FIRE-1. */
 final class Firing {
     /** A token selected for an out edge: a copy of the pool, a token of an instance's end places, both, or a new one. */
     private record Selected(Token token, Optional<Copy> copy, Optional<Instance> instance) {}
@@ -76,7 +76,7 @@ final class Firing {
         List<Occurrence> occurrences = used.stream().map(p -> p.occurrence).toList();
         world.effects.add(new Effect.Fired(world.firings, m.id, t.id(), occurrences, List.of()));
         writeVariables(m, used);
-        // "What its output events ask of boats is still sent, nobody waits for answers"
+        // what the end place asks is sent, nobody waits for answers (R-END-3)
         boolean ends = places.endsWith(m, entered);
         withdrawCommands(m, t, left, ends);
         entered.forEach(visit -> places.activate(visit, ends));
@@ -85,7 +85,7 @@ final class Firing {
         }
         places.endOrReturn(m, entered);
 
-        // "Entered places first, in out-edge order, then left places in in-edge order"
+        // R-LOOK-6
         entered.forEach(visit -> places.lookAfterEntry(m, visit.place));
         for (Place place : m.inPlaces(t)) {
             if (left.stream().anyMatch(copy -> copy.visit.place.equals(place))) {
@@ -97,13 +97,12 @@ final class Firing {
             }
         }
         places.lookAtWithdrawn();
-        // (d) "after its own firing, if that removed a token which one of its own at least or exactly requirements
-        // counts"
+        // R-LOOK-4
         if (t.inputs().isEmpty() && countedWasRemoved) {
             world.lookAt(m, t);
         }
         if (!m.pendingOf(t).isEmpty()) {
-            world.lookAt(m, t); // "fires per occurrence"
+            world.lookAt(m, t); // R-LOOK-5
         }
     }
 
@@ -164,14 +163,14 @@ final class Firing {
         return moves;
     }
 
-    /** "Each out requirement selects on its own from the same pool": what two select is one token. */
+    /** What two requirements select is one token (R-OUT-2). */
     private static void mergeOnce(Map<Instance, List<Token>> all, Instance instance, List<Token> tokens) {
         List<Token> before = all.computeIfAbsent(instance, key -> new ArrayList<>());
         List<Token> same = new ArrayList<>(before);
         tokens.stream().filter(token -> !same.remove(token)).toList().forEach(before::add);
     }
 
-    /** "One edge adds a token once." */
+    /** Adds a token to an edge once (R-OUT-6). */
     private static boolean isOn(List<Selected> onEdge, Selected s) {
         if (s.copy().isPresent()) {
             return onEdge.stream()
@@ -184,14 +183,14 @@ final class Firing {
         return !generic && onEdge.stream().anyMatch(o -> o.token().equals(s.token()));
     }
 
-    /** "Each out requirement selects on its own from the same pool in the same order". */
+    /** What one requirement selects (R-OUT-2). */
     private List<Selected> selected(Mission m, Transition t, List<Pending> used, OutRequirement r) {
         if (r.kind() == TokenKind.SUB_MISSION_TOKENS) {
             List<Selected> all = subMissionTokens(m, t, used);
             return r.takesAll() ? all : all.subList(0, Math.min(r.n(), all.size()));
         }
         if (r.action() == Action.ADD && r.kind() == TokenKind.RELEVANT) {
-            // "makes one token per name, wherever that token stands"
+            // R-OUT-5
             return used.stream()
                     .flatMap(p -> p.names().stream())
                     .distinct()
@@ -200,7 +199,7 @@ final class Firing {
                     .toList();
         }
         if (r.action() == Action.ADD && r.kind() == TokenKind.GENERIC && !r.takesAll()) {
-            // "makes n new generic tokens and needs none in the pool"
+            // R-OUT-4
             List<Selected> made = new ArrayList<>();
             for (int i = 0; i < r.n(); i++) {
                 made.add(new Selected(Token.GENERIC, Optional.empty(), Optional.empty()));
@@ -212,13 +211,13 @@ final class Firing {
                 .filter(copy -> enabling.isOfKind(r.kind(), r.task(), copy.token, relevant))
                 .map(copy -> new Selected(copy.token, Optional.of(copy), Optional.empty()))
                 .toList();
-        // "All takes every copy"; "n takes the oldest"
+        // R-OUT-5
         return r.takesAll() ? all : all.subList(0, Math.min(r.n(), all.size()));
     }
 
-    // ---- SEMANTICS, Sub-missions: their tokens
+    // ---- Sub-mission tokens (R-SUB-4)
 
-    /** "The tokens in the instance's end places", each with the parent's copy that came back, if there is one. */
+    /** What came back (R-SUB-4), each with the parent's copy that came back, if there is one. */
     private List<Selected> subMissionTokens(Mission m, Transition t, List<Pending> used) {
         List<Selected> tokens = new ArrayList<>();
         for (Place place : m.inPlaces(t)) {
@@ -256,7 +255,7 @@ final class Firing {
         });
     }
 
-    /** "Out-transitions need one unused return each": this firing uses it, with the occurrence that tells its value. */
+    /** The return that this firing uses (R-SHR-4), with the occurrence that tells its value. */
     private List<Returned> useUpReturns(Mission m, Transition t, List<Pending> used) {
         Set<Returned> all = new LinkedHashSet<>();
         used.forEach(p -> p.told.ifPresent(all::add));
@@ -279,7 +278,7 @@ final class Firing {
         }
     }
 
-    /** "A starting token that did not come back stays and is reported." */
+    /** Notes who did not come back (R-SUB-5). */
     private void reportWhoDidNotComeBack(Instance instance, Set<Copy> removed) {
         Visit visit = instance.visit.orElseThrow();
         boolean someStay = visit.mission.tokensIn(visit.place).stream()
@@ -304,7 +303,7 @@ final class Firing {
 
     // ---- Removing and adding
 
-    /** "A visit by nobody ends when a transition out of the place fires with an answer to it, or ..." */
+    /** Which visits by nobody a firing ends (R-VIS-4). */
     private List<Visit> nobodysVisitsThatEnd(Mission m, Transition t, List<Pending> used) {
         boolean movesEverything = m.outEdges(t).stream()
                 .flatMap(e -> e.requirements().stream())
@@ -321,7 +320,7 @@ final class Firing {
                 .toList();
     }
 
-    /** "A place is entered when at least one token is added to it, when its edge is unconditional, or when it is an end". */
+    /** Whether a firing enters a place (R-VIS-2). */
     private static boolean isEntered(Mission m, OutEdge edge, List<Token> tokens) {
         return !tokens.isEmpty()
                 || edge.requirements().stream().anyMatch(r -> r.kind() == TokenKind.UNCONDITIONAL)

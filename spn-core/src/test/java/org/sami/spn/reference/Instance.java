@@ -9,7 +9,7 @@ import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 
-/** A sub-mission that was started: of one visit (dynamic) or of the parent mission (static) (SEMANTICS, Sub-missions). */
+/** A sub-mission that was started: of one visit (dynamic) or of the parent mission (static) (R-SUB-1, R-SHR-1). */
 final class Instance {
     enum State {
         RUNNING,
@@ -39,7 +39,7 @@ final class Instance {
         this.visit = visit;
     }
 
-    /** A token of the parent as the child names it: "their tokens start as that task". */
+    /** A token of the parent as the child names it (R-TASK-5). */
     Token toChild(Token token) {
         if (token instanceof Token.Task task) {
             for (Map.Entry<String, TaskId> own : child.standsFor.entrySet()) {
@@ -51,7 +51,7 @@ final class Instance {
         return token;
     }
 
-    /** "A child's own task tokens never return; the parent's task tokens that entered it do." */
+    /** A token of the child as the parent names it; none of the child's own tasks (R-SUB-7). */
     Optional<Token> toParent(Token token) {
         if (token instanceof Token.Task task && task.task().mission() == child.id) {
             return Optional.ofNullable(child.standsFor.get(task.task().name())).map(Token.Task::new);

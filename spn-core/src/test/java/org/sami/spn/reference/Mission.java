@@ -100,7 +100,7 @@ final class Mission {
         return plan.outEdgesOf(t.id());
     }
 
-    /** "Within a place, the plan's order of out-transitions" (SEMANTICS, When a transition is looked at). */
+    /** A place's out-transitions in the plan's order (R-LOOK-6). */
     List<Transition> outTransitions(Place place) {
         List<String> ids = new ArrayList<>(place.transitionOrder());
         for (InEdge edge : plan.inEdges()) {

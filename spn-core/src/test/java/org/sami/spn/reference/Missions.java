@@ -64,7 +64,7 @@ final class Missions {
         return m;
     }
 
-    /** "Fields to be asked at the start are asked when the mission or instance is made, and the start marking waits." */
+    /** Asks what is asked at the start; the start marking waits (R-ACT-4). */
     private void begin(Mission m, Map<String, Value> parameters) {
         m.plan.variables().forEach(v -> v.initial().ifPresent(value -> m.variables.put(v.name(), value)));
         parameters.forEach((key, value) -> {
@@ -108,7 +108,7 @@ final class Missions {
         }
     }
 
-    /** The start marking (SEMANTICS, Tokens; Firing: "constants are written before the start marking"). */
+    /** The start marking (R-TOK-2), after constants were written (R-ACT-3). */
     void mark(Mission m) {
         m.status = Mission.Status.RUNNING;
         for (Place place : m.plan.places()) {
@@ -145,7 +145,7 @@ final class Missions {
                 .toList();
     }
 
-    /** "Static: one instance per parent mission". */
+    /** Starts the static instances (R-SHR-1). */
     private void makeSharedInstances(Mission m) {
         for (Place place : m.plan.places()) {
             for (SubMissionSpec spec : place.subMissions()) {
@@ -189,10 +189,10 @@ final class Missions {
     void startSubMissions(Visit visit, List<Token> tokens) {
         for (SubMissionSpec spec : visit.place.subMissions()) {
             if (spec.shared()) {
-                // "Entering tokens join its start place"
+                // R-SHR-1
                 visit.mission.statics.stream().filter(i -> i.spec.equals(spec)).forEach(i -> join(i, tokens));
             } else {
-                // "Dynamic: one instance per visit, with the entering tokens"
+                // R-SUB-1
                 Instance instance = new Instance(spec, visit.mission, visit.place, Optional.of(visit));
                 visit.instances.add(instance);
                 instance.child = makeChild(instance);
@@ -213,7 +213,7 @@ final class Missions {
             shared.joined.addAll(tokens);
             child.starting.add(named(shared, tokens));
         } else if (!tokens.isEmpty()) {
-            // "A boat that enters when the shared instance is over is reported"
+            // R-SHR-8
             world.note(NoteKind.NOT_RETURNED, shared.parent.id, shared.place.id());
         }
     }
@@ -232,7 +232,7 @@ final class Missions {
         Outcome outcome = outcomeOf(m, way);
         m.status = Mission.Status.ENDED;
         world.allocation.keySet().removeIf(task -> task.mission() == m.id);
-        // "All descendants end the same way"
+        // R-END-6
         for (Visit visit : m.visits) {
             visit.instances.forEach(i -> endChild(i, outcome));
         }
@@ -254,7 +254,7 @@ final class Missions {
         m.asChild.ifPresent(instance -> tellParent(instance, outcome, inEndPlaces));
     }
 
-    /** "Once an abort (a completion) was asked of a mission, its outcome is aborted (completed) however it ends". */
+    /** What was asked is the outcome (R-END-2). */
     private static Outcome outcomeOf(Mission m, Outcome way) {
         if (m.abortAsked || way == Outcome.ABORTED) {
             return Outcome.ABORTED;
@@ -284,8 +284,7 @@ final class Missions {
             return;
         }
         if (outcome == Outcome.ABORTED) {
-            instance.child.returnValue =
-                    Optional.empty(); // "an outcome of its own": what it would have returned counts no more
+            instance.child.returnValue = Optional.empty(); // what it would have returned counts no more (R-SUB-10)
             world.internal.add(() -> postAborted(instance));
             return;
         }
@@ -297,7 +296,7 @@ final class Missions {
         }
     }
 
-    /** (c) "when a sub-mission on an in place completes": all instances of its visit have. */
+    /** A visit is complete when all its instances are (R-LOOK-3, R-SUB-3). */
     private void completed(Instance instance) {
         Visit visit = instance.visit.orElseThrow();
         if (visit.complete()) {
@@ -306,7 +305,7 @@ final class Missions {
         }
     }
 
-    /** (c) "or a static one returns": "unused returns and their return values are kept in order, none replaces another". */
+    /** Keeps a return behind the earlier ones (R-LOOK-3, R-SHR-5). */
     private void returns(Instance instance, List<Token> tokens) {
         Returned returned = new Returned(instance, tokens, instance.child.returnValue);
         instance.returns.add(returned);
@@ -319,7 +318,7 @@ final class Missions {
         returned.value.ifPresent(value -> world.internal.add(() -> tell(returned, value)));
     }
 
-    /** "Any other end place returns: its tokens leave the child as one completion". */
+    /** Tokens leave the child as one return (R-SHR-2). */
     void returnFrom(Visit visit) {
         Mission child = visit.mission;
         Instance instance = child.asChild.orElseThrow();
@@ -356,7 +355,7 @@ final class Missions {
         }
     }
 
-    /** "It posts Sub-mission Aborted, naming its starting tokens, to the place's out-transitions". */
+    /** Tells the parent of an aborted child (R-SUB-8). */
     private void postAborted(Instance instance) {
         Mission m = instance.parent;
         if (!m.reacts() || instance.visit.map(v -> v.ended).orElse(false)) {
@@ -404,7 +403,7 @@ final class Missions {
                 .toList();
     }
 
-    /** "If none waits for it, a decision asks the operator to return or to keep those boats (autonomy: return)." */
+    /** Asks the operator where nobody waits for it (R-SUB-9). */
     private void askAboutAborted(Instance instance) {
         Decision decision = new Decision(
                 world.nextDecision++,

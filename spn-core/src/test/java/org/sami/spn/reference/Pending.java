@@ -9,7 +9,7 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Token;
 
-/** An occurrence that a transition received and has not used (SEMANTICS, Input events, Pending). */
+/** An occurrence that a transition received and has not used (R-PEND-1). */
 final class Pending {
     final Transition transition;
     final InputEventSpec event;

@@ -60,7 +60,7 @@ final class Places {
         lookAfterEntry(m, place);
     }
 
-    /** "A visit is one entry of tokens, or of nobody, into a place." */
+    /** Tokens, or nobody, enter a place (R-VIS-1). */
     Visit add(Mission m, Place place, List<Token> tokens) {
         Visit visit = new Visit(world.nextVisit++, m, place, tokens.isEmpty());
         m.visits.add(visit);
@@ -72,7 +72,7 @@ final class Places {
         return visit;
     }
 
-    /** "Activate the output events of entered places, each with exactly the tokens that entered". */
+    /** Activates the output events of an entered place (R-ACT-1). */
     void activate(Visit visit, boolean ends) {
         List<Token> tokens = visit.mission.tokensIn(visit.place).stream()
                 .filter(c -> c.visit == visit)
@@ -88,7 +88,7 @@ final class Places {
         }
     }
 
-    /** "An activation is immutable: its field values are resolved at entry". */
+    /** Resolves fields at entry (R-ACT-2). */
     private Activation resolve(Visit visit, OutputEventSpec spec, List<Token> tokens) {
         Mission m = visit.mission;
         EventType type = world.eventType(spec.type());
@@ -152,7 +152,7 @@ final class Places {
         }
     }
 
-    /** "A field of an output event may also write a variable; constants are written before the start marking." */
+    /** Writes what output events write (R-ACT-3). */
     private void writeFields(Mission m, OutputEventSpec spec, Activation activation) {
         spec.writes().forEach((field, variable) -> {
             if (spec.fields().get(field) instanceof FieldSource.FromVariable) {
@@ -174,7 +174,7 @@ final class Places {
         return entered.stream().anyMatch(v -> v.place.end() && !returns(m, v.place));
     }
 
-    /** "Any other end place returns". */
+    /** Whether an end place only returns (R-SHR-2). */
     private static boolean returns(Mission m, Place place) {
         return m.asChild.map(i -> i.spec.shared()).orElse(false) && !place.endsSharedInstance();
     }
@@ -213,7 +213,7 @@ final class Places {
         }
     }
 
-    /** "An interrupt that takes one boat withdraws it from the running instance and its descendants". */
+    /** Takes a boat out of running instances and their descendants (R-INT-7). */
     private void withdraw(Mission m, Copy copy) {
         if (copy.token instanceof Token.Generic) {
             return;
@@ -226,8 +226,8 @@ final class Places {
     }
 
     /**
-     * Copies left otherwise than with a return that brought them back: "of a boat that is pulled from the place, its unused
-     * return is void"; who is still in a shared instance is withdrawn from it.
+     * Copies left otherwise than with a return that brought them back (R-SHR-7); who is still in a shared instance is withdrawn
+     * from it.
      */
     void pulled(Mission m, List<Copy> copies, List<Returned> used) {
         Map<Instance, List<Token>> broughtBack = new LinkedHashMap<>();
@@ -311,7 +311,7 @@ final class Places {
                 && !visit.mission.standsInVisit(clock.token().get(), visit));
     }
 
-    /** "Ending a visit cancels its timers"; its questions are no longer open and its instances end with it. */
+    /** Cancels a visit's timers (R-VIS-5); its questions are no longer open and its instances end with it. */
     void end(Visit visit) {
         if (visit.ended) {
             return;
@@ -330,7 +330,7 @@ final class Places {
         }
     }
 
-    // ---- SEMANTICS, When a transition is looked at
+    // ---- When a transition is looked at (R-LOOK-1 to R-LOOK-5)
 
     /** (a) tokens, or nobody, enter; (c) a sub-mission completes or returns; pending ones whenever the place changes. */
     void lookAfterEntry(Mission m, Place place) {

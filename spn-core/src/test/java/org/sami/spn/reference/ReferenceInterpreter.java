@@ -31,7 +31,7 @@ import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * The language's rules as the text states them (SEMANTICS), sentence by sentence, with plain lists and linear searches.
+ * The rules of docs/semantics.md, one by one, with plain lists and linear searches.
  * Slow on purpose; the engine is held against it. Not for use outside tests.
  */
 final class ReferenceInterpreter implements Subject, Roles.Operations {
@@ -164,7 +164,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         return Optional.ofNullable(earliest);
     }
 
-    /** "One first-in-first-out work list for the engine, without duplicates, emptied before the next input". */
+    /** Empties the list (R-LOOK-6, R-LOOK-8). */
     private void emptyWorkList() {
         while (!world.work.isEmpty() || !world.internal.isEmpty()) {
             if (world.work.isEmpty()) {
@@ -176,14 +176,14 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         }
     }
 
-    /** "Enabling is tested again just before each firing, so the loser of a conflict does not fire." */
+    /** Looks at a transition in its turn (R-LOOK-7). */
     private void look(World.Look look) {
         Mission m = look.mission();
         Optional<List<Pending>> used = enabling.enabledWith(m, look.transition());
         if (used.isEmpty()) {
             attention.refuseInterrupts(m, look.transition());
         } else if (m.chain >= world.livelockLimit) {
-            // "stopped and named as a livelock; the mission is halted with its marking intact"
+            // R-LOOK-9
             m.status = Mission.Status.HALTED;
             world.note(NoteKind.LIVELOCK, m.id, look.transition().id());
             world.effects.add(new Effect.MissionEnded(m.id, Outcome.HALTED));
@@ -263,7 +263,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         return world.mission(mission).stream().toList();
     }
 
-    // ---- SEMANTICS, Interrupts and aborts
+    // ---- Interrupts, abort, completion (R-INT-1 to R-INT-4, R-END-1)
 
     @Override
     public void abort(Mission m) {
@@ -281,7 +281,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         }
     }
 
-    /** "A transition may intercept them; if none does, the mission ends". */
+    /** Whether a transition intercepts it (R-END-1). */
     private boolean intercepted(Mission m, EventRole role) {
         List<Pending> posted = new ArrayList<>();
         if (m.reacts()) {
@@ -324,7 +324,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         }
     }
 
-    /** "A named interrupt event on a transition is a button while its mission runs." */
+    /** Presses the button of a named interrupt (R-INT-1). */
     private boolean pressNamed(Mission m, Input.Interrupt press) {
         Value name = new TextValue(press.name());
         Set<String> types = new LinkedHashSet<>();
@@ -341,7 +341,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         return !types.isEmpty();
     }
 
-    /** "An output event General Interrupt or Proxy Interrupt on a place makes the button; pressing it answers ..." */
+    /** Presses the buttons of interrupt places (R-INT-2). */
     private boolean pressPlaces(Mission m, Input.Interrupt press) {
         boolean asked = false;
         boolean offered = false;
@@ -416,7 +416,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         return world.vocabulary.eventWithRole(role).orElseThrow().name();
     }
 
-    // ---- SEMANTICS, Tokens: "the operator may drop a boat from a mission or from all"
+    // ---- Dropped boats (R-TOK-5 to R-TOK-7)
 
     private void drop(String proxy, long root) {
         if (root == Ids.NONE) {
@@ -498,7 +498,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
                     && variables.writeGlobal(set.variable(), set.value());
         } else {
             Optional<Mission> m = world.mission(set.mission());
-            // "Redefining checks the type."
+            // R-VAR-3
             written = m.isPresent()
                     && variables
                             .declaration(m.get(), set.variable())

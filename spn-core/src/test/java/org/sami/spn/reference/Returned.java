@@ -7,8 +7,8 @@ import org.sami.spn.protocol.Token;
 import org.sami.spn.value.Value;
 
 /**
- * What one instance gave its parent at one time: a completed visit's, or through an end place of a static one. "One return is
- * one occurrence for all transitions that check it" (SEMANTICS, Sub-missions). Compared by identity.
+ * What one instance gave its parent at one time: a completed visit's, or through an end place of a static one
+ * (R-SHR-2, R-RET-1). Compared by identity.
  */
 final class Returned {
     final Instance by;
@@ -24,7 +24,7 @@ final class Returned {
         this.value = value;
     }
 
-    /** "The transition takes the tokens of the visit whose CheckReturn it used, no others": both at once cannot be. */
+    /** Whether both can be used at once (R-RET-3). */
     boolean goesWith(Returned other) {
         boolean sameInstance = by == other.by;
         boolean samePlace = by.parent == other.by.parent && by.place.equals(other.by.place);

@@ -61,7 +61,7 @@ final class Roles {
         } else if (type.role() == EventRole.APPLY_ALLOCATION) {
             activation.value("tasks").ifPresent(this::apply);
         }
-        // "An output event Abort Mission on an end place makes the outcome aborted"
+        // R-END-7
         m.abortAsked |= type.role() == EventRole.ABORT_MISSION;
         m.completionAsked |= type.role() == EventRole.COMPLETE_MISSION;
         if (missionEnds) {
@@ -104,7 +104,7 @@ final class Roles {
         new Allocating(world).allocate(robots);
     }
 
-    // ---- Timers: "each timer activation is its own timer; a per-boat timer ends when that boat leaves"
+    // ---- Timers (R-VIS-6)
 
     private void startTimer(Activation activation, Optional<Token> token) {
         Value duration = activation.value("duration").orElse(new DurationValue(0));
@@ -137,7 +137,7 @@ final class Roles {
 
     // ---- Decisions
 
-    /** "After boats were chosen": asks whom a pressed interrupt is for. */
+    /** Asks (R-INT-3) whom a pressed interrupt is for. */
     void askWhom(Mission m, String interrupt, List<String> boats) {
         Decision decision = new Decision(
                 world.nextDecision++,
@@ -232,7 +232,7 @@ final class Roles {
             case NONE, DEFAULTS -> Optional.empty();
             case YES -> Optional.of(new Answer.YesNo(true));
             case NO -> Optional.of(new Answer.YesNo(false));
-            case ALL -> // "all of nobody is no answer"
+            case ALL -> // all of nobody is no answer (R-DEC-2)
                 Optional.of(((Question.ChooseProxies) question).proxies())
                         .filter(boats -> !boats.isEmpty())
                         .map(Answer.Proxies::new);
@@ -299,7 +299,7 @@ final class Roles {
         return asked.containsAll(values.keySet());
     }
 
-    /** A choice of boats that names none: "reported as naming nobody, and the question stays open". */
+    /** Whether a choice of boats names none (R-DEC-5). */
     boolean namesNobody(World.Question q, Answer answer) {
         return answer instanceof Answer.Proxies chosen
                 && chosen.proxies().isEmpty()
@@ -307,7 +307,7 @@ final class Roles {
                 && world.eventType(q.decision().type()).decision().orElseThrow().names() == AnswerNames.CHOSEN;
     }
 
-    /** "Answered once": closes the question and answers its activation. */
+    /** Answers once (R-DEC-1): closes the question and answers its activation. */
     void accept(World.Question q, Answer answer, Answerer by) {
         close(q, Optional.of(answer), Optional.of(by));
         Activation activation = q.visit().orElseThrow().activations.stream()

@@ -15,171 +15,231 @@ import org.junit.jupiter.params.provider.MethodSource;
 class SpoiltEngineTest {
     private static final int MOST_SEEDS = 8000;
 
+    /** The rule that is spoilt, how, and the line. */
     static Stream<Arguments> rules() {
         return Stream.of(
                 arguments(
+                        "R-IN-2",
                         "less than inhibits the wrong way",
                         "Enabling.java",
                         "case LESS_THAN -> n < r.n();",
                         "case LESS_THAN -> n >= r.n();"),
                 arguments(
+                        "R-IN-2",
                         "exactly is at least",
                         "Enabling.java",
                         "case EXACTLY -> n == r.n();",
                         "case EXACTLY -> n >= r.n();"),
                 arguments(
+                        "R-VIS-5",
                         "timers are not cancelled",
                         "Timers.java",
                         "for (RunningTimer t : sent.timers) {",
                         "for (RunningTimer t : java.util.List.<RunningTimer>of()) {"),
                 arguments(
+                        "R-VIS-4",
                         "a visit by nobody does not end without input event",
                         "Firing.java",
                         "(!t.hasInputs() || t.clears",
                         "(t.clears"),
                 arguments(
+                        "R-PEND-3",
                         "who left is not struck from pending answers",
                         "PendingOccurrences.java",
                         "if (t != null && t.pending > 0) {",
                         "if (t != null && t.pending < 0) {"),
                 arguments(
+                        "R-PEND-4",
                         "an answer survives its visit",
                         "PendingOccurrences.java",
                         "if (p.names.length == 0 && p.visit() == visit) {",
                         "if (p.names.length < 0 && p.visit() == visit) {"),
                 arguments(
+                        "R-PEND-2",
                         "news are not replaced by newer ones",
                         "PendingOccurrences.java",
                         "if (p.isNews() && !p.input.isPress()) {",
                         "if (p.isNews() && p.input.isPress()) {"),
                 arguments(
+                        "R-LOOK-2",
                         "nobody looks at inhibited transitions when tokens leave",
                         "WorkList.java",
                         "if (t.hasInputs() || t.inhibitedBy(place.place.index)) {",
                         "if (t.hasInputs()) {"),
                 arguments(
+                        "R-OUT-6",
                         "an edge adds a token at each requirement",
                         "Selection.java",
                         "e.addedBy = edge;",
                         "e.addedBy = 0;"),
                 arguments(
+                        "R-END-4",
                         "commands are not withdrawn at an end place",
                         "Firing.java",
                         "rules.missionEnd.lastWords(m);",
                         ";"),
                 arguments(
+                        "R-INT-7",
                         "a robot that is pulled stays in grandchildren",
                         "RobotRemoval.java",
                         "rules.leaving.left(e, before, true);",
                         "rules.leaving.left(e, before, false);"),
                 arguments(
+                        "R-SHR-7",
                         "who is put back into a place stands in its static instance twice",
                         "SharedInstances.java",
                         "(oldest != null && oldest.order <= before)",
                         "oldest != null"),
                 arguments(
+                        "R-SHR-2",
                         "who returned from a static instance is still expected back",
                         "SharedInstances.java",
                         "tokens.forEach(instance.starting::remove);",
                         ";"),
                 arguments(
+                        "R-ACT-4",
                         "tokens that enter while parameters are asked are lost",
                         "SharedInstances.java",
                         "child.addWaiting(tokens);",
                         ";"),
                 arguments(
+                        "R-VAR-2",
                         "a child writes its own variable where its parent declares it",
                         "Variables.java",
                         "if (declaration != null) {",
                         "if (declaration != null && m == mission) {"),
                 arguments(
+                        "R-SUB-7",
                         "a child's own tasks return",
                         "SubMissions.java",
                         "own.original == null ? null : new Token.Task(own.original.id)",
                         "own.original == null ? token : new Token.Task(own.original.id)"),
                 arguments(
+                        "R-DEC-2",
                         "autonomy's answer counts as the operator's",
                         "Decisions.java",
                         "take(open, automatic.get(), Answerer.AUTONOMY);",
                         "take(open, automatic.get(), Answerer.OPERATOR);"),
                 arguments(
+                        "R-VIS-6",
                         "a robot's timer goes on when it leaves",
                         "Timers.java",
                         "sent.timers.removeIf(t -> t.token().equals(token) && rules.state.timers.remove(t));",
                         ";"),
                 arguments(
+                        "R-SUB-10",
                         "an aborted child counts as finished",
                         "MissionEnd.java",
                         "if (outcome == Outcome.ABORTED) {",
                         "if (outcome == Outcome.HALTED) {"),
-                arguments("a dropped robot keeps its tasks", "TaskAllocation.java", "task.allocate(\"\");", ";"),
                 arguments(
+                        "R-TOK-6",
+                        "a dropped robot keeps its tasks",
+                        "TaskAllocation.java",
+                        "task.allocate(\"\");",
+                        ";"),
+                arguments(
+                        "R-INT-6",
                         "interrupts leave commands in force",
                         "Firing.java",
                         "if (!robots.isEmpty()) {",
                         "if (robots.isEmpty()) {"),
                 arguments(
+                        "R-RET-1",
                         "a return value is told to nobody",
                         "SubMissions.java",
                         "if (input.checks(r.value)) {",
                         "if (!input.checks(r.value)) {"),
                 arguments(
+                        "R-FIRE-2",
                         "the value of a return that was used is checked",
                         "SharedInstances.java",
                         "rules.pendings.over(r);",
                         ";"),
                 arguments(
+                        "R-VIS-8",
                         "nobody hears of the start marking and of other entries",
                         "Visits.java",
                         "rules.emit(new Effect.Entered(place.mission.id, place.place.id(), v.id, v.entered));",
                         ";"),
                 arguments(
+                        "R-VIS-8",
                         "nobody hears that nobody left",
                         "Visits.java",
                         "rules.emit(new Effect.Left(place.mission.id, place.place.id(), v.id, List.of()));",
                         ";"),
                 arguments(
+                        "R-VIS-8",
                         "the second token that leaves a visit is not told of",
                         "Leaving.java",
                         "tokens.add(entries.get(i).token);",
                         "if (tokens.isEmpty()) { tokens.add(entries.get(i).token); }"),
                 arguments(
+                        "R-VIS-8",
                         "tokens are said to leave another visit of the place",
                         "Leaving.java",
                         "place.place.id(), v.id, tokens",
                         "place.place.id(), v.id + 1, tokens"),
                 arguments(
+                        "R-VIS-8",
                         "a drop takes tokens without a word",
                         "RobotRemoval.java",
                         "rules.leaving.remove(removed);",
                         "removed.forEach(e -> e.place.remove(e));"),
                 arguments(
+                        "R-VIS-8",
                         "a return takes tokens without a word",
                         "SharedInstances.java",
                         "rules.leaving.remove(entries);",
                         "entries.forEach(e -> e.place.remove(e));"),
                 arguments(
+                        "R-VIS-8",
                         "a firing tells moves that it does not make",
                         "Selection.java",
                         "result.moves.add(new TokenMove(token, Optional.empty(), out.place().inMoves));",
                         "result.moves.add(new TokenMove(token, out.place().inMoves, out.place().inMoves));"),
                 arguments(
+                        "R-TOK-2",
+                        "a root mission starts without its tasks",
+                        "MissionStart.java",
+                        "m.tasks.values().forEach(t -> tokens.add(new Token.Task(t.id)));",
+                        ";"),
+                arguments(
+                        "R-VIS-3",
+                        "a visit goes on without its tokens",
+                        "Leaving.java",
+                        "if (v.live == 0) {",
+                        "if (v.live < 0) {"),
+                arguments(
+                        "R-FIRE-3",
+                        "an input event writes nothing",
+                        "Firing.java",
+                        "rules.variables.write(m, write.getValue(), value);",
+                        ";"),
+                arguments(
+                        "R-TASK-3",
+                        "an allocation of free tasks is not told",
+                        "TaskAllocation.java",
+                        "if (!tasks.isEmpty()) {",
+                        "if (!before.isEmpty()) {"),
+                arguments(
+                        "R-TASK-5",
                         "a mapped task keeps its parent's name",
                         "SubMissions.java",
                         "if (own.original != null && own.original.id.equals(task.task())) {",
                         "if (own.original == null && own.id.equals(task.task())) {"));
     }
 
-    @ParameterizedTest(name = "{0}")
+    @ParameterizedTest(name = "{0}: {1}")
     @MethodSource("rules")
-    void disagreesSoon(String rule, String file, String right, String wrong, @TempDir Path folder) {
-        Differential.Maker spoilt = SpoiltEngine.with(folder, file, right, wrong);
+    void disagreesSoon(String rule, String spoilt, String file, String right, String wrong, @TempDir Path folder) {
+        Differential.Maker engine = SpoiltEngine.with(folder, file, right, wrong);
 
         Optional<Differential.Disagreement> found = Optional.empty();
         for (long seed = 1; seed <= MOST_SEEDS && found.isEmpty(); seed++) {
-            found = Differential.explore(seed, Scenario.LENGTH, spoilt);
+            found = Differential.explore(seed, Scenario.LENGTH, engine);
         }
 
-        assertThat(found).as(rule).isPresent();
+        assertThat(found).as("%s: %s", rule, spoilt).isPresent();
     }
 }

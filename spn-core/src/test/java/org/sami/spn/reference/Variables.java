@@ -7,7 +7,7 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.value.Value;
 
-/** Reading and writing variables (SEMANTICS, Variables). */
+/** Reading and writing variables (R-VAR-1 to R-VAR-3). */
 final class Variables {
     private final World world;
 
@@ -15,7 +15,7 @@ final class Variables {
         this.world = world;
     }
 
-    /** "A sub-mission sees its parents' variables." */
+    /** Reads a variable (R-VAR-1). */
     Optional<Value> read(Mission m, String variable) {
         String mapped = m.asChild.map(i -> i.spec.variables().get(variable)).orElse(null);
         if (mapped != null) {
@@ -29,12 +29,12 @@ final class Variables {
                 .orElseGet(() -> Optional.ofNullable(world.globals.get(variable)));
     }
 
-    /** "A write goes to the nearest enclosing plan that declares it, else to the own plan." */
+    /** Writes a variable (R-VAR-2). */
     void write(Mission m, String variable, Value value) {
         boolean fits = declaration(m, variable)
                 .map(v -> v.type().accepts(value, world.vocabulary.types()))
                 .orElse(true);
-        if (!fits) { // "Redefining checks the type."
+        if (!fits) { // R-VAR-3
             world.note(NoteKind.REJECTED_INPUT, m.id, variable);
         } else if (!writeWhereDeclared(m, variable, value)) {
             m.variables.put(variable, value);

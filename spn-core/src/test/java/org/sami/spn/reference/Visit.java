@@ -6,7 +6,7 @@ import org.sami.spn.model.Place;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Token;
 
-/** "A visit is one entry of tokens, or of nobody, into a place" (SEMANTICS, Visits). */
+/** One entry of tokens, or of nobody, into a place (R-VIS-1). */
 final class Visit {
     final long id;
     final Mission mission;
@@ -29,7 +29,7 @@ final class Visit {
         this.byNobody = byNobody;
     }
 
-    /** "A visit is complete when all its instances are" (SEMANTICS, Sub-missions). */
+    /** Whether all its instances are complete (R-SUB-3). */
     boolean complete() {
         return instances.stream().allMatch(i -> i.state == Instance.State.COMPLETE);
     }

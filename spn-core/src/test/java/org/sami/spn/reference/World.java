@@ -88,7 +88,7 @@ final class World {
         return vocabulary.event(name).orElseThrow();
     }
 
-    /** "Without duplicates": what is on the list already keeps its position. */
+    /** What is on the list already keeps its position (R-LOOK-6). */
     void lookAt(Mission mission, Transition transition) {
         Look look = new Look(mission, transition);
         if (mission.reacts() && !work.contains(look)) {

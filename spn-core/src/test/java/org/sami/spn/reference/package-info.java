@@ -1,5 +1,5 @@
 /**
- * The engine held against the text: a slow interpreter of the language's rules, random plans and inputs, and the test
+ * The engine held against docs/semantics.md: a slow interpreter of its rules, random plans and inputs, and the test
  * that runs both and compares.
  *
  * <p>Belongs here: whatever is needed to judge the engine from outside. Does not belong here: tests of single rules (they

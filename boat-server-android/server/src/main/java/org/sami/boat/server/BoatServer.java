@@ -32,7 +32,7 @@ import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.Welcome;
 
 /**
- * The boat server: clients command and watch one boat through it (DESIGN, "The boat link").
+ * The boat server: clients command and watch one boat through it (docs/link.md).
  *
  * <p>It has no thread, socket or clock. One thread connects sessions, hands them frames and calls {@link #tick} ten times
  * a second, all with milliseconds of one clock that never runs back; a wall clock will not do.

@@ -64,7 +64,7 @@ public record RunSettings(
             Conditions conditions,
             InitialCharges charges,
             Site site) {
-        /** The greatest number of boats (DESIGN, Numbers to design for). */
+        /** The greatest number of boats. */
         public static final int MOST_BOATS = 250;
 
         /** The greatest number of locations. */

@@ -21,7 +21,11 @@ import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.Reserved;
 
-/** Sends the output events of an entered place, each with exactly the tokens that entered (thesis, Algorithm 3). */
+/**
+ * Sends the output events of an entered place, each with exactly the tokens that entered (thesis, Algorithm 3).
+ *
+ * <p>Implements R-END-7, R-ACT-1, R-ACT-2, R-ACT-5.
+ */
 final class Activating {
     private final Rules rules;
 

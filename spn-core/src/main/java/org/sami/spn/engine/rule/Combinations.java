@@ -7,7 +7,11 @@ import org.sami.spn.engine.state.NamedToken;
 import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.TransitionState;
 
-/** Finds the earliest combination of pending occurrences that enables a transition (SEMANTICS, Input events). */
+/**
+ * Finds the earliest combination of pending occurrences that enables a transition.
+ *
+ * <p>Implements R-PEND-5, R-PEND-6, R-PEND-7, R-RET-3.
+ */
 public final class Combinations {
     /** Occurrences that enable a transition together. */
     public record Found(List<PendingOccurrence> used, RelevantTokens relevant, FiringScope scope) {}

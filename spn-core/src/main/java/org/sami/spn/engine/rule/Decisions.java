@@ -32,7 +32,11 @@ import org.sami.spn.vocabulary.DecisionForm;
 import org.sami.spn.vocabulary.DecisionType;
 import org.sami.spn.vocabulary.Reserved;
 
-/** Questions to the operator: opened, answered once by the operator or by autonomy, closed (DESIGN, How data flows). */
+/**
+ * Questions to the operator: opened, answered once by the operator or by autonomy, closed.
+ *
+ * <p>Implements R-DEC-1, R-DEC-2, R-DEC-3, R-DEC-5, R-DEC-6, R-DEC-7.
+ */
 public final class Decisions {
     private final Rules rules;
     private final Questions questions;

@@ -15,7 +15,12 @@ import org.sami.spn.model.Match;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.protocol.Token;
 
-/** Whether a transition can fire: requirements of its in edges, and sub-missions on its in places (thesis, Algorithm 1). */
+/**
+ * Whether a transition can fire: requirements of its in edges, and sub-missions on its in places (thesis, Algorithm
+ * 1).
+ *
+ * <p>Implements R-IN-1, R-IN-2, R-IN-3, R-IN-4, R-IN-5, R-OCC-7, R-SUB-3, R-SUB-6.
+ */
 public final class Enabling {
     private final Rules rules;
 
@@ -184,7 +189,7 @@ public final class Enabling {
 
     /**
      * Whether a transition asks only that a token is not in one of its in places: an answer about it there is for the
-     * transitions that could take it (SEMANTICS, Input events).
+     * transitions that could take it (R-OCC-7).
      *
      * @param named whether the occurrence names the token, so that it is a relevant one
      */

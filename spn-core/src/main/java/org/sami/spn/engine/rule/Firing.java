@@ -24,7 +24,12 @@ import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.Value;
 
-/** Fires transitions (SEMANTICS, Firing; thesis, Algorithm 2). */
+/**
+ * Fires transitions (thesis, Algorithm 2).
+ *
+ * <p>Implements R-OUT-7, R-VIS-2, R-VIS-4, R-VIS-7, R-LOOK-4, R-LOOK-7, R-LOOK-9, R-INT-6, R-END-3, R-FIRE-1,
+ * R-FIRE-2, R-FIRE-3, R-SHR-3.
+ */
 public final class Firing {
     private final Rules rules;
     private final Combinations combinations;

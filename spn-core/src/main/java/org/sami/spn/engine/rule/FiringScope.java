@@ -11,8 +11,10 @@ import org.sami.spn.engine.state.SharedRun;
 import org.sami.spn.engine.state.Visit;
 
 /**
- * What a firing may speak of in its in places: how far it reaches, and which returns it checks the values of. Those bind it
- * to the tokens of their visit, or of their return, and to no others (SEMANTICS, Sub-missions).
+ * What a firing may speak of in its in places: how far it reaches, and which returns it checks the values of. Those
+ * bind it to the tokens of their visit, or of their return, and to no others.
+ *
+ * <p>Implements R-SHR-4, R-RET-2.
  */
 public final class FiringScope {
     public static final FiringScope FREE = new FiringScope(Reach.FREE, List.of());

@@ -26,8 +26,9 @@ import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.Reserved;
 
 /**
- * What is never kept: interrupts, abort and complete. The transition fires now or refuses (SEMANTICS, Interrupts and
- * aborts; thesis 7.0.2).
+ * What is never kept: interrupts, abort and complete. The transition fires now or refuses (thesis 7.0.2).
+ *
+ * <p>Implements R-INT-1, R-INT-2, R-INT-3, R-INT-4, R-END-1.
  */
 public final class Interrupts {
     private final Rules rules;

@@ -10,7 +10,11 @@ import org.sami.spn.engine.state.Visit;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Token;
 
-/** What follows when a token leaves a place (SEMANTICS, Visits; Pending; Sub-missions). */
+/**
+ * What follows when a token leaves a place.
+ *
+ * <p>Implements R-VIS-3, R-VIS-8.
+ */
 final class Leaving {
     private final Rules rules;
 

@@ -10,7 +10,11 @@ import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Outcome;
 
-/** Ends missions (SEMANTICS, Firing; Interrupts and aborts). A mission that has ended never reacts again. */
+/**
+ * Ends missions. A mission that has ended never reacts again.
+ *
+ * <p>Implements R-END-2, R-END-4, R-END-5, R-END-6, R-SUB-10.
+ */
 final class MissionEnd {
     private final Rules rules;
 

@@ -24,7 +24,11 @@ import org.sami.spn.protocol.StartMarking;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.Value;
 
-/** Makes missions and instances and gives them their start marking (SEMANTICS, Tokens; Interrupts and aborts; Firing). */
+/**
+ * Makes missions and instances and gives them their start marking.
+ *
+ * <p>Implements R-TOK-2, R-ACT-3.
+ */
 public final class MissionStart {
     private final Rules rules;
 

@@ -27,7 +27,11 @@ import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.Reserved;
 
-/** Occurrences that transitions have received and not used (SEMANTICS, Input events, Pending). */
+/**
+ * Occurrences that transitions have received and not used.
+ *
+ * <p>Implements R-REL-1, R-REL-3, R-PEND-1, R-PEND-2, R-PEND-3, R-PEND-4, R-RET-1, R-RET-4.
+ */
 public final class PendingOccurrences {
     private static final NamedToken[] NOBODY = {};
     private final Rules rules;

@@ -25,7 +25,11 @@ import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.Reserved;
 
-/** What an activation asks of the operator, and what autonomy would answer. */
+/**
+ * What an activation asks of the operator, and what autonomy would answer.
+ *
+ * <p>Implements R-DEC-4.
+ */
 final class Questions {
     private final Rules rules;
 

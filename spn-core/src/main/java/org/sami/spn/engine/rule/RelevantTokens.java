@@ -8,7 +8,11 @@ import org.sami.spn.engine.state.NamedToken;
 import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.protocol.Token;
 
-/** The relevant tokens of a firing: of all names of the used occurrences, as a set (SEMANTICS, Input events). */
+/**
+ * The relevant tokens of a firing: of all names of the used occurrences, as a set.
+ *
+ * <p>Implements R-REL-2.
+ */
 public final class RelevantTokens {
     public static final RelevantTokens NOBODY = new RelevantTokens(new NamedToken[0], new Token[0]);
 

@@ -16,7 +16,11 @@ import org.sami.spn.model.Action;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.protocol.Token;
 
-/** One out requirement on sub-mission tokens: the tokens in the end places of instances on the in places. */
+/**
+ * One out requirement on sub-mission tokens: the tokens in the end places of instances on the in places.
+ *
+ * <p>Implements R-SUB-4.
+ */
 final class ReturnedTokens {
     private final Rules rules;
     private final TransitionState t;

@@ -16,7 +16,11 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Token;
 
-/** Takes robots out of missions: dropped by the operator, or withdrawn by an interrupt in a parent. */
+/**
+ * Takes robots out of missions: dropped by the operator, or withdrawn by an interrupt in a parent.
+ *
+ * <p>Implements R-TOK-5, R-TOK-6, R-TOK-7.
+ */
 public final class RobotRemoval {
     private final Rules rules;
 

@@ -25,9 +25,11 @@ import org.sami.spn.vocabulary.Reserved;
 import org.sami.spn.vocabulary.TokenNeed;
 
 /**
- * Brings an occurrence to every transition that it is for (SEMANTICS, Input events). An answer goes straight from its
- * activation to the transitions of its place, news to the missions whose plans speak of it: the cost does not grow with
- * robots or missions that it does not concern.
+ * Brings an occurrence to every transition that it is for. An answer goes straight from its activation to the
+ * transitions of its place, news to the missions whose plans speak of it: the cost does not grow with robots or
+ * missions that it does not concern.
+ *
+ * <p>Implements R-OCC-2, R-OCC-3, R-OCC-4, R-OCC-5, R-OCC-6, R-OCC-8, R-OCC-10, R-OCC-11.
  */
 public final class Routing {
     /** What became of an occurrence at one or more transitions. */

@@ -9,7 +9,11 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.value.TaskId;
 
-/** The rules for one state, each in its own class, and what they share during a step: effects, work list, own inputs. */
+/**
+ * The rules for one state, each in its own class, and what they share during a step: effects, work list, own inputs.
+ *
+ * <p>Implements R-LOOK-8.
+ */
 public final class Rules {
     public final NetState state;
     public final WorkList work;

@@ -18,8 +18,10 @@ import org.sami.spn.protocol.Token;
 import org.sami.spn.protocol.TokenMove;
 
 /**
- * Which tokens a firing removes and adds: every out requirement selects on its own from one pool, before anything moves
- * (SEMANTICS, Requirements; thesis 4.1.3).
+ * Which tokens a firing removes and adds: every out requirement selects on its own from one pool, before anything
+ * moves (thesis 4.1.3).
+ *
+ * <p>Implements R-TOK-3, R-OUT-1, R-OUT-3, R-OUT-4, R-OUT-5, R-OUT-6.
  */
 final class Selection {
     /** A returned token that a firing uses though no token of the parent stands for it. */

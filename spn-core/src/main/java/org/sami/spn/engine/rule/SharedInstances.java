@@ -15,7 +15,11 @@ import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Token;
 
-/** Static sub-missions: one instance per parent mission, joined by entering tokens, returning through end places. */
+/**
+ * Static sub-missions: one instance per parent mission, joined by entering tokens, returning through end places.
+ *
+ * <p>Implements R-SHR-1, R-SHR-2, R-SHR-5, R-SHR-7, R-SHR-8.
+ */
 final class SharedInstances {
     private final Rules rules;
 

@@ -12,7 +12,11 @@ import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.FieldType;
 
-/** The fields of a plan that are asked when a mission starts: what was given, what is still to be asked. */
+/**
+ * The fields of a plan that are asked when a mission starts: what was given, what is still to be asked.
+ *
+ * <p>Implements R-ACT-4.
+ */
 final class StartParameters {
     private final Rules rules;
     private final CompiledPlan plan;

@@ -27,7 +27,11 @@ import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.vocabulary.EventRole;
 
-/** Starts dynamic instances, takes robots out of them, and brings their ends to the parent (SEMANTICS, Sub-missions). */
+/**
+ * Starts dynamic instances, takes robots out of them, and brings their ends to the parent.
+ *
+ * <p>Implements R-LOOK-10, R-INT-7, R-TASK-5, R-SUB-1, R-SUB-5, R-SUB-7, R-SUB-8, R-SUB-9.
+ */
 public final class SubMissions {
     /** Instances within instances that are allowed; a plan that starts itself would go on for ever. */
     private static final int DEEPEST = 100;

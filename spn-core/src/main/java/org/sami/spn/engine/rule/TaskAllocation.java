@@ -24,7 +24,11 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Reserved;
 
-/** Tasks made at run time, and which robot a task is allocated to (SEMANTICS, Tokens). */
+/**
+ * Tasks made at run time, and which robot a task is allocated to.
+ *
+ * <p>Implements R-TASK-1, R-TASK-2, R-TASK-3, R-TASK-4.
+ */
 public final class TaskAllocation {
     private final Rules rules;
 

@@ -15,7 +15,11 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.Reserved;
 
-/** Timers of activations and deadlines of decisions; cancelled with their visits (SEMANTICS, Visits). */
+/**
+ * Timers of activations and deadlines of decisions; cancelled with their visits.
+ *
+ * <p>Implements R-VIS-6, R-DET-3.
+ */
 public final class Timers {
     private final Rules rules;
 

@@ -12,8 +12,9 @@ import org.sami.spn.engine.state.Visit;
 import org.sami.spn.protocol.Token;
 
 /**
- * What a firing may speak of in one in place: tokens in order of entry, without those that running instances hold
- * (SEMANTICS, Requirements and Sub-missions).
+ * What a firing may speak of in one in place: tokens in order of entry, without those that running instances hold.
+ *
+ * <p>Implements R-OUT-2, R-INT-5, R-SUB-2, R-SHR-6.
  */
 public final class TokenPool {
     /** How many tokens of a kind the pool has. */

@@ -12,7 +12,11 @@ import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 
-/** Reads and writes variables in their scopes (thesis 3.1, Variables; SEMANTICS, Variables). */
+/**
+ * Reads and writes variables in their scopes (thesis 3.1, Variables).
+ *
+ * <p>Implements R-VAR-1, R-VAR-2, R-VAR-3.
+ */
 public final class Variables {
     /** Where a name leads: a mission, or the globals where it is null, and the name there. */
     private record Place(MissionState owner, String name, VariableSpec declaration) {}

@@ -11,7 +11,11 @@ import org.sami.spn.engine.state.Visit;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Token;
 
-/** Begins and ends visits (SEMANTICS, Visits). */
+/**
+ * Begins and ends visits.
+ *
+ * <p>Implements R-VIS-1, R-VIS-5, R-OCC-9.
+ */
 final class Visits {
     private final Rules rules;
 

@@ -9,8 +9,10 @@ import org.sami.spn.engine.state.PlaceState;
 import org.sami.spn.engine.state.TransitionState;
 
 /**
- * The engine's one work list: transitions to look at, first in first out, none twice (SEMANTICS, When a transition is
- * looked at). Whether a transition is enabled is found out when it is taken from the list, just before it fires.
+ * The engine's one work list: transitions to look at, first in first out, none twice. Whether a transition is
+ * enabled is found out when it is taken from the list, just before it fires.
+ *
+ * <p>Implements R-LOOK-1, R-LOOK-2, R-LOOK-3, R-LOOK-5, R-LOOK-6.
  */
 final class WorkList {
     private final Rules rules;

@@ -5,8 +5,10 @@ import java.util.Map;
 import org.sami.spn.protocol.Token;
 
 /**
- * Who stands in the watched places of a transition that waits for all, and how many of them have not reported: each entry,
- * departure and report takes constant time. Robots are counted, not copies; generic tokens are not.
+ * Who stands in the watched places of a transition that waits for all, and how many of them have not reported: each
+ * entry, departure and report takes constant time. Robots are counted, not copies; generic tokens are not.
+ *
+ * <p>Implements R-PEND-8.
  */
 public final class Barrier {
     private static final class Count {

@@ -4,7 +4,7 @@ import org.sami.spn.protocol.Token;
 
 /**
  * One robot or task that a pending occurrence names, with the tokens it speaks of: itself, and for a robot the tasks
- * allocated to it among those of the answered activation (SEMANTICS, Input events, relevant tokens).
+ * allocated to it among those of the answered activation (R-REL-3).
  */
 public final class NamedToken {
     public final PendingOccurrence pending;

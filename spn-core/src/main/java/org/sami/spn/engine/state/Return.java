@@ -6,7 +6,7 @@ import org.sami.spn.protocol.Token;
 
 /**
  * One return of a sub-mission: of a dynamic instance when its visit is complete, of a static one through an end place. It is
- * one occurrence for all transitions that check its value (SEMANTICS, Sub-missions). Compared by identity.
+ * one occurrence for all transitions that check its value (R-RET-1). Compared by identity.
  */
 public final class Return {
     public final Instance instance;

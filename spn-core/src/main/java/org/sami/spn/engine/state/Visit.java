@@ -5,7 +5,7 @@ import java.util.List;
 import org.sami.spn.engine.net.CompiledTransition;
 import org.sami.spn.protocol.Token;
 
-/** One entry of tokens, or of nobody, into a place (SEMANTICS, Visits). */
+/** One entry of tokens, or of nobody, into a place (R-VIS-1). */
 public final class Visit {
     public final long id;
     public final PlaceState place;
