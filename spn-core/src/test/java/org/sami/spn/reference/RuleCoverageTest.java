@@ -95,8 +95,8 @@ class RuleCoverageTest {
                     .findFirst()
                     .orElse(null);
             return source != null
-                    && Pattern.compile("@(?:Parameterized)?Test\\b(?:(?!\\bvoid\\b)[\\s\\S])*\\bvoid " + name.group(2)
-                                    + "\\(")
+                    && Pattern.compile("@(?:[\\w.]+\\.)?(?:Parameterized)?Test\\b(?:(?!\\bvoid\\b)[\\s\\S])*\\bvoid "
+                                    + name.group(2) + "\\(")
                             .matcher(Files.readString(source))
                             .find();
         }
