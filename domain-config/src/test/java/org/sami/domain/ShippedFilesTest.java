@@ -39,8 +39,9 @@ class ShippedFilesTest {
         assertThat(reading.findings()).isEmpty();
         assertThat(reading.orThrow().plans())
                 .extracting(Plan::id)
-                .containsExactly(
-                        "clv", "station-keep", "clv-interrupts", "assemble", "recharge", "measure", "explore-area");
+                .startsWith("clv", "station-keep", "clv-interrupts", "assemble", "recharge", "measure", "explore-area")
+                .contains("explore-team", "connect-boat", "resend-waypoints")
+                .doesNotHaveDuplicates();
         assertThat(reading.orThrow().vocabulary().markups()).hasSize(19);
     }
 

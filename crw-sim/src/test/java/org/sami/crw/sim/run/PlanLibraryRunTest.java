@@ -1,0 +1,128 @@
+package org.sami.crw.sim.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalLong;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.decision.AnswersFileReader;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.Flow;
+import org.sami.crw.sim.report.FiringResult;
+import org.sami.crw.sim.report.InterruptResult;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+
+/** Plans of the library from their start to their end, with the simulated operator, in calm water and as it was in the field. */
+class PlanLibraryRunTest {
+    /** Noise of a phone's receiver and compass, a tide and a breeze. */
+    private static final Conditions FIELD = new Conditions(1, 4, Flow.parse("0.15@90"), Flow.parse("3@270"), List.of());
+
+    /**
+     * One run.
+     *
+     * @param fires names of transitions that fire in it, in any order
+     */
+    private record Run(
+            String plan,
+            RunSettings.Fleet fleet,
+            Map<String, String> values,
+            List<String> interrupts,
+            String answers,
+            List<String> fires) {
+        static Run of(String plan, int boats, int locations, double areaM, String... fires) {
+            RunSettings.Fleet fleet = new RunSettings.Fleet(boats, locations, areaM, 3);
+            return new Run(plan, fleet, Map.of(), List.of(), "", List.of(fires));
+        }
+
+        Run with(Map<String, String> newValues) {
+            return new Run(plan, fleet, newValues, interrupts, answers, fires);
+        }
+
+        Run pressing(String... newInterrupts) {
+            return new Run(plan, fleet, values, List.of(newInterrupts), answers, fires);
+        }
+
+        Run answering(String rules) {
+            return new Run(plan, fleet, values, interrupts, rules, fires);
+        }
+
+        RunReport report() {
+            RunPlan runPlan = TestRuns.plan(plan);
+            String text = "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [" + answers + "]}";
+            RunSettings settings = new RunSettings(
+                            plan, plan, fleet, Speed.MAX, OptionalLong.of(7_200_000), values, 5_000, text)
+                    .withInterrupts(interrupts);
+            AnswersFile file =
+                    AnswersFileReader.read(text, TestRuns.LIBRARY.vocabulary()).orThrow();
+            return new InProcessRun(runPlan, settings, file, RunJournal.none()).run(Pacer.UNPACED, RunObserver.NONE);
+        }
+
+        @Override
+        public String toString() {
+            return plan + (fleet.conditions().equals(Conditions.CALM) ? ", calm" : ", field") + " " + interrupts;
+        }
+    }
+
+    private static String no(String event, String plan, int nth) {
+        return "{\"event\": \"%s\", \"plan\": \"%s\", \"nth\": %d, \"answer\": {\"yes\": false}}"
+                .formatted(event, plan, nth);
+    }
+
+    private static List<Run> calm() {
+        return List.of(
+                Run.of("connect-boat", 1, 1, 200, "Boat chosen", "Connected", "Gains set"),
+                Run.of("connect-boat-by-address", 1, 1, 200, "Connected", "Gains set")
+                        .with(Map.of("call.name", "dora", "call.server", "192.168.1.104:11411")),
+                Run.of("add-simulated-boats", 1, 1, 200, "Created", "Described")
+                        .with(Map.of("make.numberToCreate", "3")),
+                Run.of("disconnect-boats", 2, 1, 200, "Boats chosen", "Done"),
+                Run.of("reconnect-boats", 2, 1, 200, "Boats chosen", "Done"),
+                Run.of("resend-waypoints", 2, 1, 200, "At the end of its way", "All have answered"),
+                Run.of("describe-boats", 2, 1, 200, "Boats chosen", "Done"),
+                Run.of("explore-team", 3, 1, 200, "Share explored", "All explored"),
+                Run.of(
+                                "explore-team",
+                                3,
+                                1,
+                                250,
+                                "Another vessel comes",
+                                "New place chosen",
+                                "Not yet",
+                                "It has passed",
+                                "Start swap",
+                                "Battery swapped",
+                                "Abort boat",
+                                "All explored")
+                        .pressing(
+                                "team avoid boat@60",
+                                "move the safe place@63",
+                                "battery swap:1@180",
+                                "proxy abort:3@190")
+                        .answering(no("OperatorApprove", "avoid-boat", 1) + ", "
+                                + no("OperatorApprove", "avoid-boat", 2)));
+    }
+
+    static Stream<Run> runs() {
+        List<Run> runs = new ArrayList<>(calm());
+        calm().forEach(run ->
+                runs.add(new Run(run.plan, run.fleet.on(FIELD), run.values, run.interrupts, run.answers, run.fires)));
+        return runs.stream();
+    }
+
+    @ParameterizedTest
+    @MethodSource("runs")
+    void comesToItsEnd(Run run) {
+        RunReport report = run.report();
+
+        assertThat(report.result().outcome()).as(report.result().reason()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.exitCode()).as("problems: %s", report.notes()).isZero();
+        assertThat(report.firings()).extracting(FiringResult::transition).containsAll(run.fires);
+        assertThat(report.interrupts()).allMatch(InterruptResult::taken);
+    }
+}
