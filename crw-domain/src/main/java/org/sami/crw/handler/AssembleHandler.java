@@ -17,7 +17,8 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * Assemble Location Request: a location of its own for each boat, near a point. The mission remembers who has which, so that
- * boats that are added one by one (thesis 6.3.2) do not get the same one.
+ * boats that are added one by one (thesis 6.3.2) do not get the same one. It answers with the locations of all of them: the plan keeps
+ * one table, and whoever came earlier still finds its own in it.
  */
 final class AssembleHandler implements ActivationHandler {
     static final String TYPE = "AssembleLocationRequest";
@@ -57,7 +58,7 @@ final class AssembleHandler implements ActivationHandler {
                         activation,
                         boats,
                         List.of(),
-                        Map.of("points", ProxyMaps.toValue(points))))));
+                        Map.of("points", ProxyMaps.toValue(assembled))))));
     }
 
     private static Map<String, GeoPoint> remembered(Activation activation, HandlerContext context) {

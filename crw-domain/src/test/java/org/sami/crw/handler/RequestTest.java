@@ -139,6 +139,7 @@ class RequestTest {
         GeoPoint second = point(answers.get(1), "east");
         assertThat(first).isEqualTo(TestWorld.HOME);
         assertThat(Geodesy.distanceM(first, second)).isGreaterThan(9.99);
+        assertThat(point(answers.get(1), "west")).isEqualTo(first);
         assertFitsVocabulary(answers.get(1));
     }
 

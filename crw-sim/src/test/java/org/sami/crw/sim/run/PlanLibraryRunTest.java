@@ -104,8 +104,25 @@ class PlanLibraryRunTest {
                                 "move the safe place@63",
                                 "battery swap:1@180",
                                 "proxy abort:3@190")
-                        .answering(no("OperatorApprove", "avoid-boat", 1) + ", "
-                                + no("OperatorApprove", "avoid-boat", 2)));
+                        .answering(
+                                no("OperatorApprove", "avoid-boat", 1) + ", " + no("OperatorApprove", "avoid-boat", 2)),
+                Run.of("communications-monitoring", 2, 1, 200, "Heard", "Rested", "Adjusted", "End monitoring")
+                        .pressing("adjust timers@20", "end monitoring@90"),
+                Run.of("communications-monitoring", 2, 1, 200, "Silent", "Out of reach", "Send again", "Home")
+                        .with(Map.of(
+                                "@lookEvery", "2050ms",
+                                "@warnAfter", "5ms",
+                                "@criticalAfter", "5ms",
+                                "@homeAfter", "5ms",
+                                "@resendEvery", "10s"))
+                        .answering("""
+                                {"event": "RedefineVariables", "answer": {"values": {"@home": {"lat": 45.6992, "lon": 10.72}}}}""")
+                        .pressing("end monitoring@90"),
+                Run.of("deploy-and-station-keep", 3, 1, 100, "Boat chosen", "One more", "Place found", "No more")
+                        .answering(no("OperatorApprove", "deploy-and-station-keep", 2)),
+                Run.of("deploy-and-station-keep", 2, 1, 100, "New places found", "Near", "Ended by button")
+                        .pressing("move the station@90", "end station keeping@200"),
+                Run.of("radio-measurement", 3, 1, 100, "Blue there", "Red there", "Both there", "Collected"));
     }
 
     static Stream<Run> runs() {
