@@ -151,7 +151,7 @@ final class RunMonitor {
         station.host().resume();
         station.loop().every(LOOK_MS, this::look);
         station.loop().every(TRACK_MS, this::track);
-        station.loop().every(STALL_MS, this::stall);
+        station.loop().every(STALL_MS, () -> station.lookAfterBoats(this::stall));
     }
 
     /** Somebody wants the run to stop. From any thread. */
@@ -199,7 +199,8 @@ final class RunMonitor {
 
     /**
      * As long as a mission wants something of a boat that can move, something can happen: a link or an operator comes back. So it can
-     * while a service still computes what boats are to do.
+     * while a service still computes what boats are to do. Asked behind a look after the boats: on a busy machine what a mission
+     * began to want may not have reached them yet.
      */
     private void stall() {
         if (!station.isComputing() && !station.desk().someoneIsWanted()) {

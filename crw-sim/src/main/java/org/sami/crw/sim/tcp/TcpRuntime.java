@@ -124,7 +124,15 @@ final class TcpRuntime implements AutoCloseable {
 
     /** Looks after all boats. From any thread; done a little later. */
     void lookAfterBoats() {
-        base.executor().execute(() -> watch.look(base.boats()));
+        lookAfterBoats(() -> {});
+    }
+
+    /** The same, and then something on the engine's thread: what was asked of boats before has reached their proxies by then. */
+    void lookAfterBoats(Runnable then) {
+        base.executor().execute(() -> {
+            watch.look(base.boats());
+            loop.execute(then);
+        });
     }
 
     /**
