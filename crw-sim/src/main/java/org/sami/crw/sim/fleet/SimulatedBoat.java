@@ -35,7 +35,7 @@ public final class SimulatedBoat {
     private final InMemoryPipe toBoat;
     private final InMemoryPipe toBase;
     private final long trackEveryMs;
-    private final Deque<TrackPoint> track = new ArrayDeque<>();
+    private final Deque<TruePosition> track = new ArrayDeque<>();
     private final Deque<ExecutedCommand> executed = new ArrayDeque<>();
 
     SimulatedBoat(
@@ -128,7 +128,7 @@ public final class SimulatedBoat {
     }
 
     /** Where the boat has truly been, in regular steps of time, the newest {@link #NEWEST} points. */
-    public List<TrackPoint> track() {
+    public List<TruePosition> track() {
         return List.copyOf(track);
     }
 
@@ -139,7 +139,7 @@ public final class SimulatedBoat {
 
     void tick(long nowMs, double seconds) {
         if (nowMs % trackEveryMs == 0) {
-            keep(track, new TrackPoint(nowMs, hull.latDeg(), hull.lonDeg(), hull.eastM(), hull.northM()));
+            keep(track, new TruePosition(nowMs, hull.latDeg(), hull.lonDeg(), hull.eastM(), hull.northM()));
         }
         server.tick(nowMs);
         hull.step(seconds);

@@ -110,7 +110,7 @@ class RoughWaterTest {
 
     @Test
     void equalSeedsGiveEqualTracksInRoughWaterToo() {
-        List<List<TrackPoint>> tracks = new ArrayList<>();
+        List<List<TruePosition>> tracks = new ArrayList<>();
         for (long seed : new long[] {4, 4, 5}) {
             SimulatedTestWorld world = new SimulatedTestWorld(1, seed, on(1.5, 5, "0.4@45", "6@200", "temperature"));
             world.run(1);

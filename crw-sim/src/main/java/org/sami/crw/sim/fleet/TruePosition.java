@@ -9,4 +9,4 @@ package org.sami.crw.sim.fleet;
  * @param eastM metres east of the fleet's base point
  * @param northM metres north of the fleet's base point
  */
-public record TrackPoint(long timeMs, double latDeg, double lonDeg, double eastM, double northM) {}
+public record TruePosition(long timeMs, double latDeg, double lonDeg, double eastM, double northM) {}
