@@ -1,6 +1,7 @@
 package org.sami.architecture;
 
 import static java.util.stream.Collectors.toList;
+import static org.assertj.core.api.Assertions.assertThat;
 
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
@@ -17,15 +18,16 @@ import java.util.stream.Stream;
  * package of the boats domain; ARCHITECTURE.md shows the same map in words.
  */
 enum SamiModule {
-    SPN_CORE("spn-core", 240, List.of("org.sami.spn.."), List.of()),
-    BOAT_LINK("boat-link", 40, List.of("org.sami.boat.link.."), List.of()),
-    BOAT_SERVER("boat-server-android/server", 17, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
+    SPN_CORE("spn-core", 540, List.of("org.sami.spn.."), List.of()),
+    BOAT_LINK("boat-link", 55, List.of("org.sami.boat.link.."), List.of()),
+    BOAT_SERVER("boat-server-android/server", 32, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
     CRW_DOMAIN(
             "crw-domain",
-            40,
+            280,
             List.of(
                     "org.sami.crw.decision..",
                     "org.sami.crw.event..",
+                    "org.sami.crw.fleet..",
                     "org.sami.crw.handler..",
                     "org.sami.crw.operator..",
                     "org.sami.crw.proxy..",
@@ -34,7 +36,14 @@ enum SamiModule {
                     "org.sami.crw.task.."),
             List.of(SPN_CORE, BOAT_LINK)),
     /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */
-    CRW_SIM("crw-sim", 14, List.of("org.sami.crw.sim.."), List.of(CRW_DOMAIN, BOAT_SERVER, BOAT_LINK, SPN_CORE));
+    CRW_SIM("crw-sim", 290, List.of("org.sami.crw.sim.."), List.of(CRW_DOMAIN, BOAT_SERVER, BOAT_LINK, SPN_CORE)),
+    /** What both windows share: looks, actions, the drawing of nets. Not there yet; the map holds for it from its first class on. */
+    UI_KIT("ui-kit", 1, List.of("org.sami.ui.."), List.of(SPN_CORE)),
+    /** The plan editor. Not there yet. */
+    DREAMM_IDE("dreamm-ide", 1, List.of("org.sami.dreamm.."), List.of(UI_KIT, SPN_CORE)),
+    /** The operator's window; it knows the simulator for its built-in fleet only. Not there yet. */
+    OPERATOR_WINDOW(
+            "crw-operator-gui", 1, List.of("org.sami.crw.gui.."), List.of(UI_KIT, CRW_DOMAIN, CRW_SIM, SPN_CORE));
 
     private final String folder;
     private final int leastClasses;
@@ -46,6 +55,11 @@ enum SamiModule {
         this.leastClasses = leastClasses;
         this.packages = packages;
         this.mayKnow = mayKnow;
+    }
+
+    /** The modules that the build has today. */
+    static Stream<SamiModule> built() {
+        return Stream.of(values()).filter(module -> Files.isDirectory(Path.of(module.folder, "src", "main", "java")));
     }
 
     /** How many classes the module has at least: a test that saw fewer did not look. Raised as the module grows. */
@@ -65,9 +79,11 @@ enum SamiModule {
         return known.toArray(String[]::new);
     }
 
-    /** The module's compiled main classes, imported afresh. */
+    /** The module's compiled main classes, imported afresh and all of them: fewer than its least number is a failure. */
     JavaClasses classes() {
-        return new ClassFileImporter().importPath(classesFolder());
+        JavaClasses classes = new ClassFileImporter().importPath(classesFolder());
+        assertThat(classes.size()).as("classes seen in %s", this).isGreaterThanOrEqualTo(leastClasses);
+        return classes;
     }
 
     /** Where the build puts the module's compiled main classes. */
