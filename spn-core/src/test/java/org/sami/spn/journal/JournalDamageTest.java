@@ -26,7 +26,7 @@ import org.sami.spn.host.JournalEntry;
  */
 class JournalDamageTest {
     private static final boolean EVERY_BYTE = Boolean.getBoolean("journal.everyByte");
-    private static final int CASES = EVERY_BYTE ? Integer.MAX_VALUE : 1500;
+    private static final int CASES = EVERY_BYTE ? Integer.MAX_VALUE : 700;
     private static final JournalOptions OPTIONS =
             JournalOptions.DEFAULT.withSnapshotEvery(4).withoutSync().withPages(512, 0);
 

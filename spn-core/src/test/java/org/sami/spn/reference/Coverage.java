@@ -146,8 +146,8 @@ final class Coverage {
         OTHERS.forEach(rule -> counts.put(rule, 0L));
     }
 
-    /** Counts what the effects of one input show. */
-    void saw(Seen seen, List<Effect> effects) {
+    /** Counts what the effects of one input show; sessions on several threads count together. */
+    synchronized void saw(Seen seen, List<Effect> effects) {
         for (Effect effect : effects) {
             if (effect instanceof Effect.Fired f) {
                 fired(seen, f);

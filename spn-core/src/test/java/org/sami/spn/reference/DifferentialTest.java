@@ -2,8 +2,9 @@ package org.sami.spn.reference;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.testing.TestVocabulary;
 
@@ -20,18 +21,16 @@ class DifferentialTest {
 
     private static final long ENOUGH_SEEDS = 3000;
 
+    private static final int MOST_TOLD = 3;
+
     private static Subject engine(org.sami.spn.model.Project project) {
         return new EngineSubject(TestVocabulary.TEST, project, Scenario.LIVELOCK_LIMIT);
     }
 
     @Test
     void engineAndInterpreterAgreeOnRandomPlans() {
-        List<String> disagreements = new ArrayList<>();
         Coverage coverage = new Coverage();
-        for (long seed = FIRST_SEED; seed < FIRST_SEED + SEEDS && disagreements.size() < 3; seed++) {
-            Differential.explore(seed, Scenario.LENGTH, DifferentialTest::engine, coverage)
-                    .ifPresent(d -> disagreements.add(shrunk(d)));
-        }
+        List<String> disagreements = disagreements(FIRST_SEED, SEEDS, Scenario.LENGTH, coverage);
 
         assertThat(disagreements).as("Disagreements").isEmpty();
         assertThat(coverage.below(SEEDS < ENOUGH_SEEDS ? 0 : LEAST))
@@ -41,13 +40,20 @@ class DifferentialTest {
 
     @Test
     void engineAndInterpreterAgreeOnLongSessions() {
-        List<String> disagreements = new ArrayList<>();
-        for (long seed = FIRST_SEED; seed < FIRST_SEED + SEEDS / 30 && disagreements.size() < 3; seed++) {
-            Differential.explore(1_000_000 + seed, 150, DifferentialTest::engine)
-                    .ifPresent(d -> disagreements.add(shrunk(d)));
-        }
+        List<String> disagreements = disagreements(1_000_000 + FIRST_SEED, SEEDS / 30, 150, new Coverage());
 
         assertThat(disagreements).as("Disagreements").isEmpty();
+    }
+
+    /** The first disagreements of so many sessions, made small; sessions know nothing of each other and run on all processors. */
+    private static List<String> disagreements(long firstSeed, long seeds, int length, Coverage coverage) {
+        return LongStream.range(firstSeed, firstSeed + seeds)
+                .parallel()
+                .mapToObj(seed -> Differential.explore(seed, length, DifferentialTest::engine, coverage))
+                .flatMap(Optional::stream)
+                .limit(MOST_TOLD)
+                .map(DifferentialTest::shrunk)
+                .toList();
     }
 
     private static String shrunk(Differential.Disagreement found) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.io.TempDir;
@@ -14,6 +15,13 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** The differential test notices when one rule of the engine is wrong: each row spoils one line of its source. */
 class SpoiltEngineTest {
     private static final int MOST_SEEDS = 8000;
+
+    /** The seeds that show what few sessions show: the search begins there, and goes on through all of them. */
+    private static final Map<String, Long> RARE = Map.of(
+            "tokens that enter while parameters are asked are lost", 820L,
+            "a robot that is pulled stays in grandchildren", 627L,
+            "a child's own tasks return", 160L,
+            "a dropped robot keeps its tasks", 109L);
 
     /** The rule that is spoilt, how, and the line. */
     static Stream<Arguments> rules() {
@@ -236,8 +244,9 @@ class SpoiltEngineTest {
         Differential.Maker engine = SpoiltEngine.with(folder, file, right, wrong);
 
         Optional<Differential.Disagreement> found = Optional.empty();
-        for (long seed = 1; seed <= MOST_SEEDS && found.isEmpty(); seed++) {
-            found = Differential.explore(seed, Scenario.LENGTH, engine);
+        long first = RARE.getOrDefault(spoilt, 1L);
+        for (long tried = 0; tried < MOST_SEEDS && found.isEmpty(); tried++) {
+            found = Differential.explore(1 + (first - 1 + tried) % MOST_SEEDS, Scenario.LENGTH, engine);
         }
 
         assertThat(found).as("%s: %s", rule, spoilt).isPresent();

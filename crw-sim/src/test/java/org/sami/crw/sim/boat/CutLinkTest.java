@@ -8,6 +8,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -22,12 +24,14 @@ import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.server.log.LoggedCommand;
+import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.Upload;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 import org.sami.crw.sim.boat.TestRelay.Cut;
 import org.sami.crw.sim.boat.TestRelay.Where;
 
 /** Links that are cut before, in and after each message of connecting, uploading, starting and cancelling. */
+@Execution(ExecutionMode.CONCURRENT)
 @Timeout(60)
 class CutLinkTest {
     @TempDir

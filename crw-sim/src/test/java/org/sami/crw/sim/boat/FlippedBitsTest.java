@@ -10,12 +10,16 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkCodec;
 import org.sami.boat.server.log.LoggedCommand;
+import org.sami.boat.server.testing.Await;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** A link that bends a fifth of its frames, either way: what the boat executes is what the base has sent. */
+@Execution(ExecutionMode.CONCURRENT)
 @Timeout(120)
 class FlippedBitsTest {
     @TempDir

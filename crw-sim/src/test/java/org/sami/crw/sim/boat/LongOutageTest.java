@@ -11,12 +11,16 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.Upload;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** Outages that last, on real sockets; the clock of boats and bases runs five times as fast as the wall's. */
+@Execution(ExecutionMode.CONCURRENT)
 @Timeout(120)
 class LongOutageTest {
     private static final int FAST = 5;

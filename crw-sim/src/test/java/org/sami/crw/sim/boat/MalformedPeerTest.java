@@ -15,6 +15,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.BatteryReport;
@@ -39,10 +41,12 @@ import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.link.Welcome;
+import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.tcp.LinkAlarm;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** A base one of whose addresses talks rubbish: it survives, says what it hears, and its other boat drives on. */
+@Execution(ExecutionMode.CONCURRENT)
 @Timeout(90)
 class MalformedPeerTest {
     @TempDir

@@ -12,14 +12,18 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.server.log.LogLines;
+import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.tcp.LinkAlarm;
 import org.sami.crw.proxy.tcp.LinkReport;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** Boats that change their address, come back under another one, or are removed from the base. */
+@Execution(ExecutionMode.CONCURRENT)
 @Timeout(90)
 class MovedBoatTest {
     @TempDir

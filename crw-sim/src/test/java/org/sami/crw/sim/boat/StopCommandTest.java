@@ -6,11 +6,14 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.sami.boat.link.BoatMode;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 import org.sami.crw.sim.cli.CommandResult;
 
 /** {@code crw stop} against real boats on loopback. */
+@Execution(ExecutionMode.CONCURRENT)
 @Timeout(60)
 class StopCommandTest {
     @TempDir

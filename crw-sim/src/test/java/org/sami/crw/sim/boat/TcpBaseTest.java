@@ -15,10 +15,13 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.LinkState;
@@ -32,6 +35,7 @@ import org.sami.crw.proxy.tcp.TcpBaseConfig;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** Bases and simulated boats over real sockets: what is lost is shown, what comes back goes on, nothing is done twice. */
+@Execution(ExecutionMode.CONCURRENT)
 @Timeout(90)
 class TcpBaseTest {
     @TempDir
@@ -219,23 +223,23 @@ class TcpBaseTest {
 
     @Test
     void hundredCutsLeaveNoThreadAndTheOtherBoatUntouched() throws Exception {
-        BoatOnTcp anna = harbour.boat("anna");
+        BoatOnTcp cut = harbour.boat("cutboat");
         BoatOnTcp berta = harbour.boat("berta");
-        TestRelay relay = harbour.relay(anna);
+        TestRelay relay = harbour.relay(cut);
         Base base = harbour.base("cutting");
         base.connect(berta.address(), "berta");
         base.submit("berta", TcpTestFleet.path("m2", 2));
         base.awaitMode("berta", BoatMode.PATH);
-        base.connect(relay.address(), "anna");
-        long threads = Await.threads("cutting-") + Await.threads("anna-");
+        base.connect(relay.address(), "cutboat");
+        long threads = Await.threads("cutting-") + Await.threads("cutboat-");
         for (int i = 1; i <= 100; i++) {
             int times = i;
             relay.cut();
-            Await.until("lost again", 30, () -> base.count("anna LOST") == times);
-            Await.until("linked again", 30, () -> base.count("anna LINKED") == times + 1);
+            Await.until("lost again", 30, () -> base.count("cutboat LOST") == times);
+            Await.until("linked again", 30, () -> base.count("cutboat LINKED") == times + 1);
         }
 
-        Await.until("no thread is left", 30, () -> Await.threads("cutting-") + Await.threads("anna-") == threads);
+        Await.until("no thread is left", 30, () -> Await.threads("cutting-") + Await.threads("cutboat-") == threads);
         assertThat(base.count("berta LINKED")).isEqualTo(1);
         assertThat(base.count("berta LOST")).isZero();
         assertThat(harbour.executed("berta", "upload")).isEqualTo(1);

@@ -18,6 +18,7 @@ import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.log.LogLines;
 import org.sami.boat.server.log.LoggedCommand;
 import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatProxy;

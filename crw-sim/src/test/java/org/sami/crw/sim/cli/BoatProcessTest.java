@@ -2,12 +2,9 @@ package org.sami.crw.sim.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStreamReader;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -20,6 +17,7 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -29,6 +27,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.log.LogLines;
+import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.BoatStatus;
@@ -42,49 +41,33 @@ import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
 /** Real processes of {@code crw boat}, ended in order and by {@code kill -9}, and a base that commands them. */
+@Tag("process")
 @Timeout(120)
 class BoatProcessTest {
     @TempDir
     private Path folder;
 
-    private final List<Process> started = new ArrayList<>();
+    private final List<CrwProcess> started = new ArrayList<>();
     private final AtomicReference<BoatStatus> status = new AtomicReference<>(BoatStatus.unknown("anna"));
     private final AtomicInteger restarts = new AtomicInteger();
 
     private volatile Consumer<BoatProxy> whenFound = proxy -> {};
 
     /** A process of the command, and the port that it printed. */
-    private record Boat(Process process, int port) {}
+    private record Boat(CrwProcess process, int port) {}
 
     private Boat boat(int port, String... more) throws IOException {
-        List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-cp",
-                System.getProperty("java.class.path"),
-                "-XX:TieredStopAtLevel=1",
-                Crw.class.getName(),
-                "boat",
-                "--port",
-                "" + port,
-                "--name",
-                "anna",
-                "--at",
-                "45.4,10.9"));
-        command.addAll(List.of(more));
-        Process process = new ProcessBuilder(command)
-                .redirectError(ProcessBuilder.Redirect.DISCARD)
-                .start();
+        List<String> arguments =
+                new ArrayList<>(List.of("boat", "--port", "" + port, "--name", "anna", "--at", "45.4,10.9"));
+        arguments.addAll(List.of(more));
+        CrwProcess process = CrwProcess.start(Files.createDirectories(folder.resolve("said")), arguments);
         started.add(process);
-        BufferedReader out =
-                new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
-        String line = out.readLine();
-        assertThat(line).startsWith("anna listens on 127.0.0.1:");
-        return new Boat(process, Integer.parseInt(line.substring(line.lastIndexOf(':') + 1)));
+        return new Boat(process, Integer.parseInt(process.awaitOut("anna listens on 127.0.0.1:")));
     }
 
     @AfterEach
     void endProcesses() {
-        started.forEach(Process::destroyForcibly);
+        started.forEach(CrwProcess::close);
     }
 
     private TcpBase base(int port) {
@@ -95,7 +78,7 @@ class BoatProcessTest {
         whenFound = onFound;
         TcpBaseConfig config = new TcpBaseConfig(
                 ProxyConfig.DEFAULT.withClientId("base").withTelemetryHz(20), 1, 50, 1000, 20, 200, 256, 4 << 20);
-        TcpBase base = new TcpBase(config, SteadyClock.ofThisMachine(), new Ear());
+        TcpBase base = new TcpBase(config, SteadyClock.ofThisMachine(), new Recorder());
         base.connect(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
         return base;
     }
@@ -134,10 +117,9 @@ class BoatProcessTest {
     @Test
     void signalEndsItInOrder() throws Exception {
         Boat boat = boat(0);
-        boat.process.destroy();
+        boat.process.terminate();
 
-        assertThat(boat.process.waitFor(20, TimeUnit.SECONDS)).isTrue();
-        assertThat(boat.process.exitValue()).isEqualTo(143); // as the system says it of SIGTERM
+        assertThat(boat.process.await(20)).isEqualTo(143); // as the system says it of SIGTERM
     }
 
     @ParameterizedTest
@@ -148,14 +130,14 @@ class BoatProcessTest {
             until("linked", () -> status.get().link() == LinkState.LINKED);
             tell(base, proxy -> proxy.submit(farAway(50)));
             until("under way", () -> is(BoatMode.PATH));
-            boat.process.destroyForcibly().waitFor();
+            boat.process.kill();
             until("lost", () -> status.get().link() == LinkState.LOST);
             assertThat(executed()).as("what was answered is in the log").hasSize(2);
 
             boat(boat.port, "--log", (withItsState ? folder : folder.resolve("new")).toString());
             until("the operator is asked", () -> restarts.get() == 1);
             until("it rests", () -> is(BoatMode.STOPPED));
-            holds("it rests", 1.5, () -> is(BoatMode.STOPPED));
+            Await.holds("it rests", 1.5, () -> is(BoatMode.STOPPED));
             tell(base, BoatProxy::confirmRestart);
             until("under way again", () -> is(BoatMode.PATH));
             assertThat(executed()).doesNotHaveDuplicates();
@@ -170,7 +152,7 @@ class BoatProcessTest {
             until("linked", () -> status.get().link() == LinkState.LINKED);
             tell(base, proxy -> proxy.submit(farAway(5_000)));
             LockSupport.parkNanos(afterMs * 1_000_000);
-            boat.process.destroyForcibly().waitFor();
+            boat.process.kill();
             List<String> before = executed();
 
             boat(boat.port, "--log", (withItsState ? folder : folder.resolve("new")).toString());
@@ -223,14 +205,14 @@ class BoatProcessTest {
             until("under way", () -> is(BoatMode.PATH));
             tell(base, BoatProxy::fleetStop);
             until("stopped", () -> is(BoatMode.FLEET_STOP));
-            boat.process.destroyForcibly().waitFor();
+            boat.process.kill();
             until("lost", () -> status.get().link() == LinkState.LOST);
 
             boat(boat.port, "--log", folder.toString());
             until("the operator is asked", () -> restarts.get() == 1);
             tell(base, BoatProxy::confirmRestart);
             until("it is still stopped", () -> is(BoatMode.FLEET_STOP));
-            holds("it is still stopped", 1.5, () -> is(BoatMode.FLEET_STOP));
+            Await.holds("it is still stopped", 1.5, () -> is(BoatMode.FLEET_STOP));
             tell(base, BoatProxy::fleetRelease);
             until("under way", () -> is(BoatMode.PATH));
             assertThat(executed()).doesNotHaveDuplicates();
@@ -291,12 +273,7 @@ class BoatProcessTest {
     @Test
     void saysWhoCanCommandItWhenItIsReachedFromElsewhere() throws Exception {
         Path said = folder.resolve("said");
-        Process process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        "-XX:TieredStopAtLevel=1",
-                        Crw.class.getName(),
+        Process process = CrwProcess.command(List.of(
                         "boat",
                         "--port",
                         "0",
@@ -306,12 +283,15 @@ class BoatProcessTest {
                         "45.4,10.9",
                         "--bind",
                         "0.0.0.0",
-                        "--while-input")
+                        "--while-input"))
                 .redirectError(said.toFile())
                 .start();
-        started.add(process);
-        process.getOutputStream().close();
-        assertThat(process.waitFor(30, TimeUnit.SECONDS)).isTrue();
+        try {
+            process.getOutputStream().close();
+            assertThat(process.waitFor(30, TimeUnit.SECONDS)).isTrue();
+        } finally {
+            process.destroyForcibly();
+        }
 
         assertThat(Files.readAllLines(said))
                 .filteredOn(line -> line.contains("anybody who reaches 0.0.0.0:"))
@@ -332,25 +312,11 @@ class BoatProcessTest {
     }
 
     private static void until(String what, BooleanSupplier condition) {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(30);
-        while (!condition.getAsBoolean()) {
-            if (System.nanoTime() > end) {
-                throw new AssertionError("not within 30 s: " + what);
-            }
-            LockSupport.parkNanos(3_000_000);
-        }
-    }
-
-    private static void holds(String what, double seconds, BooleanSupplier condition) {
-        long end = System.nanoTime() + (long) (seconds * 1e9);
-        while (System.nanoTime() < end) {
-            assertThat(condition.getAsBoolean()).as(what).isTrue();
-            LockSupport.parkNanos(3_000_000);
-        }
+        Await.until(what, 30, condition);
     }
 
     /** Keeps the latest of what the base is told. */
-    private final class Ear implements BaseListener, BoatListener {
+    private final class Recorder implements BaseListener, BoatListener {
         @Override
         public BoatListener found(String boatId) {
             return this;

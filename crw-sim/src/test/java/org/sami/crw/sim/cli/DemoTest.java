@@ -6,11 +6,13 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The demonstration as a user has it: boats that are processes. */
+@Tag("process")
 @Timeout(240)
 class DemoTest {
     private static final Pattern BOAT =

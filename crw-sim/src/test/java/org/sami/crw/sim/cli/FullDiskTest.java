@@ -12,12 +12,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Runs whose disk is full at some moment, and has room again when they are taken up. */
 @Timeout(240)
+@Tag("process")
 class FullDiskTest {
     private static final List<String> MISSION =
             List.of("run", "clv", "--boats", "3", "--locations", "8", "--speed", "max", "--json");
@@ -47,12 +49,14 @@ class FullDiskTest {
         int interrupted = 0;
         for (int kib = 110; kib <= 320; kib += 35) {
             Path journal = folder.resolve("limit" + kib + ".journal");
-            List<String> command =
-                    new ArrayList<>(List.of("/bin/bash", "-c", "ulimit -f " + kib + "; exec \"$@\"", "bash"));
-            command.addAll(
-                    crw(journal, "-Dorg.sqlite.lib.path=" + folder, "-Dorg.sqlite.lib.name=" + library.getFileName()));
+            ProcessBuilder limited = CrwProcess.command(mission(journal));
+            limited.command().addAll(0, List.of("/bin/bash", "-c", "ulimit -f " + kib + "; exec \"$@\"", "bash"));
+            limited.environment()
+                    .put(
+                            "JAVA_OPTS",
+                            "-Dorg.sqlite.lib.path=" + folder + " -Dorg.sqlite.lib.name=" + library.getFileName());
 
-            Said said = run(command);
+            Said said = run(limited);
 
             if (said.isInterrupted(journal)) {
                 interrupted++;
@@ -73,7 +77,7 @@ class FullDiskTest {
             assumeThat(mounted).as("a small disk can be mounted here").isTrue();
             try {
                 Path journal = disk.resolve("journal");
-                Said said = run(crw(journal));
+                Said said = run(CrwProcess.command(mission(journal)));
                 if (!said.isInterrupted(journal)) {
                     continue;
                 }
@@ -107,14 +111,10 @@ class FullDiskTest {
         }
     }
 
-    private static List<String> crw(Path journal, String... options) {
-        List<String> command = new ArrayList<>(
-                List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-XX:+UseSerialGC"));
-        command.addAll(List.of(options));
-        command.addAll(List.of("-cp", System.getProperty("java.class.path"), Crw.class.getName()));
-        command.addAll(MISSION);
-        command.addAll(List.of("--journal", journal.toString()));
-        return command;
+    private static List<String> mission(Path journal) {
+        List<String> mission = new ArrayList<>(MISSION);
+        mission.addAll(List.of("--journal", journal.toString()));
+        return mission;
     }
 
     /** What a run said that may have found no room: at its start, under way, or not at all. */
@@ -127,10 +127,9 @@ class FullDiskTest {
         }
     }
 
-    private Said run(List<String> command) throws Exception {
+    private Said run(ProcessBuilder command) throws Exception {
         Path output = folder.resolve("output");
-        Process process = new ProcessBuilder(command)
-                .redirectErrorStream(true)
+        Process process = command.redirectErrorStream(true)
                 .redirectOutput(output.toFile())
                 .start();
         assertThat(process.waitFor(120, TimeUnit.SECONDS)).isTrue();

@@ -16,15 +16,21 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.sami.crw.sim.boat.Await;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.sami.boat.server.testing.Await;
 
 /** The command as it is installed, started by its script, in processes of its own. */
+@Tag("process")
 class InstalledCommandTest {
-    private static final Path INSTALLED = Path.of(System.getProperty("crw.installed"));
+    private static final Path INSTALLED = CrwProcess.INSTALLED;
     private static final String JAVA = System.getProperty("java.home");
     private static final long LIMIT_S = 60;
 
@@ -67,6 +73,41 @@ class InstalledCommandTest {
         CommandResult ran = crw(install, Map.of(), "check", "clv");
 
         assertThat(ran).isEqualTo(new CommandResult(0, "clv: 0 errors, 0 warnings\n", ""));
+    }
+
+    /** Java 17 built it; the Javas are those that lie beside that one. */
+    @ParameterizedTest(allowZeroInvocations = true)
+    @MethodSource("otherJavas")
+    void commandRunsAlikeOnEveryOtherJavaFrom17To25OfThisMachine(Path java) throws Exception {
+        String[] mission = {"run", "clv", "--boats", "2", "--locations", "4", "--speed", "max", "--json"};
+
+        CommandResult ran = crw(INSTALLED, Map.of("JAVA_HOME", java.toString()), mission);
+
+        assertThat(ran.exitCode()).as(ran.err()).isZero();
+        assertThat(ran.err()).doesNotContainIgnoringCase("warning");
+        assertThat(new ObjectMapper().readTree(ran.out()).path("runHash"))
+                .isEqualTo(new ObjectMapper()
+                        .readTree(CommandResult.crw(mission).out())
+                        .path("runHash"));
+    }
+
+    static List<Path> otherJavas() throws IOException {
+        Path thisOne = Path.of(JAVA).toRealPath();
+        List<Path> others = new ArrayList<>();
+        try (Stream<Path> beside = Files.list(thisOne.getParent())) {
+            for (Path java :
+                    beside.filter(each -> !Files.isSymbolicLink(each)).sorted().toList()) {
+                if (!java.equals(thisOne) && Files.isExecutable(java.resolve("bin/java")) && isFrom17To25(java)) {
+                    others.add(java);
+                }
+            }
+        }
+        return others;
+    }
+
+    private static boolean isFrom17To25(Path java) throws IOException {
+        Matcher version = Pattern.compile("JAVA_VERSION=\"(\\d+)").matcher(Files.readString(java.resolve("release")));
+        return version.find() && Integer.parseInt(version.group(1)) >= 17 && Integer.parseInt(version.group(1)) <= 25;
     }
 
     @Test
@@ -190,8 +231,7 @@ class InstalledCommandTest {
         File out = folder.resolve("out").toFile();
         File err = folder.resolve("err").toFile();
         ProcessBuilder builder = new ProcessBuilder(command).redirectOutput(out).redirectError(err);
-        builder.environment().remove("JAVA_TOOL_OPTIONS");
-        builder.environment().put("JAVA_HOME", JAVA);
+        CrwProcess.withThisJava(builder.environment());
         builder.environment().put("XDG_CACHE_HOME", cache.toString());
         builder.environment().putAll(environment);
         Process process = builder.start();

@@ -4,12 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
-import java.io.File;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -22,9 +22,10 @@ class OutputFaultsTest {
     Path folder;
 
     @Test
+    @Tag("process")
     void fullStandardOutputIsNamedAndIsAFailure() throws Exception {
         assumeThat(FULL).exists();
-        Process process = new ProcessBuilder(command("plans"))
+        Process process = CrwProcess.command(List.of("plans"))
                 .redirectOutput(FULL.toFile())
                 .start();
 
@@ -86,16 +87,5 @@ class OutputFaultsTest {
                 List.of("run", "clv", "--boats", "1", "--locations", "1", "--area", "50", "--speed", "max"));
         args.addAll(List.of(more));
         return CommandResult.crw(args.toArray(String[]::new));
-    }
-
-    private static List<String> command(String... args) {
-        List<String> command = new ArrayList<>(List.of(
-                System.getProperty("java.home") + File.separator + "bin" + File.separator + "java",
-                "-XX:TieredStopAtLevel=1",
-                "-cp",
-                System.getProperty("java.class.path"),
-                Crw.class.getName()));
-        command.addAll(List.of(args));
-        return command;
     }
 }

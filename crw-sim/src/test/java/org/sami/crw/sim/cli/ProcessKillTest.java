@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.BufferedReader;
-import java.io.File;
 import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -12,15 +11,24 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.Set;
 import java.util.TreeSet;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.sim.run.TestRuns;
 
 /** Real processes of {@code crw run}, killed as by {@code kill -9}, and what the next process makes of their journals. */
+@Tag("process")
 class ProcessKillTest {
-    private static final int KILLS = 20;
+    private static final int KILLS = Integer.getInteger("crw.kills", 8);
+
+    /** Each lane kills one run after another. */
+    private static final int LANES = 2;
 
     /** At this speed the sample's several simulated minutes take about a second and a half. */
     private static final String SPEED = "160";
@@ -49,33 +57,55 @@ class ProcessKillTest {
                 answers.toString());
         String whole = hash(CommandResult.crw(with(mission, "--speed", "max", "--json")));
         Random random = new Random(9);
-        TreeSet<Long> resumedFrom = new TreeSet<>();
-        int killed = 0;
+        ExecutorService lanes = Executors.newFixedThreadPool(LANES);
+        try {
+            List<Future<Fate>> fates = new ArrayList<>();
+            for (int i = 0; i < KILLS; i++) {
+                Path place = Files.createDirectory(folder.resolve("kill" + i));
+                long after = (long) (LATEST_KILL_MILLIS * (i + random.nextDouble()) / KILLS);
+                fates.add(lanes.submit(() -> killedAndTakenUp(mission, place, after, whole)));
+            }
+            int killed = 0;
+            Set<Long> resumedFrom = new TreeSet<>();
+            for (Future<Fate> fate : fates) {
+                killed += fate.get().killed() ? 1 : 0;
+                resumedFrom.add(fate.get().resumedFrom());
+            }
 
-        for (int i = 0; i < KILLS; i++) {
-            Path journal = folder.resolve("kill-" + i);
-            long after = (long) (random.nextDouble() * LATEST_KILL_MILLIS);
-            killed += runAndKill(with(mission, "--speed", SPEED, "--journal", journal.toString()), after) ? 1 : 0;
+            assertThat(killed).as("runs that were still alive").isGreaterThanOrEqualTo(KILLS / 2);
+            assertThat(resumedFrom).as("different places of death").hasSizeGreaterThanOrEqualTo(KILLS / 4);
+        } finally {
+            lanes.shutdownNow();
+        }
+    }
 
-            CommandResult resumed = CommandResult.crw("resume", journal.toString(), "--speed", "max", "--json");
+    /** What became of one run. */
+    private record Fate(boolean killed, long resumedFrom) {}
 
-            assertThat(resumed.exitCode()).as(resumed.err()).isZero();
-            assertThat(hash(resumed)).as("killed after %d ms", after).isEqualTo(whole);
-            resumedFrom.add(new ObjectMapper()
-                    .readTree(resumed.out())
-                    .get("resumedFrom")
-                    .asLong());
+    private static Fate killedAndTakenUp(List<String> mission, Path place, long afterMillis, String whole)
+            throws Exception {
+        String journal = place.resolve("journal").toString();
+        boolean killed;
+        try (CrwProcess run = CrwProcess.start(place, List.of(with(mission, "--speed", SPEED, "--journal", journal)))) {
+            run.awaitErr("journal");
+            killed = !run.endsWithin(afterMillis);
+            run.kill();
         }
 
-        assertThat(killed).as("runs that were still alive").isGreaterThanOrEqualTo(KILLS / 2);
-        assertThat(resumedFrom).as("different places of death").hasSizeGreaterThanOrEqualTo(5);
+        CommandResult resumed = CommandResult.crw("resume", journal, "--speed", "max", "--json");
+
+        assertThat(resumed.exitCode()).as(resumed.err()).isZero();
+        assertThat(hash(resumed)).as("killed after %d ms", afterMillis).isEqualTo(whole);
+        return new Fate(
+                killed,
+                new ObjectMapper().readTree(resumed.out()).get("resumedFrom").asLong());
     }
 
     @Test
     void realProcessGivesTheSameRunAndExitCode() throws Exception {
         List<String> mission =
                 List.of("run", "clv", "--boats", "2", "--locations", "4", "--area", "150", "--speed", "max", "--json");
-        Process process = new ProcessBuilder(command(mission))
+        Process process = CrwProcess.command(mission)
                 .redirectError(folder.resolve("err").toFile())
                 .start();
 
@@ -88,7 +118,7 @@ class ProcessKillTest {
 
     @Test
     void realProcessReportsWrongUsage() throws Exception {
-        Process process = new ProcessBuilder(command(List.of("run", "clv", "--boats", "0")))
+        Process process = CrwProcess.command(List.of("run", "clv", "--boats", "0"))
                 .redirectErrorStream(true)
                 .start();
 
@@ -101,7 +131,7 @@ class ProcessKillTest {
     @Test
     void interruptedProcessLeavesAJournalAndSaysHowToGoOn() throws Exception {
         Path journal = folder.resolve("interrupted");
-        Process process = new ProcessBuilder(command(List.of(
+        Process process = CrwProcess.command(List.of(
                         "run",
                         "clv",
                         "--boats",
@@ -113,7 +143,7 @@ class ProcessKillTest {
                         "--speed",
                         "5",
                         "--journal",
-                        journal.toString())))
+                        journal.toString()))
                 .redirectErrorStream(true)
                 .start();
         try (BufferedReader lines =
@@ -128,30 +158,6 @@ class ProcessKillTest {
         assertThat(CommandResult.crw("resume", journal.toString(), "--speed", "max")
                         .exitCode())
                 .isZero();
-    }
-
-    /** Whether there was somebody to kill. */
-    private boolean runAndKill(String[] mission, long afterMillis) throws Exception {
-        Process process = new ProcessBuilder(command(List.of(mission)))
-                .redirectOutput(folder.resolve("out").toFile())
-                .start();
-        try (BufferedReader err =
-                new BufferedReader(new InputStreamReader(process.getErrorStream(), StandardCharsets.UTF_8))) {
-            assertThat(err.readLine()).contains("journal");
-            boolean ended = process.waitFor(afterMillis, TimeUnit.MILLISECONDS);
-            process.destroyForcibly().waitFor();
-            return !ended;
-        }
-    }
-
-    private static List<String> command(List<String> args) {
-        List<String> command = new ArrayList<>();
-        command.add(System.getProperty("java.home") + File.separator + "bin" + File.separator + "java");
-        command.addAll(
-                List.of("-XX:TieredStopAtLevel=1", "-Xshare:auto", "-cp", System.getProperty("java.class.path")));
-        command.add(Crw.class.getName());
-        command.addAll(args);
-        return command;
     }
 
     private static String[] with(List<String> mission, String... more) {

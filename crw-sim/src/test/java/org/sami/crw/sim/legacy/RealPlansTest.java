@@ -12,6 +12,7 @@ import org.sami.crw.sim.run.RunObserver;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.legacy.LegacyImport;
 import org.sami.spn.legacy.LegacyTableReader;
+import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -19,6 +20,19 @@ import org.sami.spn.vocabulary.Vocabulary;
 class RealPlansTest {
     private static final Path FOLDER = Path.of("../../shared/legacy-plans");
     private static final String CRW = "/org/sami/domain/crw";
+
+    /** Goes round several times a second for as long as it may: what it does in minutes it does in an hour. */
+    private static final String RESTLESS = "Connect and SK";
+
+    private static final TrialSettings HOUR = TrialSettings.of(3);
+    private static final TrialSettings MINUTES = new TrialSettings(
+            HOUR.boats(),
+            HOUR.locations(),
+            HOUR.areaM(),
+            HOUR.millis() / 10,
+            HOUR.answerAfterMillis(),
+            HOUR.pressEveryMillis() / 10,
+            HOUR.seed());
 
     @ParameterizedTest
     @CsvSource({"thesis, 17", "crw, 45"})
@@ -32,11 +46,11 @@ class RealPlansTest {
                                 .orThrow())
                 .read(file);
         Project project = imported.project().orElseThrow();
-        PlanTrials trials = new PlanTrials(vocabulary, project, TrialSettings.of(3));
-
         assertThat(imported.roots()).hasSize(roots);
         for (String root : imported.roots()) {
-            PlanTrial trial = trials.run(project.plan(root).orElseThrow(), RunObserver.NONE);
+            Plan plan = project.plan(root).orElseThrow();
+            TrialSettings settings = plan.name().equals(RESTLESS) ? MINUTES : HOUR;
+            PlanTrial trial = new PlanTrials(vocabulary, project, settings).run(plan, RunObserver.NONE);
 
             assertThat(trial.isSound())
                     .as("%s: %s %s", trial.name(), trial.reason(), trial.findings())

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.sami.boat.server.log.LogLines;
 import org.sami.boat.server.log.LoggedCommand;
+import org.sami.crw.sim.cli.CrwProcess;
 
 /** Boats as processes of their own, side by side at a quay, with logs. All end with the fleet. */
 final class BoatProcesses implements AutoCloseable {

@@ -18,6 +18,7 @@ import java.sql.ResultSet;
 import java.sql.Statement;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,15 +29,17 @@ import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.log.LogLines;
 import org.sami.boat.server.log.LoggedCommand;
 import org.sami.boat.server.tcp.TcpServerListener;
-import org.sami.crw.sim.boat.Await;
+import org.sami.boat.server.testing.Await;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.crw.sim.cli.CommandResult;
+import org.sami.crw.sim.cli.CrwProcess;
 import org.sami.spn.journal.JournalOptions;
 import org.sami.spn.journal.SqliteJournal;
 import org.sami.spn.value.GeoPoint;
 
 /** Journals of real runs whose telemetry is damaged on the disk: what the engine knows is what matters, and the mission goes on. */
+@Tag("process")
 @Timeout(240)
 class DamagedTelemetryTest {
     private static final ObjectMapper JSON = new ObjectMapper();

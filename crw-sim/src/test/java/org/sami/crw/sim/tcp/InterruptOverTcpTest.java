@@ -15,6 +15,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,9 +25,11 @@ import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.crw.sim.cli.CommandResult;
+import org.sami.crw.sim.cli.CrwProcess;
 import org.sami.spn.value.GeoPoint;
 
 /** Interrupts in missions on boats behind TCP, whose process may die before, in and after them. */
+@Tag("process")
 @Timeout(400)
 class InterruptOverTcpTest {
     private static final int LOCATIONS = 5;

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.StreamSupport;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
@@ -19,11 +20,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.testing.Await;
 import org.sami.crw.decision.DomainQuestion;
-import org.sami.crw.sim.boat.Await;
 import org.sami.crw.sim.boat.TestRelay;
+import org.sami.crw.sim.cli.CrwProcess;
 
 /** Boats of a running mission that are killed as by {@code kill -9} and started again, with and without what they knew. */
+@Tag("process")
 @Timeout(240)
 class KilledBoatTest {
     private static final long END_S = 120;

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -20,6 +21,7 @@ import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.link.StopMotors;
 import org.sami.boat.server.log.LoggedCommand;
+import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.LinkState;
@@ -27,10 +29,11 @@ import org.sami.crw.proxy.ProxyConfig;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.TcpBase;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
-import org.sami.crw.sim.boat.Await;
 import org.sami.crw.sim.cli.CommandResult;
+import org.sami.crw.sim.cli.CrwProcess;
 
 /** Missions of {@code crw run --connect} on boats that are processes of their own. */
+@Tag("process")
 @Timeout(240)
 class RunOverTcpTest {
     private static final ObjectMapper JSON = new ObjectMapper();

@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -13,6 +14,7 @@ import org.sami.crw.sim.cli.CommandResult;
 import org.sami.crw.sim.run.TestRuns;
 
 /** A run over TCP in which nothing can happen any longer ends and says why. */
+@Tag("process")
 @Timeout(120)
 class StuckOverTcpTest {
     @TempDir

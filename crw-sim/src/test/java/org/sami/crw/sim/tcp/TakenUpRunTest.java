@@ -7,22 +7,25 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.sami.boat.link.StartWaypoints;
-import org.sami.crw.sim.boat.Await;
+import org.sami.boat.server.testing.Await;
 import org.sami.crw.sim.cli.CommandResult;
+import org.sami.crw.sim.cli.CrwProcess;
 
 /** Runs over TCP that are taken up when not everything is as it was. */
+@Tag("process")
 @Timeout(240)
 class TakenUpRunTest {
     private static final ObjectMapper JSON = new ObjectMapper();
 
     /** What is told of the process that tells it. */
-    private static final Set<String> OF_THE_PROCESS = Set.of("wallSeconds", "resumedFrom");
+    private static final Set<String> OF_THE_PROCESS = Set.of("version", "wallSeconds", "resumedFrom");
 
     @TempDir
     private Path folder;

@@ -56,6 +56,7 @@ import org.sami.boat.link.Waypoint;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.server.FrameBytes;
 import org.sami.boat.server.tcp.TcpBench.Client;
+import org.sami.boat.server.testing.Await;
 
 /** Streams that are cut, bent, doubled or never were frames: the boat stays whole, and serves the next client. */
 @Timeout(60)

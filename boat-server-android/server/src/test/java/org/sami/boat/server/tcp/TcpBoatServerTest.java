@@ -40,6 +40,7 @@ import org.sami.boat.link.Welcome;
 import org.sami.boat.server.FrameBytes;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.tcp.TcpBench.Client;
+import org.sami.boat.server.testing.Await;
 
 @Timeout(60)
 class TcpBoatServerTest {

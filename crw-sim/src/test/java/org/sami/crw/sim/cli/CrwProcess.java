@@ -1,4 +1,4 @@
-package org.sami.crw.sim.tcp;
+package org.sami.crw.sim.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -9,12 +9,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
-import org.sami.crw.sim.boat.Await;
-import org.sami.crw.sim.cli.Crw;
+import org.sami.boat.server.testing.Await;
 
-/** A process of the command {@code crw} of its own, which does not outlive its test. What it says goes to files. */
-final class CrwProcess implements AutoCloseable {
+/** A process of the installed command {@code crw}, which does not outlive its test. What it says goes to files. */
+public final class CrwProcess implements AutoCloseable {
+    /** Where the build has installed the command; its archive of classes makes a process start in a third of the time. */
+    static final Path INSTALLED = Path.of(System.getProperty("crw.installed"));
+
     private static final double START_S = 60;
 
     private final Process process;
@@ -27,31 +30,46 @@ final class CrwProcess implements AutoCloseable {
         this.err = err;
     }
 
-    /** Starts it; {@code folder} takes what it says. */
-    static CrwProcess start(Path folder, List<String> arguments) throws IOException {
-        List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-cp",
-                System.getProperty("java.class.path"),
-                "-Djava.awt.headless=true",
-                "-XX:TieredStopAtLevel=1",
-                "-XX:+UseSerialGC",
-                Crw.class.getName()));
+    /** How the command is started: by its script, which becomes the process, on the Java of the test. */
+    static ProcessBuilder command(List<String> arguments) {
+        return onThisJava(INSTALLED, arguments);
+    }
+
+    /** The same for a copy of the install. */
+    static ProcessBuilder onThisJava(Path install, List<String> arguments) {
+        List<String> command =
+                new ArrayList<>(List.of(install.resolve("bin").resolve("crw").toString()));
         command.addAll(arguments);
+        ProcessBuilder builder = new ProcessBuilder(command);
+        withThisJava(builder.environment());
+        return builder;
+    }
+
+    /** Puts the Java of the test into an environment, and what a JVM would speak of out of it. */
+    static void withThisJava(Map<String, String> environment) {
+        environment.remove("JAVA_TOOL_OPTIONS");
+        environment.put("JAVA_HOME", System.getProperty("java.home"));
+        environment.put("XDG_CACHE_HOME", INSTALLED.resolveSibling("cache").toString());
+    }
+
+    /** Starts it; {@code folder} takes what it says. */
+    public static CrwProcess start(Path folder, List<String> arguments) throws IOException {
         Path out = Files.createTempFile(folder, "process", ".out");
         Path err = Files.createTempFile(folder, "process", ".err");
-        Process process = new ProcessBuilder(command)
+        Process process = command(arguments)
                 .redirectOutput(out.toFile())
                 .redirectError(err.toFile())
                 .start();
         return new CrwProcess(process, out, err);
     }
 
-    String out() {
+    /** What it has said on standard output. */
+    public String out() {
         return text(out);
     }
 
-    String err() {
+    /** What it has said on standard error. */
+    public String err() {
         return text(err);
     }
 
@@ -63,18 +81,19 @@ final class CrwProcess implements AutoCloseable {
         }
     }
 
-    boolean isAlive() {
+    /** Whether it runs. */
+    public boolean isAlive() {
         return process.isAlive();
     }
 
     /** Waits until it has said something on standard error. */
-    void awaitErr(String words) {
+    public void awaitErr(String words) {
         Await.until("it says '" + words + "'", START_S, () -> err().contains(words) || !isAlive());
         assertThat(err()).contains(words);
     }
 
     /** Waits until it has said a line that begins so on standard output; returns the rest of the line. */
-    String awaitOut(String beginning) {
+    public String awaitOut(String beginning) {
         Await.until("a line", START_S, () -> out().contains("\n") || !isAlive());
         String line = out().lines().findFirst().orElse("");
         assertThat(line).as(err()).startsWith(beginning);
@@ -82,22 +101,27 @@ final class CrwProcess implements AutoCloseable {
     }
 
     /** Ends it as {@code kill -9} does. */
-    void kill() throws InterruptedException {
+    public void kill() throws InterruptedException {
         process.destroyForcibly().waitFor();
     }
 
+    /** Its number in the system. */
+    long pid() {
+        return process.pid();
+    }
+
     /** Tells it to end, as {@code kill} and the system's shutdown do. */
-    void terminate() {
+    public void terminate() {
         process.toHandle().destroy();
     }
 
     /** Waits so long for its end; returns whether it came. */
-    boolean endsWithin(long millis) throws InterruptedException {
+    public boolean endsWithin(long millis) throws InterruptedException {
         return process.waitFor(millis, TimeUnit.MILLISECONDS);
     }
 
     /** Waits for its end; returns its exit code. */
-    int await(long seconds) throws InterruptedException {
+    public int await(long seconds) throws InterruptedException {
         assertThat(process.waitFor(seconds, TimeUnit.SECONDS))
                 .as("over within %d s: %s", seconds, err())
                 .isTrue();
