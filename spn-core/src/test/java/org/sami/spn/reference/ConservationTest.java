@@ -44,7 +44,7 @@ class ConservationTest {
     }
 
     /** Random inputs of a seed, as far as no place overflows. */
-    private static List<Scenario.Timed> inputs(long seed) {
+    static List<Scenario.Timed> inputs(long seed) {
         Project project = RandomPlans.project(seed);
         Subject interpreter = Differential.interpreter(project);
         RandomInputs world = new RandomInputs(project, seed);

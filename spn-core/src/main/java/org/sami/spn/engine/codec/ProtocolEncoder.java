@@ -9,6 +9,8 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.LongUnaryOperator;
 import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.protocol.Activation;
@@ -26,6 +28,24 @@ public final class ProtocolEncoder {
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     private final DataOutputStream out = new DataOutputStream(bytes);
     private final ValueEncoder values = new ValueEncoder(this);
+
+    private final LongUnaryOperator missionNumbers;
+    private final boolean sorted;
+
+    /** Writes missions by their ids, and maps in their order. */
+    public ProtocolEncoder() {
+        this(mission -> mission, false);
+    }
+
+    private ProtocolEncoder(LongUnaryOperator missionNumbers, boolean sorted) {
+        this.missionNumbers = missionNumbers;
+        this.sorted = sorted;
+    }
+
+    /** Writes the missions of tasks by other numbers, and values in the order of their names: equal ones have equal bytes. */
+    static ProtocolEncoder canonical(LongUnaryOperator missionNumbers) {
+        return new ProtocolEncoder(missionNumbers, true);
+    }
 
     public byte[] bytes() {
         return bytes.toByteArray();
@@ -74,6 +94,11 @@ public final class ProtocolEncoder {
         values.write(v);
     }
 
+    void task(TaskId task) {
+        text(task.name());
+        number(missionNumbers.applyAsLong(task.mission()));
+    }
+
     public void valueList(List<? extends Value> list) {
         integer(list.size());
         list.forEach(this::value);
@@ -81,7 +106,7 @@ public final class ProtocolEncoder {
 
     public void values(Map<String, Value> map) {
         integer(map.size());
-        map.forEach((k, v) -> {
+        (sorted ? new TreeMap<>(map) : map).forEach((k, v) -> {
             text(k);
             value(v);
         });
@@ -124,6 +149,13 @@ public final class ProtocolEncoder {
         text(a.place());
         text(a.event());
         text(a.type());
+        content(a);
+        markups(a.markups());
+        text(a.priority().name());
+    }
+
+    /** What an activation is given when its place is entered; the rest says its plan. */
+    void content(Activation a) {
         values(a.values());
         integer(a.taskValues().size());
         for (Map.Entry<TaskId, Map<String, Value>> e : a.taskValues().entrySet()) {
@@ -136,8 +168,6 @@ public final class ProtocolEncoder {
             value(task);
             text(proxy);
         });
-        markups(a.markups());
-        text(a.priority().name());
     }
 
     private void markups(List<MarkupSpec> markups) {
@@ -163,7 +193,7 @@ public final class ProtocolEncoder {
         markups(d.markups());
     }
 
-    private void question(Question q) {
+    void question(Question q) {
         if (q instanceof Question.Approve) {
             tag(0);
         } else if (q instanceof Question.ChooseProxies c) {
@@ -205,7 +235,7 @@ public final class ProtocolEncoder {
         }
     }
 
-    private void answer(Answer a) {
+    void answer(Answer a) {
         if (a instanceof Answer.YesNo y) {
             tag(0);
             flag(y.yes());

@@ -67,8 +67,8 @@ public final class ValueEncoder {
         if (v instanceof ProxyValue p) {
             text(9, p.proxy());
         } else if (v instanceof TaskId t) {
-            text(10, t.name());
-            out.number(t.mission());
+            out.tag(10);
+            out.task(t);
         } else if (v instanceof GeoPoint p) {
             out.tag(11);
             point(p);

@@ -1,0 +1,112 @@
+package org.sami.spn.engine.codec;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.sami.spn.engine.state.MissionState;
+import org.sami.spn.engine.state.NetState;
+import org.sami.spn.engine.state.OpenDecision;
+import org.sami.spn.engine.state.RunningTimer;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Token;
+
+/**
+ * Writes what a state means and nothing of how it came about: ids are renumbered, times are counted from now, counters and the
+ * clock are left out. What the rules read in order is written in order: tokens and visits of a place, pending occurrences of an
+ * input event, timers, robots, the missions of one root. Root missions are independent of one another, and written in an order
+ * of their contents, unless the project has global variables: then the order in which they hear of news decides whose write is
+ * the last.
+ */
+public final class CanonicalEncoder {
+    private final NetState state;
+
+    public CanonicalEncoder(NetState state) {
+        this.state = state;
+    }
+
+    /** The bytes, equal for two states of one engine that mean the same. */
+    public byte[] write() {
+        List<List<MissionState>> trees = trees();
+        List<MissionState> written = trees.stream().flatMap(List::stream).toList();
+        CanonicalNumbers numbers = new CanonicalNumbers(state.missions, written);
+        ProtocolEncoder out = ProtocolEncoder.canonical(numbers::mission);
+        trees.forEach(tree -> tree(tree, numbers, out));
+        out.texts(state.proxies);
+        out.values(state.globals);
+        out.values(state.memory);
+        questions(out);
+        return out.bytes();
+    }
+
+    /** Missions by root, each root's in the order in which they started. */
+    private List<List<MissionState>> trees() {
+        Map<MissionState, List<MissionState>> byRoot = new HashMap<>();
+        List<List<MissionState>> trees = new ArrayList<>();
+        for (MissionState m : state.missions.values()) {
+            if (m.root == m) {
+                byRoot.put(m, new ArrayList<>());
+                trees.add(byRoot.get(m));
+            }
+            byRoot.get(m.root).add(m);
+        }
+        if (trees.size() > 1 && state.project.globals.isEmpty()) {
+            Map<List<MissionState>, byte[]> contents = new HashMap<>();
+            trees.forEach(tree -> contents.put(tree, alone(tree)));
+            trees.sort((a, b) -> Arrays.compareUnsigned(contents.get(a), contents.get(b)));
+        }
+        return trees;
+    }
+
+    private byte[] alone(List<MissionState> tree) {
+        CanonicalNumbers numbers = new CanonicalNumbers(state.missions, tree);
+        ProtocolEncoder out = ProtocolEncoder.canonical(numbers::mission);
+        tree(tree, numbers, out);
+        return out.bytes();
+    }
+
+    private void tree(List<MissionState> tree, CanonicalNumbers numbers, ProtocolEncoder out) {
+        out.integer(tree.size());
+        CanonicalMission mission = new CanonicalMission(numbers, out);
+        tree.forEach(mission::write);
+        List<RunningTimer> timers =
+                state.timers.stream().filter(t -> rootOf(t) == tree.get(0)).toList();
+        out.integer(timers.size());
+        for (RunningTimer t : timers) {
+            out.number(t.due() - state.now);
+            out.flag(t.decision() != null);
+            out.number(numbers.activation((t.decision() == null ? t.sent() : t.decision().sent).activation.id()));
+            out.token(t.token() == null ? Token.GENERIC : t.token());
+        }
+    }
+
+    private static MissionState rootOf(RunningTimer t) {
+        return (t.decision() == null ? t.sent().mission() : t.decision().mission).root;
+    }
+
+    /** What the domain asks; there is one question of a kind about each. */
+    private void questions(ProtocolEncoder out) {
+        List<OpenDecision> asked = state.decisions.values().stream()
+                .filter(d -> d.purpose == OpenDecision.Purpose.DOMAIN)
+                .sorted(Comparator.comparing((OpenDecision d) -> d.decision.type())
+                        .thenComparing(d -> d.subject))
+                .toList();
+        out.integer(asked.size());
+        for (OpenDecision d : asked) {
+            out.text(d.subject);
+            write(d.decision, out);
+        }
+    }
+
+    /** A decision without its ids; its deadline is a timer. */
+    static void write(Decision d, ProtocolEncoder out) {
+        out.text(d.type());
+        out.text(d.prompt());
+        out.question(d.question());
+        out.flag(d.automatic().isPresent());
+        d.automatic().ifPresent(out::answer);
+        out.text(d.priority().name());
+    }
+}
