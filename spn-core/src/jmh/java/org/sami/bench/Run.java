@@ -39,13 +39,19 @@ final class Run {
 
     /** One answer of the next robot of the next mission. */
     List<Effect> next() {
+        Input input = answer();
+        turn = (turn + 1) % (open.length * open[0].length);
+        step(input);
+        return effects;
+    }
+
+    /** What {@link #next} will take. */
+    Input answer() {
         int mission = turn % open.length;
         int robot = turn / open.length % open[0].length;
-        turn = (turn + 1) % (open.length * open[0].length);
         Activation asked = open[mission][robot];
         List<String> named = robots == 0 ? List.of() : List.of(names.get(robot));
-        step(new Input.Received(Occurrence.answer("Done", asked, named, List.of(), Map.of())));
-        return effects;
+        return new Input.Received(Occurrence.answer("Done", asked, named, List.of(), Map.of()));
     }
 
     private void step(Input input) {

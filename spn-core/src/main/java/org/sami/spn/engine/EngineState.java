@@ -1,9 +1,8 @@
 package org.sami.spn.engine;
 
-import org.sami.spn.engine.codec.StateDecoder;
-import org.sami.spn.engine.codec.StateEncoder;
 import org.sami.spn.engine.rule.Rules;
 import org.sami.spn.engine.state.NetState;
+import org.sami.spn.engine.state.StateCopy;
 
 /**
  * Everything that an engine knows between two steps. Changed in place by {@link Engine#step}; {@link #copy()} gives an
@@ -19,7 +18,7 @@ public final class EngineState {
 
     /** An independent state that behaves in the same way for all further inputs. */
     public EngineState copy() {
-        return new EngineState(new StateDecoder(new StateEncoder().write(net)).read(net.project));
+        return new EngineState(StateCopy.of(net));
     }
 
     /** How many firings there were in the session. */

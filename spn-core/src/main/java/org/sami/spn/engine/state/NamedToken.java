@@ -19,4 +19,13 @@ public final class NamedToken {
         this.token = token;
         this.tokens = new Token[] {token};
     }
+
+    /** The same name in the copy of a state. */
+    NamedToken copy(PendingOccurrence pending) {
+        NamedToken n = new NamedToken(pending, token);
+        n.tokens = tokens; // replaced, never changed
+        n.struck = struck;
+        n.stood = stood;
+        return n;
+    }
 }

@@ -1,6 +1,7 @@
 package org.sami.spn.engine.state;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -40,19 +41,20 @@ public final class NetState {
     public final Map<String, Long> unwanted = new LinkedHashMap<>();
 
     /** Missions whose plans have an input event of a type, by number of the type; in order of their start. */
-    private final List<Map<Long, MissionState>> attentive = new ArrayList<>();
+    private final List<Map<Long, MissionState>> attentive;
 
     public NetState(CompiledProject project) {
         this.project = project;
         project.project.globals().forEach(v -> v.initial().ifPresent(value -> globals.put(v.name(), value)));
-        for (int i = 0; i < project.typeCount(); i++) {
-            attentive.add(new LinkedHashMap<>(4));
-        }
+        attentive = new ArrayList<>(Collections.nCopies(project.typeCount(), Map.of()));
     }
 
     public void add(MissionState mission) {
         missions.put(mission.id, mission);
         for (int type : mission.plan.inputTypes) {
+            if (attentive.get(type).isEmpty()) {
+                attentive.set(type, new LinkedHashMap<>(4));
+            }
             attentive.get(type).put(mission.id, mission);
         }
         if (mission.parent != null) {

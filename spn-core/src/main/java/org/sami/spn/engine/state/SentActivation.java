@@ -25,6 +25,18 @@ public final class SentActivation {
         this.hasTasks = activation.tokens().stream().anyMatch(Token.Task.class::isInstance);
     }
 
+    private SentActivation(SentActivation old, Visit visit) {
+        this.activation = old.activation;
+        this.visit = visit;
+        this.output = old.output;
+        this.hasTasks = old.hasTasks;
+    }
+
+    /** The same activation in the copy of a state, without decision and timers. */
+    SentActivation copy(Visit visit) {
+        return new SentActivation(this, visit);
+    }
+
     public MissionState mission() {
         return visit.place.mission;
     }

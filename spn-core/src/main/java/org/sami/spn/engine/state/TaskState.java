@@ -22,6 +22,19 @@ public final class TaskState {
         this.original = original;
     }
 
+    private TaskState(TaskState old, TaskState original) {
+        this.id = old.id;
+        this.taskClass = old.taskClass;
+        this.fields = old.fields;
+        this.original = original;
+        this.proxy = old.proxy;
+    }
+
+    /** The same task in the copy of a state; its fields never change. */
+    TaskState copy(TaskState original) {
+        return new TaskState(this, original);
+    }
+
     /** The robot it is allocated to, empty text where none. */
     public String proxy() {
         return original == null ? proxy : original.proxy();

@@ -1,0 +1,246 @@
+package org.sami.spn.engine.state;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.sami.spn.value.Value;
+
+/**
+ * Copies a whole state, object by object: what a step changes is made anew, what is immutable is shared. Makes what decoding
+ * the state's bytes would make; between two steps only. Used once.
+ */
+public final class StateCopy {
+    private final NetState from;
+    private final NetState to;
+    /** Visits that were copied, in parallel to their copies, and an index of them that is made when one is first asked for. */
+    private final List<Visit> copied = new ArrayList<>();
+
+    private final List<Visit> made = new ArrayList<>();
+    private final Map<Visit, Visit> copies = new HashMap<>();
+    /** Returns that pending occurrences tell; a visit's instance has its return in no list. Looked up only, never gone through. */
+    private final Map<Return, Return> returns = new HashMap<>();
+
+    private StateCopy(NetState from) {
+        this.from = from;
+        this.to = new NetState(from.project);
+    }
+
+    /** An independent state that behaves in the same way for all further inputs. */
+    public static NetState of(NetState state) {
+        return new StateCopy(state).copy();
+    }
+
+    private NetState copy() {
+        to.now = from.now;
+        to.lastMission = from.lastMission;
+        to.lastActivation = from.lastActivation;
+        to.lastVisit = from.lastVisit;
+        to.lastDecision = from.lastDecision;
+        to.lastTimer = from.lastTimer;
+        to.firings = from.firings;
+        to.stamp = from.stamp;
+        to.proxies.addAll(from.proxies);
+        to.globals.clear();
+        to.globals.putAll(from.globals);
+        to.memory.putAll(from.memory);
+        to.unwanted.putAll(from.unwanted);
+        from.missions.values().forEach(this::copy); // a parent stands before its children
+        from.decisions.values().forEach(this::copy);
+        from.timers.forEach(this::copy);
+        return to;
+    }
+
+    private void copy(MissionState old) {
+        MissionState parent = old.parent == null ? null : to.missions.get(old.parent.id);
+        Instance instance = old.instance == null ? null : instance(old.instance);
+        MissionState m = new MissionState(old.id, old.plan, old.name, parent, instance);
+        if (instance != null) {
+            instance.child = m;
+        }
+        m.status = old.status;
+        m.asked = old.asked;
+        m.variables = changeable(old.variables);
+        m.memory = changeable(old.memory);
+        m.parameters = old.parameters; // replaced, never changed
+        m.returnValue = old.returnValue;
+        m.generatedTasks = old.generatedTasks;
+        to.add(m);
+        for (TaskState task : old.tasks.values()) {
+            m.addTask(task.copy(task.original == null ? null : to.task(task.original.id)));
+        }
+        old.waiting.forEach(m::addWaiting);
+        copyShared(old, m);
+        for (Visit v = old.firstVisit(); v != null; v = v.next) {
+            copy(v);
+        }
+        copyEndedVisits(old, m);
+        copyPending(old, m);
+    }
+
+    private static Map<String, Value> changeable(Map<String, Value> values) {
+        return values.isEmpty() ? Map.of() : new LinkedHashMap<>(values);
+    }
+
+    private void copyShared(MissionState old, MissionState m) {
+        if (!old.plan.hasShared) {
+            return;
+        }
+        for (PlaceState place : old.places) {
+            if (place == null || place.shared.length == 0) {
+                continue;
+            }
+            PlaceState copy = m.place(place.place.index);
+            copy.shared = new SharedRun[place.shared.length];
+            for (int i = 0; i < copy.shared.length; i++) {
+                SharedRun run = place.shared[i];
+                copy.shared[i] = new SharedRun(copy(run.instance, null, copy));
+                for (Return r : run.returns) {
+                    Return told = new Return(copy.shared[i].instance, r.tokens, r.value);
+                    returns.put(r, told);
+                    copy.shared[i].returns.add(told);
+                }
+            }
+        }
+    }
+
+    /** The copy of a visit; of one that has ended it is made when first asked for. */
+    private Visit visit(Visit wanted) {
+        for (int i = copies.size(); i < copied.size(); i++) {
+            copies.put(copied.get(i), made.get(i));
+        }
+        Visit copy = copies.get(wanted);
+        return copy != null ? copy : copy(wanted);
+    }
+
+    private Visit copy(Visit old) {
+        MissionState m = to.missions.get(old.place.mission.id);
+        PlaceState place = m.place(old.place.place.index);
+        Visit v = new Visit(old.id, place, old.entered);
+        v.ended = old.ended;
+        v.held = old.held;
+        v.used = old.used;
+        v.remembered = old.remembered;
+        copied.add(old);
+        made.add(v);
+        if (!old.ended && old.hasInstances()) {
+            v.instances = new ArrayList<>(old.instances.size());
+            place.addInstanceVisit(v);
+            for (Instance instance : old.instances) {
+                v.instances.add(copy(instance, v, place));
+            }
+        }
+        for (SentActivation s : old.sent) {
+            SentActivation sent = s.copy(v);
+            sent.open = !old.ended;
+            v.sent.add(sent);
+            if (!old.ended || old.remembered > 0) {
+                to.sent.put(sent.activation.id(), sent);
+            }
+        }
+        if (!old.ended) {
+            m.addVisit(v);
+            if (v.byNobody) {
+                place.nobody.add(v);
+            }
+            for (PlacedToken e = old.first; e != null; e = e.nextOfVisit) {
+                v.enter(e.token, e.order);
+            }
+        }
+        return v;
+    }
+
+    private static Instance copy(Instance old, Visit visit, PlaceState place) {
+        Instance i = new Instance(visit, place, old.specIndex, old.starting);
+        i.status = old.status;
+        i.returned.addAll(old.returned);
+        i.returnValue = old.returnValue;
+        return i;
+    }
+
+    private void copyEndedVisits(MissionState old, MissionState m) {
+        for (PlaceState place : old.places) {
+            if (place != null && place.lastVisits != null && !place.lastVisits.isEmpty()) {
+                PlaceState copy = m.place(place.place.index);
+                copy.lastVisits = new LinkedHashMap<>();
+                place.lastVisits.forEach((token, v) -> copy.lastVisits.put(token, visit(v)));
+            }
+        }
+    }
+
+    private void copyPending(MissionState old, MissionState m) {
+        for (TransitionState t : old.transitions) {
+            if (t == null || t.pending == 0) {
+                continue;
+            }
+            TransitionState copy = m.transition(t.transition.index);
+            for (TransitionState.Queue q : t.queues) {
+                for (PendingOccurrence p = q.first; p != null; p = p.next) {
+                    copy.add(copy(p));
+                }
+            }
+        }
+    }
+
+    private PendingOccurrence copy(PendingOccurrence old) {
+        PendingOccurrence p = old.told != null
+                ? new PendingOccurrence(old.occurrence, old.input, told(old.told))
+                : new PendingOccurrence(
+                        old.occurrence, old.input, sent(old.answered), old.bound == null ? null : visit(old.bound));
+        p.names = new NamedToken[old.names.length];
+        for (int i = 0; i < p.names.length; i++) {
+            p.names[i] = old.names[i].copy(p);
+        }
+        p.namesLeft = old.namesLeft;
+        return p;
+    }
+
+    private Return told(Return old) {
+        Return made = returns.get(old);
+        if (made == null) {
+            made = new Return(instance(old.instance), old.tokens, old.value);
+            returns.put(old, made);
+        }
+        return made;
+    }
+
+    private Instance instance(Instance old) {
+        return old.isShared()
+                ? to.missions.get(old.place.mission.id).place(old.place.place.index).shared[old.specIndex].instance
+                : visit(old.visit).instances.get(old.specIndex);
+    }
+
+    private SentActivation sent(SentActivation old) {
+        return old == null ? null : visit(old.visit).sent.get(old.visit.sent.indexOf(old));
+    }
+
+    private void copy(OpenDecision old) {
+        MissionState m = old.mission == null ? null : to.missions.get(old.mission.id);
+        SentActivation sent = sent(old.sent);
+        Instance instance = old.instance == null ? null : instance(old.instance);
+        OpenDecision d = new OpenDecision(old.decision, old.purpose, m, sent, instance, old.subject);
+        to.decisions.put(d.decision.id(), d);
+        if (m != null) {
+            m.addDecision(d);
+        }
+        if (sent != null && d.purpose == OpenDecision.Purpose.ACTIVATION) {
+            sent.decision = d;
+        }
+    }
+
+    private void copy(RunningTimer old) {
+        SentActivation sent = sent(old.sent());
+        OpenDecision decision = old.decision() == null
+                ? null
+                : to.decisions.get(old.decision().decision.id());
+        RunningTimer timer = new RunningTimer(old.due(), old.id(), sent, old.token(), decision);
+        to.timers.add(timer);
+        if (sent != null) {
+            sent.add(timer);
+        }
+        if (decision != null) {
+            decision.deadline = timer;
+        }
+    }
+}
