@@ -93,6 +93,12 @@ final class BoatNews implements BoatListener {
                         .toList());
     }
 
+    /** If it comes again, it joins again where it was dropped meanwhile. */
+    @Override
+    public void onRetired(String boatId) {
+        joined.remove(boatId);
+    }
+
     @Override
     public void onRestarted(BoatStatus status) {
         tell(

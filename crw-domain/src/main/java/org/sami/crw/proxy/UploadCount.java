@@ -9,7 +9,17 @@ package org.sami.crw.proxy;
  * @param failed given up before that, for whatever reason
  */
 public record UploadCount(int sent, int acknowledged, int readBackEqual, int failed) {
-    static final UploadCount NONE = new UploadCount(0, 0, 0, 0);
+    /** None. */
+    public static final UploadCount NONE = new UploadCount(0, 0, 0, 0);
+
+    /** These and others. */
+    public UploadCount and(UploadCount others) {
+        return new UploadCount(
+                sent + others.sent,
+                acknowledged + others.acknowledged,
+                readBackEqual + others.readBackEqual,
+                failed + others.failed);
+    }
 
     UploadCount oneMore(Upload.State reached) {
         return switch (reached) {

@@ -13,6 +13,9 @@ public interface BaseListener {
     /** The proxy of a boat that was found is there, and can be given commands. */
     default void onBoat(BoatProxy proxy) {}
 
+    /** A boat is reached at an address from now on: at its first one, or again. */
+    default void onReached(String boatId, InetSocketAddress at) {}
+
     /** A boat is reached at another address from now on. */
     default void onMoved(String boatId, InetSocketAddress from, InetSocketAddress to) {}
 

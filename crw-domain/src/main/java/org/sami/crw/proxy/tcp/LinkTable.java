@@ -218,6 +218,7 @@ final class LinkTable {
             }
             BoatProxy proxy = proxies.find(boatId).orElseGet(() -> make(boatId));
             carriers.put(boatId, link);
+            LinkTable.this.tell("a boat that is reached", () -> listener.onReached(boatId, link.address()));
             link.carry(proxy, nowMs);
         }
 
@@ -245,6 +246,7 @@ final class LinkTable {
             left.remove(to);
             forgetAlarms(boatId);
             LinkTable.this.tell("a boat that moved", () -> listener.onMoved(boatId, from.address(), to.address()));
+            LinkTable.this.tell("a boat that is reached", () -> listener.onReached(boatId, to.address()));
             to.carry(proxies.find(boatId).orElseThrow(), nowMs);
         }
 

@@ -22,6 +22,7 @@ import org.sami.crw.service.Geodesy;
 import org.sami.crw.sim.report.RunOrigin;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.resume.ConnectedJournal;
 import org.sami.crw.sim.resume.EarlierProcesses;
 import org.sami.crw.sim.resume.ResumedJournal;
 import org.sami.crw.sim.resume.RunRecord;
@@ -37,8 +38,7 @@ import org.sami.crw.sim.run.RunPlan;
 import org.sami.crw.sim.run.RunSettings;
 import org.sami.crw.sim.run.Site;
 import org.sami.crw.sim.tcp.BoatsNotReadyException;
-import org.sami.crw.sim.tcp.SessionJournal;
-import org.sami.crw.sim.tcp.SessionStart;
+import org.sami.crw.sim.tcp.RunProcess;
 import org.sami.crw.sim.tcp.TcpRun;
 import org.sami.crw.sim.tcp.UnknownBoatException;
 import org.sami.spn.journal.JournalReader;
@@ -151,8 +151,8 @@ final class Execution {
 
     private int runConnected(RunPlan plan, RunRecord record, AnswersFile answers, Path journal) throws IOException {
         RunSettings settings = record.settings();
-        try (SessionJournal session =
-                journal == null ? SessionJournal.none() : SessionJournal.create(journal, record)) {
+        try (ConnectedJournal session =
+                journal == null ? ConnectedJournal.none() : ConnectedJournal.create(journal, record)) {
             if (journal != null) {
                 tellJournal(journal);
             }
@@ -171,8 +171,8 @@ final class Execution {
         return (observer, lines) -> run.run(Pacer.of(settings.speed()), observer);
     }
 
-    private Mission connected(RunPlan plan, RunSettings settings, AnswersFile answers, SessionJournal journal) {
-        SessionStart start = SessionStart.ofThisProcess(connectWithinMillis);
+    private Mission connected(RunPlan plan, RunSettings settings, AnswersFile answers, ConnectedJournal journal) {
+        RunProcess start = RunProcess.ofThisProcess(connectWithinMillis);
         return (observer, lines) -> {
             try {
                 return new TcpRun(plan, settings, answers, journal, start, lines).run(observer);
@@ -263,7 +263,7 @@ final class Execution {
     }
 
     private int resumeConnected(Path journal, UnaryOperator<RunSettings> change) throws IOException {
-        try (SessionJournal resumed = SessionJournal.open(journal)) {
+        try (ConnectedJournal resumed = ConnectedJournal.open(journal)) {
             RunPlan plan = plan(resumed.record());
             RunSettings settings = change.apply(beyondItsLimit(resumed));
             tellDifferences(resumed);
@@ -273,7 +273,7 @@ final class Execution {
                     connected(plan, settings, answers, resumed),
                     resumed.record().with(settings),
                     journal);
-            tellIfOver(code, resumed.added());
+            tellIfOver(code, resumed.session().added());
             return code;
         }
     }

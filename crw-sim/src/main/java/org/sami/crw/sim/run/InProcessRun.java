@@ -1,6 +1,7 @@
 package org.sami.crw.sim.run;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -9,8 +10,12 @@ import java.util.function.Function;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.OperatorDefaults;
 import org.sami.crw.decision.SimulatedOperator;
+import org.sami.crw.handler.CrwServices;
 import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.session.ScheduledHostClock;
+import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionJournal;
+import org.sami.crw.session.SessionRuntime;
+import org.sami.crw.session.SessionSetup;
 import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.fleet.SimulatedBoat;
 import org.sami.crw.sim.report.BoatResult;
@@ -46,11 +51,12 @@ public final class InProcessRun {
     private final RunJournal journal;
     private final LoopExecutor executor = new LoopExecutor();
     private final VirtualClock clock = new VirtualClock();
-    private final SimulatedBoatConnector harbour;
     private final SimulatedWater water;
     private final SimulatedOperatorDriver operator;
     private final InterruptScheduler interrupts;
-    private final BaseStation base;
+    private final Session session;
+    private final RunNotes notes = new RunNotes(line -> {});
+    private final ReadingRecorder readings = new ReadingRecorder();
     private final RunRecorder recorder;
     private final VisitRecorder visits = new VisitRecorder();
     private final TrackRecorder tracks = new TrackRecorder();
@@ -74,11 +80,12 @@ public final class InProcessRun {
         this.journal = journal;
         parameters = new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
         RunSettings.Fleet fleet = settings.fleet();
-        harbour = new SimulatedBoatConnector();
-        base = new BaseStation(plan, journal.inputs(), new ScheduledHostClock(clock), executor, harbour);
-        water = new SimulatedWater(clock, fleet, boat -> base.boatListener());
-        harbour.open(water, base);
-        base.know(water.fleet().proxies());
+        SimulatedBoatConnector connector = new SimulatedBoatConnector(executor);
+        session = open(plan, journal, new SessionRuntime.OneThread(clock, executor, connector));
+        session.addListener(notes);
+        session.addListener(readings);
+        water = new SimulatedWater(clock, fleet, connector::listenerOf);
+        connector.launch(water);
         OperatorDefaults defaults = new OperatorDefaults(
                 water.quay(),
                 fleet.site().centreInProcess(),
@@ -93,15 +100,28 @@ public final class InProcessRun {
                         .read(settings.interrupts(), fleet.boatNames()),
                 clock);
         recorder = new RunRecorder(plan.project());
-        base.host().addListener(recorder);
-        base.host().addListener(operator);
-        base.host().addListener(new LocationListener(visits, water.plane()));
-        base.host().addListener(interrupts);
+        session.addListener(recorder);
+        session.addOperator(operator);
+        session.addListener(new LocationListener(visits, water.plane()));
+        session.addListener(interrupts);
         map = new PlanMap(water.plane());
-        base.host().addListener(map);
-        operator.connect(base.host());
-        interrupts.connect(base.host());
-        stall = new StallDetector(base.host(), plan, operator, interrupts, recorder);
+        session.addListener(map);
+        operator.connect(session);
+        interrupts.connect(session.host());
+        stall = new StallDetector(session.host(), plan, operator, interrupts, recorder);
+    }
+
+    private static Session open(RunPlan plan, RunJournal journal, SessionRuntime world) {
+        try {
+            return Session.open(new SessionSetup(
+                    plan.vocabulary(),
+                    plan.project(),
+                    SessionJournal.over(journal.inputs()),
+                    CrwServices.STANDARD,
+                    world));
+        } catch (IOException noFile) {
+            throw new UncheckedIOException(noFile); // it reads none
+        }
     }
 
     /**
@@ -125,12 +145,13 @@ public final class InProcessRun {
                         interrupts.results(),
                         messages())
                 .withMap(map.map(results, visits.locations()))
-                .withReadings(base.readings().readings())
+                .withReadings(readings.readings())
                 .withWaits(outcome.isOver() ? List.of() : ask(view -> BlockedPlaces.of(plan, view)));
     }
 
     private List<NoteResult> messages() {
-        List<NoteResult> all = new ArrayList<>(base.messages());
+        List<NoteResult> all = new ArrayList<>(notes.all());
+        all.addAll(readings.notes(now()));
         all.addAll(operator.notes());
         all.addAll(tracks.notes(now()));
         return all;
@@ -162,12 +183,12 @@ public final class InProcessRun {
 
     /** Somebody else watches the engine. To be called before it runs. */
     public void addListener(HostListener listener) {
-        base.host().addListener(listener);
+        session.addListener(listener);
     }
 
     /** Asks the engine's state, between or after runs. */
     public <T> T ask(Function<EngineView, T> question) {
-        return base.host().ask(question);
+        return session.host().ask(question);
     }
 
     /** What the simulated operator could not answer, in words, oldest first. */
@@ -182,7 +203,7 @@ public final class InProcessRun {
 
     /** The engine's host, for tests. */
     EngineHost host() {
-        return base.host();
+        return session.host();
     }
 
     /** Lets the world go on without the mission: what boats do when nobody wants anything of them any more. */
@@ -196,6 +217,7 @@ public final class InProcessRun {
     }
 
     private void begin(RunObserver observer) {
+        session.begin();
         repeat(LOOK_MILLIS, () -> {
             visits.look(now(), water.boats());
             observer.progress().accept(progress());
@@ -262,7 +284,7 @@ public final class InProcessRun {
     private void startWhenAllAreThere() {
         if (!started && recorder.boatsJoined() == settings.fleet().boats() && positionsAreKnown()) {
             started = true;
-            base.host().post(new Input.StartMission(plan.plan().id(), settings.mission(), parameters));
+            session.host().post(new Input.StartMission(plan.plan().id(), settings.mission(), parameters));
             executor.drain();
         } else if (!started && now() > JOIN_MILLIS) {
             fail("only " + recorder.boatsJoined() + " of " + settings.fleet().boats() + " boats answered");
@@ -276,7 +298,7 @@ public final class InProcessRun {
     }
 
     private Optional<RunOutcome> outcome() {
-        HostStatus status = base.host().status();
+        HostStatus status = session.host().status();
         if (status.kind() == HostStatus.Kind.FAILED) {
             fail(status.reason());
         }

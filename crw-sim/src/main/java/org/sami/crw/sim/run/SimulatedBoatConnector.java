@@ -6,8 +6,17 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
-import org.sami.crw.proxy.BoatConnector;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.tcp.BaseListener;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.proxy.tcp.LinkReport;
+import org.sami.crw.session.FleetConnector;
 import org.sami.crw.sim.fleet.SimulatedFleet;
 import org.sami.spn.value.GeoPoint;
 
@@ -15,15 +24,84 @@ import org.sami.spn.value.GeoPoint;
  * Where boats of a run in process come from while it runs: behind each server's address lies one simulated boat, on the line
  * beside the others, which joins when a plan first connects to it. Nothing is sent to the address.
  */
-final class SimulatedBoatConnector implements BoatConnector {
+final class SimulatedBoatConnector implements FleetConnector {
+    private final Executor executor;
+    private final ProxyRegistry boats = new ProxyRegistry();
     private final Map<String, String> boatOfServer = new LinkedHashMap<>();
+    private Optional<BaseListener> listener = Optional.empty();
     private Optional<SimulatedWater> water = Optional.empty();
-    private Optional<BaseStation> base = Optional.empty();
 
-    /** There is water, and a base that gets to know boats; before the first plan runs. */
-    void open(SimulatedWater newWater, BaseStation newBase) {
+    SimulatedBoatConnector(Executor executor) {
+        this.executor = executor;
+    }
+
+    @Override
+    public void open(BaseListener newListener) {
+        listener = Optional.of(newListener);
+    }
+
+    /** What the base hears of a boat. */
+    BoatListener listenerOf(String boat) {
+        return listener.orElseThrow().found(boat);
+    }
+
+    /** There is water, with its boats; before the first plan runs. */
+    void launch(SimulatedWater newWater) {
         water = Optional.of(newWater);
-        base = Optional.of(newBase);
+        meetNewBoats();
+    }
+
+    private void meetNewBoats() {
+        for (BoatProxy boat : fleet().proxies().all()) {
+            if (boats.find(boat.boatId()).isEmpty()) {
+                boats.add(boat);
+                listener.orElseThrow().onBoat(boat);
+            }
+        }
+    }
+
+    @Override
+    public Executor executor() {
+        return executor;
+    }
+
+    @Override
+    public ProxyRegistry boats() {
+        return boats;
+    }
+
+    @Override
+    public void expect(String boat) {
+        // Every boat of this world is there from the start, or made when it is wanted.
+    }
+
+    @Override
+    public CompletionStage<Boolean> disconnect(String boat) {
+        Optional<BoatProxy> known = boats.find(boat);
+        known.ifPresent(proxy -> {
+            boats.remove(boat);
+            proxy.retire("the boat has been removed");
+            proxy.disconnect();
+            listener.orElseThrow().onRemoved(boat);
+        });
+        return CompletableFuture.completedFuture(known.isPresent());
+    }
+
+    @Override
+    public CompletionStage<Boolean> disconnect(BoatAddress address) {
+        return Optional.ofNullable(boatOfServer.get(address.toString()))
+                .map(this::disconnect)
+                .orElseGet(() -> CompletableFuture.completedFuture(false));
+    }
+
+    @Override
+    public CompletionStage<List<LinkReport>> links() {
+        return CompletableFuture.completedFuture(List.of());
+    }
+
+    @Override
+    public void close() {
+        boats.all().forEach(BoatProxy::disconnect);
     }
 
     @Override
@@ -38,6 +116,11 @@ final class SimulatedBoatConnector implements BoatConnector {
             known = unused(wanted.name());
             join(known, fleet.boats().size() * SimulatedFleet.SPACING_M, 0);
             boatOfServer.put(server, known);
+        }
+        BoatProxy boat = fleet().boat(known).orElseThrow().proxy();
+        if (boats.find(known).isEmpty()) {
+            boats.add(boat);
+            boat.reconnect();
         }
         found.accept(known);
     }
@@ -70,7 +153,7 @@ final class SimulatedBoatConnector implements BoatConnector {
             throw new IllegalArgumentException("a run has at most " + RunSettings.Fleet.MOST_BOATS + " boats");
         }
         fleet().join(id, eastM, northM);
-        base.orElseThrow().know(fleet().proxies());
+        meetNewBoats();
     }
 
     private String unused(String wanted) {

@@ -1,15 +1,18 @@
 package org.sami.crw.sim.tcp;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import org.sami.boat.server.LocalFrame;
-import org.sami.crw.sim.report.LinkResult;
-import org.sami.crw.sim.report.NoteResult;
-import org.sami.crw.sim.report.ReadingResult;
+import org.sami.crw.proxy.UploadCount;
+import org.sami.crw.session.FleetStatus;
+import org.sami.crw.session.SensorValue;
+import org.sami.crw.session.SessionNote;
+import org.sami.crw.session.SessionTelemetry;
+import org.sami.crw.sim.run.RunNotes;
 import org.sami.crw.sim.run.TrackRecorder;
 import org.sami.crw.sim.run.VisitRecorder;
 import org.sami.spn.journal.TelemetryRow;
@@ -19,32 +22,32 @@ import org.sami.spn.value.GeoPoint;
  * What earlier processes of a run wrote beside the inputs. How links went and what was told is taken up at once; tracks and visits
  * when the area and its locations are known ({@link #takeUp}).
  */
-final class EarlierRun implements SessionNotes.Reader {
-    private final FleetStatus desk;
-    private final OperatorNotices notices;
+final class EarlierRun implements SessionTelemetry.Reader {
+    private final FleetStatus status;
+    private final RunNotes notices;
     private final List<Pose> poses = new ArrayList<>();
     private final List<Visit> visits = new ArrayList<>();
-    private final List<ReadingResult> readings = new ArrayList<>();
+    private final List<SensorValue> readings = new ArrayList<>();
     private final List<String> leftOut;
-    private Optional<SessionArea> area = Optional.empty();
+    private Optional<RunArea> area = Optional.empty();
 
     private record Pose(long atMillis, String boat, FleetStatus.Told told, double distanceM) {}
 
     private record Visit(long atMillis, String boat, GeoPoint location) {}
 
-    EarlierRun(List<TelemetryRow> rows, FleetStatus desk, OperatorNotices notices) {
-        this.desk = desk;
+    EarlierRun(List<TelemetryRow> rows, FleetStatus status, RunNotes notices) {
+        this.status = status;
         this.notices = notices;
-        leftOut = SessionNotes.read(rows, this);
+        leftOut = SessionTelemetry.read(rows, this);
     }
 
     /** The area, if the boats had answered and it is still known. */
-    Optional<SessionArea> area() {
+    Optional<RunArea> area() {
         return area;
     }
 
     /** The area that was told otherwise. */
-    void know(SessionArea found) {
+    void know(RunArea found) {
         area = Optional.of(found);
     }
 
@@ -66,13 +69,12 @@ final class EarlierRun implements SessionNotes.Reader {
     /**
      * Puts in where boats were and what they visited.
      *
-     * @param plane around the area's centre
      * @param recorder knows the locations
      */
-    void takeUp(LocalFrame plane, TrackRecorder tracks, VisitRecorder recorder) {
+    void takeUp(RunBoats boats, TrackRecorder tracks, VisitRecorder recorder) {
         for (Pose pose : poses) {
-            desk.restored(pose.boat, pose.told, pose.distanceM);
-            desk.state(pose.boat, plane).forEach(boat -> tracks.add(new TrackRecorder.Noted(pose.atMillis, boat)));
+            status.restored(pose.boat, pose.told, pose.distanceM);
+            boats.find(pose.boat).ifPresent(boat -> tracks.add(new TrackRecorder.Noted(pose.atMillis, boat)));
         }
         for (Visit visit : visits) {
             recorder.visited(visit.location.latDeg(), visit.location.lonDeg(), visit.atMillis, visit.boat);
@@ -80,25 +82,25 @@ final class EarlierRun implements SessionNotes.Reader {
     }
 
     /** What boats had measured, in order of time. */
-    List<ReadingResult> readings() {
-        List<ReadingResult> inOrder = new ArrayList<>(readings);
-        inOrder.sort(Comparator.comparingLong(ReadingResult::atMillis));
+    List<SensorValue> readings() {
+        List<SensorValue> inOrder = new ArrayList<>(readings);
+        inOrder.sort(Comparator.comparingLong(SensorValue::atMillis));
         return inOrder;
     }
 
     @Override
-    public void reading(ReadingResult reading) {
+    public void reading(SensorValue reading) {
         readings.add(reading);
     }
 
     @Override
     public void begun() {
-        desk.begunAnew();
+        status.begunAnew();
     }
 
     @Override
-    public void area(SessionArea found) {
-        area = Optional.of(found);
+    public void other(TelemetryRow row, JsonNode json) {
+        RunArea.noted(row, json).ifPresent(this::know);
     }
 
     @Override
@@ -113,31 +115,31 @@ final class EarlierRun implements SessionNotes.Reader {
 
     @Override
     public void linked(String boat, String bootId) {
-        desk.linked(boat, bootId);
+        status.linked(boat, bootId);
     }
 
     @Override
     public void lost(String boat) {
-        desk.lost(boat);
+        status.lost(boat);
     }
 
     @Override
     public void address(String boat, String address) {
-        desk.isAt(boat, address);
+        status.isAt(boat, address);
     }
 
     @Override
-    public void uploads(String boat, LinkResult.Uploads uploads) {
-        desk.uploaded(boat, uploads);
+    public void uploads(String boat, UploadCount uploads) {
+        status.uploaded(boat, uploads);
     }
 
     @Override
     public void why(String boat, String text) {
-        desk.explained(boat, text, false);
+        status.explained(boat, text, false);
     }
 
     @Override
-    public void message(NoteResult note) {
-        notices.restored(note);
+    public void message(SessionNote note) {
+        notices.keep(note);
     }
 }

@@ -8,7 +8,7 @@ import java.util.function.LongSupplier;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
-import org.sami.crw.proxy.tcp.TcpBase;
+import org.sami.crw.session.Fleet;
 
 /**
  * Waits, for a bounded time, until every boat has answered, takes commands from this base, and has said where it is. For the
@@ -17,16 +17,12 @@ import org.sami.crw.proxy.tcp.TcpBase;
 final class FleetReadiness {
     private static final long LOOK_MS = 50;
 
-    private final TcpBase base;
+    private final Fleet fleet;
     private final List<BoatAddress> addresses;
-    private final FleetStatus desk;
-    private final SessionNotes notes;
 
-    FleetReadiness(TcpBase base, List<BoatAddress> addresses, FleetStatus desk, SessionNotes notes) {
-        this.base = base;
+    FleetReadiness(Fleet fleet, List<BoatAddress> addresses) {
+        this.fleet = fleet;
         this.addresses = addresses;
-        this.desk = desk;
-        this.notes = notes;
     }
 
     /**
@@ -37,7 +33,7 @@ final class FleetReadiness {
      * @throws InterruptedException if somebody wants an end
      */
     List<String> await(LongSupplier clockMs, long withinMs) throws InterruptedException {
-        addresses.forEach(address -> base.connect(address.toSocketAddress()));
+        addresses.forEach(fleet::connect);
         long end = clockMs.getAsLong() + withinMs;
         List<String> missing = look();
         while (!missing.isEmpty() && clockMs.getAsLong() < end) {
@@ -47,16 +43,15 @@ final class FleetReadiness {
         return missing;
     }
 
-    /** Keeps which address leads to which boat; returns what keeps boats from being ready. */
+    /** What keeps boats from being ready. */
     List<String> look() {
-        List<LinkReport> links = base.links().join();
+        List<LinkReport> links = links();
         List<String> missing = new ArrayList<>();
         for (BoatAddress address : addresses) {
             Optional<LinkReport> link = links.stream()
                     .filter(report -> isAt(report.address(), address))
                     .findFirst();
             Optional<String> boat = link.flatMap(LinkReport::boatId);
-            boat.ifPresent(id -> keep(id, address));
             String obstacle = boat.map(this::obstacle)
                     .orElse("does not answer"
                             + link.map(FleetReadiness::lastEvent).orElse(""));
@@ -69,7 +64,7 @@ final class FleetReadiness {
 
     /** The boats that have answered, in the order of their addresses. */
     List<String> boats() {
-        List<LinkReport> links = base.links().join();
+        List<LinkReport> links = links();
         return addresses.stream()
                 .flatMap(address -> links.stream()
                         .filter(report -> isAt(report.address(), address))
@@ -88,15 +83,13 @@ final class FleetReadiness {
         return link.lastEvent().isEmpty() ? "" : " (" + link.lastEvent() + ")";
     }
 
-    private void keep(String boat, BoatAddress address) {
-        if (desk.isAt(boat, address.toString())) {
-            notes.address(boat, address.toString());
-        }
+    private List<LinkReport> links() {
+        return fleet.links().toCompletableFuture().join();
     }
 
     private String obstacle(String boat) {
-        return base.query(
-                        boats -> boats.find(boat).map(FleetReadiness::obstacle).orElse("it is gone"))
+        return fleet.ask(boats -> boats.find(boat).map(FleetReadiness::obstacle).orElse("it is gone"))
+                .toCompletableFuture()
                 .join();
     }
 

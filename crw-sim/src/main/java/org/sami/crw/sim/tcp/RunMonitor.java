@@ -6,17 +6,23 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.sami.boat.server.LocalFrame;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.OperatorDefaults;
 import org.sami.crw.decision.SimulatedOperator;
+import org.sami.crw.session.FleetStatus;
+import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionListener;
 import org.sami.crw.sim.clock.CatchUpScheduler;
 import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.resume.ConnectedJournal;
 import org.sami.crw.sim.run.BlockedPlaces;
 import org.sami.crw.sim.run.BoatState;
 import org.sami.crw.sim.run.InterruptScheduler;
@@ -24,7 +30,9 @@ import org.sami.crw.sim.run.LocationListener;
 import org.sami.crw.sim.run.PlanInterrupts;
 import org.sami.crw.sim.run.PlanMap;
 import org.sami.crw.sim.run.PlannedInterrupt;
+import org.sami.crw.sim.run.ReadingRecorder;
 import org.sami.crw.sim.run.ReportBuilder;
+import org.sami.crw.sim.run.RunNotes;
 import org.sami.crw.sim.run.RunPlan;
 import org.sami.crw.sim.run.RunProgress;
 import org.sami.crw.sim.run.RunRecorder;
@@ -40,8 +48,11 @@ import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 
-/** Starts the run's mission, watches it and its boats, and knows when it is over. For the engine's thread, but where said. */
-final class RunMonitor {
+/**
+ * Starts the run's mission, listens to its session, and knows when it is over. For the engine's thread from {@link #begin} to its end,
+ * but where said.
+ */
+final class RunMonitor implements SessionListener {
     private static final long LOOK_MS = 200;
     private static final long TRACK_MS = 1000;
     private static final long STALL_MS = 1000;
@@ -49,9 +60,11 @@ final class RunMonitor {
     private final RunPlan plan;
     private final RunSettings settings;
     private final Map<String, Value> parameters;
-    private final SessionJournal journal;
-    private final TcpRuntime station;
+    private final ConnectedJournal journal;
+    private final Session session;
+    private final RunNotes notes;
     private final LocalFrame plane;
+    private final RunBoats fleet;
     private final CatchUpScheduler clock = new CatchUpScheduler();
     private final SimulatedOperatorDriver operator;
     private final InterruptScheduler interrupts;
@@ -61,8 +74,11 @@ final class RunMonitor {
     private final StallDetector stall;
     private final LocationListener locations;
     private final PlanMap map;
+    private final ReadingRecorder readings = new ReadingRecorder();
+    private final CountDownLatch over = new CountDownLatch(1);
     private Map<String, FleetStatus.Told> toldBefore = Map.of(); // a track period ago, by boat
     private Optional<String> fault = Optional.empty();
+    private Optional<RunOutcome> ended = Optional.empty();
     private boolean started;
     private volatile boolean stopAsked;
     private volatile RunProgress progress;
@@ -78,30 +94,35 @@ final class RunMonitor {
             RunSettings settings,
             Map<String, Value> parameters,
             AnswersFile answers,
-            SessionJournal journal,
-            TcpRuntime station,
-            SessionArea area)
+            ConnectedJournal journal,
+            Session session,
+            RunNotes notes,
+            RunArea area)
             throws UnknownBoatException {
         this.plan = plan;
         this.settings = settings;
         this.parameters = parameters;
         this.journal = journal;
-        this.station = station;
+        this.session = session;
+        this.notes = notes;
         GeoPoint centre = area.centre();
         plane = new LocalFrame(centre.latDeg(), centre.lonDeg());
-        RunSettings.Fleet fleet = settings.fleet();
-        OperatorDefaults defaults = new OperatorDefaults(centre, fleet.areaM(), fleet.locations(), fleet.seed());
+        fleet = new RunBoats(session.fleet().status(), plane);
+        RunSettings.Fleet size = settings.fleet();
+        OperatorDefaults defaults = new OperatorDefaults(centre, size.areaM(), size.locations(), size.seed());
         operator = new SimulatedOperatorDriver(
                 new SimulatedOperator(plan.vocabulary(), defaults, answers), clock, settings.answerAfterMillis());
         interrupts = new InterruptScheduler(planned(plan, settings, area), clock);
         recorder = new RunRecorder(plan.project());
         locations = new LocationListener(visits, plane);
         map = new PlanMap(plane);
-        stall = new StallDetector(station.host(), plan, operator, interrupts, recorder);
+        stall = new StallDetector(session.host(), plan, operator, interrupts, recorder);
         progress = progress();
+        session.addOperator(operator);
+        session.addListener((SessionListener) readings);
     }
 
-    private static List<PlannedInterrupt> planned(RunPlan plan, RunSettings settings, SessionArea area)
+    private static List<PlannedInterrupt> planned(RunPlan plan, RunSettings settings, RunArea area)
             throws UnknownBoatException {
         try {
             return new PlanInterrupts(plan.vocabulary(), plan.project(), plan.plan())
@@ -113,20 +134,20 @@ final class RunMonitor {
 
     /** Takes in what happened in earlier processes; before anything happens in this one. */
     void catchUp(EarlierRun earlier) throws IOException {
-        journal.replay(station.engine(), (index, atMillis, input, effects, view) -> {
+        session.replay((index, atMillis, input, effects, view) -> {
             clock.advanceTo(atMillis);
             for (HostListener listener : listeners()) {
                 listener.onStep(index, atMillis, input, effects, view);
             }
         });
         clock.advanceTo(journal.cameToMillis());
-        earlier.takeUp(plane, tracks, visits);
-        station.restore(earlier.readings());
+        earlier.takeUp(fleet, tracks, visits);
+        earlier.readings().forEach(readings::onReading);
         started = recorder.root().isPresent();
     }
 
     private List<HostListener> listeners() {
-        return List.of(recorder, operator, locations, interrupts, map);
+        return List.of(recorder, locations, interrupts, map);
     }
 
     /** Whether the mission began in an earlier process. */
@@ -141,22 +162,54 @@ final class RunMonitor {
 
     /** Begins; from now on everything happens on the engine's thread. */
     void begin() {
-        listeners().forEach(station.host()::addListener);
-        clock.goLive(station.loop());
-        operator.connect(station.host());
-        interrupts.connect(station.host());
-        station.ear()
-                .tellArrivals((boat, points, at) ->
-                        station.loop().execute(() -> points.forEach(point -> arrived(boat, point, at))));
-        station.host().resume();
-        station.loop().every(LOOK_MS, this::look);
-        station.loop().every(TRACK_MS, this::track);
-        station.loop().every(STALL_MS, () -> station.lookAfterBoats(this::stall));
+        listeners().forEach(session::addListener);
+        clock.goLive(session.scheduler());
+        operator.connect(session);
+        interrupts.connect(session.host());
+        session.addListener((SessionListener) this);
+        session.addListener((index, atMillis, input, effects, view) -> check());
+        session.execute(() -> {
+            repeat(LOOK_MS, this::look);
+            repeat(TRACK_MS, this::track);
+            repeat(STALL_MS, () -> session.lookAfterBoats(this::stall));
+        });
+        session.scheduler().at(settings.stopMillis(), this::check);
+        session.begin();
+    }
+
+    private void repeat(long everyMillis, Runnable action) {
+        action.run();
+        session.scheduler().after(everyMillis, () -> repeat(everyMillis, action));
     }
 
     /** Somebody wants the run to stop. From any thread. */
     void stop() {
         stopAsked = true;
+        session.execute(this::check);
+    }
+
+    /** Waits for the end, for so many milliseconds at most. From any thread. */
+    boolean awaitEnd(long millis) throws InterruptedException {
+        return over.await(millis, TimeUnit.MILLISECONDS);
+    }
+
+    /** How it ended; when it has. */
+    RunOutcome ended() {
+        return ended.orElse(RunOutcome.FAILED);
+    }
+
+    /** Ends the run where it is over, before anything else happens. */
+    private void check() {
+        if (ended.isEmpty()) {
+            ended = outcome();
+            ended.ifPresent(how -> session.halt().thenRun(over::countDown));
+        }
+    }
+
+    @Override
+    public void onBroken(String reason) {
+        fail("the run broke: " + reason);
+        over.countDown();
     }
 
     /** How far it is. From any thread. */
@@ -165,15 +218,21 @@ final class RunMonitor {
     }
 
     private List<BoatState> boats() {
-        return station.desk().states(plane);
+        return fleet.all();
     }
 
     private void look() {
         long at = now(); // one time for the report and for the journal, which tells the report again
         for (LocationResult news : visits.look(at, boats())) {
-            station.notes().visited(at, news.visitedBy(), GeoPoint.of(news.latDeg(), news.lonDeg()));
+            session.telemetry().visited(at, news.visitedBy(), GeoPoint.of(news.latDeg(), news.lonDeg()));
         }
         progress = progress();
+        check();
+    }
+
+    @Override
+    public void onPassed(String boat, List<GeoPoint> points, long atMillis) {
+        session.execute(() -> points.forEach(point -> arrived(boat, point, atMillis)));
     }
 
     /** It was written down where it was heard, with the same time. */
@@ -182,16 +241,15 @@ final class RunMonitor {
     }
 
     private void track() {
-        station.lookAfterBoats();
         long at = now();
         Map<String, FleetStatus.Told> now = new HashMap<>();
         List<BoatState> boats = boats();
-        boats.forEach(boat -> station.desk().last(boat.id()).ifPresent(told -> now.put(boat.id(), told)));
+        boats.forEach(boat -> session.fleet().status().last(boat.id()).ifPresent(told -> now.put(boat.id(), told)));
         for (TrackRecorder.Noted noted : tracks.look(at, boats)) {
             BoatState boat = noted.boat();
             FleetStatus.Told told = (noted.atMillis() < at ? toldBefore : now).get(boat.id());
             if (told != null) {
-                station.notes().pose(noted.atMillis(), boat.id(), told, boat.distanceM());
+                session.telemetry().pose(noted.atMillis(), boat.id(), told, boat.distanceM());
             }
         }
         toldBefore = now;
@@ -203,7 +261,7 @@ final class RunMonitor {
      * began to want may not have reached them yet.
      */
     private void stall() {
-        if (!station.isComputing() && !station.desk().someoneIsWanted()) {
+        if (!session.isComputing() && !session.fleet().status().someoneIsWanted()) {
             stall.look(now(), boats(), boat -> false).ifPresent(this::fail);
         }
     }
@@ -211,7 +269,7 @@ final class RunMonitor {
     /** Whether and how it is over; asked again and again. */
     Optional<RunOutcome> outcome() {
         startWhenAllHaveJoined();
-        HostStatus status = station.host().status();
+        HostStatus status = session.host().status();
         if (status.kind() == HostStatus.Kind.FAILED) {
             fail(status.reason());
         }
@@ -228,7 +286,7 @@ final class RunMonitor {
     private void startWhenAllHaveJoined() {
         if (!started && recorder.boatsJoined() >= settings.fleet().boats()) {
             started = true;
-            station.host().post(new Input.StartMission(plan.plan().id(), settings.mission(), parameters));
+            session.host().post(new Input.StartMission(plan.plan().id(), settings.mission(), parameters));
         }
     }
 
@@ -251,7 +309,7 @@ final class RunMonitor {
     }
 
     private long now() {
-        return station.loop().nowMs();
+        return session.scheduler().nowMs();
     }
 
     private RunProgress progress() {
@@ -275,13 +333,13 @@ final class RunMonitor {
     /** Writes down where the boats have come to lie, and why they moved or did not, so that the run can be reported again. */
     void noteEnd(long atMillis) {
         for (BoatState boat : boats()) {
-            station.notes()
-                    .why(atMillis, boat.id(), station.desk().link(boat.id()).why());
-            station.desk()
+            session.telemetry().why(atMillis, boat.id(), fleet.link(boat.id()).why());
+            session.fleet()
+                    .status()
                     .last(boat.id())
-                    .ifPresent(told -> station.notes().pose(atMillis, boat.id(), told, boat.distanceM()));
+                    .ifPresent(told -> session.telemetry().pose(atMillis, boat.id(), told, boat.distanceM()));
         }
-        station.notes().flush();
+        session.telemetry().flush();
     }
 
     /** The report; when everything has ended. */
@@ -291,10 +349,9 @@ final class RunMonitor {
                 ? fault.orElse("")
                 : fault.get()
                         + boats.stream()
-                                .map(boat ->
-                                        "; " + station.desk().link(boat.id()).why())
+                                .map(boat -> "; " + fleet.link(boat.id()).why())
                                 .collect(Collectors.joining());
-        List<BoatResult> results = tracks.results(atMillis, boats, station.desk()::link);
+        List<BoatResult> results = tracks.results(atMillis, boats, fleet::link);
         return new ReportBuilder(plan, settings, recorder, journal.resumedFrom(), plane)
                 .build(
                         new ReportBuilder.End(outcome, why, atMillis, wallSeconds),
@@ -304,15 +361,18 @@ final class RunMonitor {
                         interrupts.results(),
                         told(atMillis))
                 .withMap(map.map(results, visits.locations()))
-                .withReadings(station.readings())
-                .withWaits(outcome.isOver() ? List.of() : station.host().ask(view -> BlockedPlaces.of(plan, view)));
+                .withReadings(readings.readings())
+                .withWaits(outcome.isOver() ? List.of() : session.host().ask(view -> BlockedPlaces.of(plan, view)));
     }
 
     private List<NoteResult> told(long atMillis) {
-        List<NoteResult> told = new ArrayList<>(station.notices().all());
-        told.addAll(station.missingReadings(atMillis));
+        List<NoteResult> told = new ArrayList<>(notes.all());
+        told.addAll(readings.notes(atMillis));
         told.addAll(operator.notes());
-        station.notes().problem().ifPresent(told::add);
+        session.telemetry()
+                .problem()
+                .map(note -> new NoteResult(note.atMillis(), note.kind(), note.mission(), note.text()))
+                .ifPresent(told::add);
         told.addAll(tracks.notes(atMillis));
         return told;
     }

@@ -4,13 +4,21 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.handler.CrwServices;
+import org.sami.crw.proxy.ProxyConfig;
+import org.sami.crw.proxy.tcp.TcpBaseConfig;
+import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionRuntime;
+import org.sami.crw.session.SessionSetup;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.resume.ConnectedJournal;
 import org.sami.crw.sim.run.Parameters;
+import org.sami.crw.sim.run.RunNotes;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.crw.sim.run.RunPlan;
 import org.sami.crw.sim.run.RunSettings;
@@ -19,8 +27,8 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 
 /**
- * One mission on boats that are other processes, in real time. Three threads: the engine's, the links' (with proxies and
- * handlers), and the caller's, which shows progress and what the operator must know at once. Used once.
+ * One mission on boats that are other processes, in real time: a client of a session. Three threads: the engine's and the fleet's,
+ * which are the session's, and the caller's, which shows progress and what the operator must know at once. Used once.
  */
 public final class TcpRun {
     private static final long SHOW_MS = 50;
@@ -29,9 +37,11 @@ public final class TcpRun {
     private final RunSettings settings;
     private final Map<String, Value> parameters;
     private final AnswersFile answers;
-    private final SessionJournal journal;
-    private final SessionStart start;
+    private final ConnectedJournal journal;
+    private final RunProcess process;
     private final Consumer<String> lines;
+    private final Queue<String> toShow = new ConcurrentLinkedQueue<>();
+    private final RunNotes notes = new RunNotes(toShow::add);
     private boolean interrupted;
 
     /**
@@ -45,14 +55,14 @@ public final class TcpRun {
             RunPlan plan,
             RunSettings settings,
             AnswersFile answers,
-            SessionJournal journal,
-            SessionStart start,
+            ConnectedJournal journal,
+            RunProcess process,
             Consumer<String> lines) {
         this.plan = plan;
         this.settings = settings;
         this.answers = answers;
         this.journal = journal;
-        this.start = start;
+        this.process = process;
         this.lines = lines;
         parameters = new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
     }
@@ -66,14 +76,16 @@ public final class TcpRun {
      */
     public RunReport run(RunObserver observer) throws IOException {
         long wallStart = System.nanoTime();
-        try (TcpRuntime station = new TcpRuntime(plan, settings, journal, start)) {
-            EarlierRun earlier = new EarlierRun(journal.earlier(), station.desk(), station.notices());
+        try (Session session = Session.open(setup())) {
+            session.addListener(notes);
+            EarlierRun earlier =
+                    new EarlierRun(journal.session().earlier(), session.fleet().status(), notes);
             earlier.leftOut().ifPresent(lines);
             Optional<List<String>> startedWith = journal.startedWith();
-            findArea(station, earlier, startedWith);
+            findArea(session, earlier, startedWith);
             Optional<RunMonitor> known = Optional.empty();
             if (earlier.area().isPresent()) {
-                known = Optional.of(watch(station, earlier.area().get()));
+                known = Optional.of(watch(session, earlier.area().get()));
                 known.get().catchUp(earlier);
                 if (known.get().wasOver()) {
                     return known.get()
@@ -83,29 +95,26 @@ public final class TcpRun {
                                     0);
                 }
             }
-            station.notes().begun();
-            station.desk().begunAnew();
             earlier.area()
-                    .map(SessionArea::boats)
+                    .map(RunArea::boats)
                     .or(() -> startedWith)
-                    .ifPresent(boats -> boats.forEach(station.base()::expect));
-            FleetReadiness roll =
-                    new FleetReadiness(station.base(), settings.connect(), station.desk(), station.notes());
-            boolean ready = callRoll(station, roll, startedWith.isPresent());
+                    .ifPresent(boats -> boats.forEach(session.fleet()::expect));
+            FleetReadiness readiness = new FleetReadiness(session.fleet(), settings.connect());
+            boolean ready = awaitBoats(readiness, startedWith.isPresent());
             RunMonitor watch;
             if (known.isPresent()) {
                 watch = known.get();
             } else {
-                watch = watch(station, found(station, startedWith.orElseGet(roll::boats), ready));
+                watch = watch(session, found(session, startedWith.orElseGet(readiness::boats), ready));
                 if (startedWith.isPresent()) {
                     watch.catchUp(earlier);
                 }
             }
-            RunOutcome outcome = ready ? watched(station, watch, observer) : RunOutcome.RUNNING;
+            RunOutcome outcome = ready ? watched(watch, observer) : RunOutcome.RUNNING;
             long endMillis = watch.endMillis();
-            station.leave();
+            toShow.addAll(session.leave());
             watch.noteEnd(endMillis);
-            show(station);
+            show();
             double wallSeconds = (System.nanoTime() - wallStart) / 1e9;
             return watch.report(outcome, endMillis, wallSeconds);
         } finally {
@@ -115,19 +124,28 @@ public final class TcpRun {
         }
     }
 
-    private RunMonitor watch(TcpRuntime station, SessionArea area) throws UnknownBoatException {
-        return new RunMonitor(plan, settings, parameters, answers, journal, station, area);
+    private SessionSetup setup() {
+        ProxyConfig proxy = ProxyConfig.DEFAULT
+                .withClientId(process.clientId())
+                .withTelemetryHz(SessionRuntime.RealTime.TELEMETRY_HZ);
+        SessionRuntime runtime = new SessionRuntime.RealTime(
+                process.clock(), TcpBaseConfig.of(proxy, settings.fleet().seed()), Optional.empty(), Optional.empty());
+        return new SessionSetup(plan.vocabulary(), plan.project(), journal.session(), CrwServices.STANDARD, runtime);
+    }
+
+    private RunMonitor watch(Session session, RunArea area) throws UnknownBoatException {
+        return new RunMonitor(plan, settings, parameters, answers, journal, session, notes, area);
     }
 
     /**
      * Looks for the area of a mission that an earlier process started: its telemetry may be damaged, but the engine remembers it; in a
      * journal of before it did, it lies around where the boats were first.
      */
-    private void findArea(TcpRuntime station, EarlierRun earlier, Optional<List<String>> startedWith) {
+    private void findArea(Session session, EarlierRun earlier, Optional<List<String>> startedWith) {
         if (earlier.area().isPresent() || startedWith.isEmpty()) {
             return;
         }
-        Optional<SessionArea> remembered = station.host().ask(SessionArea::remembered);
+        Optional<RunArea> remembered = session.host().ask(RunArea::remembered);
         List<GeoPoint> first = earlier.firstPositions();
         if (remembered.isPresent()) {
             lines.accept("telemetry: where the area lies is lost there, and taken from the engine's entries");
@@ -135,7 +153,7 @@ public final class TcpRun {
         } else if (!first.isEmpty()) {
             lines.accept("telemetry: where the area lies is lost; it is taken to be where the boats were first");
             earlier.know(area(first, startedWith.get()));
-        } else if (station.host().ask(view -> view.missions().isEmpty())) {
+        } else if (session.host().ask(view -> view.missions().isEmpty())) {
             lines.accept("telemetry: where the area lies is lost, and where the boats were");
             earlier.know(area(first, startedWith.get()));
         } else {
@@ -144,32 +162,32 @@ public final class TcpRun {
     }
 
     /** The area lies where somebody said, else around the boats. */
-    private SessionArea area(List<GeoPoint> positions, List<String> boats) {
+    private RunArea area(List<GeoPoint> positions, List<String> boats) {
         return settings.fleet()
                 .site()
                 .centre()
-                .map(centre -> new SessionArea(centre, boats))
-                .orElseGet(() -> SessionArea.around(positions, boats));
+                .map(centre -> new RunArea(centre, boats))
+                .orElseGet(() -> RunArea.around(positions, boats));
     }
 
     /** The area as it is found when the boats have answered. It stays there, whatever becomes of the run. */
-    private SessionArea found(TcpRuntime station, List<String> boats, boolean ready) {
-        SessionArea area = area(station.desk().positions(), boats);
+    private RunArea found(Session session, List<String> boats, boolean ready) {
+        RunArea area = area(session.fleet().status().positions(), boats);
         if (ready) {
             lines.accept("centre " + Site.words(area.centre()));
-            station.notes().area(area);
-            station.host().post(area.remember());
+            area.note(session.telemetry(), session.scheduler().nowMs());
+            session.host().post(area.remember());
         }
         return area;
     }
 
     /** Returns whether the mission can begin or go on; not if somebody wants an end meanwhile. */
-    private boolean callRoll(TcpRuntime station, FleetReadiness roll, boolean underWay) throws BoatsNotReadyException {
+    private boolean awaitBoats(FleetReadiness readiness, boolean underWay) throws BoatsNotReadyException {
         try {
-            List<String> missing = roll.await(start.clock(), start.connectWithinMillis());
+            List<String> missing = readiness.await(process.clock(), process.connectWithinMillis());
             if (!missing.isEmpty()
                     && (!underWay || missing.size() == settings.connect().size())) {
-                throw new BoatsNotReadyException(missing, start.connectWithinMillis());
+                throw new BoatsNotReadyException(missing, process.connectWithinMillis());
             }
             missing.forEach(boat -> lines.accept(boat + "; the mission goes on without it until it is there"));
             return true;
@@ -177,51 +195,33 @@ public final class TcpRun {
             interrupted = true;
             return false;
         } finally {
-            show(station);
+            show();
         }
     }
 
-    private RunOutcome watched(TcpRuntime station, RunMonitor watch, RunObserver observer) {
-        CountDownLatch over = new CountDownLatch(1);
-        RunOutcome[] outcome = {RunOutcome.FAILED};
-        Thread engine = new Thread(
-                () -> {
-                    try {
-                        watch.begin();
-                        station.loop().run(() -> watch.outcome().isPresent());
-                        outcome[0] = watch.outcome().orElse(RunOutcome.RUNNING);
-                    } catch (RuntimeException e) {
-                        watch.fail("the run broke: " + e);
-                    } finally {
-                        over.countDown();
-                    }
-                },
-                "engine");
-        engine.setDaemon(true);
-        engine.start();
-        while (!isOver(over)) {
-            show(station);
+    private RunOutcome watched(RunMonitor watch, RunObserver observer) {
+        watch.begin();
+        while (!isOver(watch)) {
+            show();
             observer.progress().accept(watch.latest());
             if (observer.stop().getAsBoolean()) {
                 watch.stop();
             }
         }
-        return outcome[0];
+        return watch.ended();
     }
 
-    private boolean isOver(CountDownLatch over) {
+    private boolean isOver(RunMonitor watch) {
         try {
-            return over.await(SHOW_MS, TimeUnit.MILLISECONDS);
+            return watch.awaitEnd(SHOW_MS);
         } catch (InterruptedException e) {
             interrupted = true;
             return false;
         }
     }
 
-    private void show(TcpRuntime station) {
-        for (String line = station.notices().next();
-                line != null;
-                line = station.notices().next()) {
+    private void show() {
+        for (String line = toShow.poll(); line != null; line = toShow.poll()) {
             lines.accept(line);
         }
     }

@@ -6,13 +6,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
-import org.sami.crw.proxy.BoatReading;
+import org.sami.crw.session.SensorValue;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.hull.SensorSetting;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
-import org.sami.spn.host.HostClock;
 import org.sami.spn.value.GeoPoint;
 
 /** Whole missions in current, wind and noise, with sensors. */
@@ -70,21 +69,9 @@ class RoughRunTest {
 
     @Test
     void recorderKeepsWhatFitsAndSaysHowMuchIsMissing() {
-        HostClock clock = new HostClock() {
-            @Override
-            public long nowMillis() {
-                return 7;
-            }
-
-            @Override
-            public void wakeAt(long millis, Runnable action) {
-                throw new UnsupportedOperationException();
-            }
-        };
-        ReadingRecorder recorder = new ReadingRecorder(clock, 3);
+        ReadingRecorder recorder = new ReadingRecorder(3);
         for (int i = 0; i < 5; i++) {
-            recorder.onReading(
-                    "boat1", new BoatReading("water", "ph", List.of(7.0 + i), "", GeoPoint.of(45, 10), 100L * i));
+            recorder.onReading(new SensorValue(7, "boat1", "water", "ph", List.of(7.0 + i), "", GeoPoint.of(45, 10)));
         }
 
         assertThat(recorder.readings()).hasSize(3);

@@ -25,6 +25,7 @@ import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.resume.ConnectedJournal;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.crw.sim.run.RunPlan;
 import org.sami.crw.sim.run.RunSettings;
@@ -62,8 +63,8 @@ class SetBackClockTest {
                             plan,
                             settings(boat),
                             AnswersFile.EMPTY,
-                            SessionJournal.none(),
-                            new SessionStart(clock(), "base", 20_000),
+                            ConnectedJournal.none(),
+                            new RunProcess(clock(), "base", 20_000),
                             line -> {})
                     .run(new RunObserver(
                             progress -> {

@@ -1,4 +1,4 @@
-package org.sami.crw.sim.tcp;
+package org.sami.crw.session;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -10,19 +10,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.LongSupplier;
-import org.sami.crw.sim.report.LinkResult;
-import org.sami.crw.sim.report.NoteResult;
-import org.sami.crw.sim.report.ReadingResult;
+import org.sami.crw.proxy.UploadCount;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * What a run writes beside the engine's inputs, so that the report of a run that is taken up is whole: poses, visits, how links
- * went, messages. Rows of the journal's telemetry table. Safe for use by several threads.
+ * Writes what a session notes beside the engine's inputs: poses, locations passed, how links went, messages, readings. Rows of the
+ * journal's telemetry table, which no mission depends on. Safe for use by several threads.
  */
-final class SessionNotes {
-    private static final System.Logger LOG = System.getLogger(SessionNotes.class.getName());
+public final class SessionTelemetry {
+    private static final System.Logger LOG = System.getLogger(SessionTelemetry.class.getName());
     private static final ObjectMapper JSON = new ObjectMapper();
     private static final String POSE = "pose";
     private static final String VISITED = "visited";
@@ -32,7 +30,6 @@ final class SessionNotes {
     private static final String UPLOADS = "uploads";
     private static final String MESSAGE = "message";
     private static final String BEGUN = "begun";
-    private static final String AREA = "area";
     private static final String READING = "reading"; // of one; written by earlier versions
     private static final String READINGS = "readings";
     private static final String WHY = "why";
@@ -40,9 +37,9 @@ final class SessionNotes {
     private final SessionJournal journal;
     private final LongSupplier nowMillis;
     private final Map<ReadingBatch.Channel, ReadingBatch> batches = new LinkedHashMap<>();
-    private Optional<NoteResult> problem = Optional.empty();
+    private Optional<SessionNote> problem = Optional.empty();
 
-    SessionNotes(SessionJournal journal, LongSupplier nowMillis) {
+    SessionTelemetry(SessionJournal journal, LongSupplier nowMillis) {
         this.journal = journal;
         this.nowMillis = nowMillis;
     }
@@ -52,14 +49,8 @@ final class SessionNotes {
         add(nowMillis.getAsLong(), "", BEGUN, JSON.createObjectNode());
     }
 
-    /** The boats have answered for the first time. */
-    void area(SessionArea area) {
-        ObjectNode json = point(area.centre());
-        area.boats().forEach(json.putArray("boats")::add);
-        add(nowMillis.getAsLong(), "", AREA, json);
-    }
-
-    void pose(long atMillis, String boat, FleetStatus.Told told, double distanceM) {
+    /** Notes where a boat was, and how far it had come. */
+    public void pose(long atMillis, String boat, FleetStatus.Told told, double distanceM) {
         ObjectNode json = point(told.position());
         json.put("headingRad", told.headingRad())
                 .put("speedMps", told.speedMps())
@@ -70,7 +61,7 @@ final class SessionNotes {
     }
 
     /** Several of one channel are written as one row: they are most of what a run writes down. */
-    synchronized void reading(ReadingResult reading) {
+    synchronized void reading(SensorValue reading) {
         ReadingBatch batch = batches.computeIfAbsent(
                 new ReadingBatch.Channel(reading.boat(), reading.sensor(), reading.channel(), reading.unit()),
                 ReadingBatch::new);
@@ -81,7 +72,7 @@ final class SessionNotes {
     }
 
     /** Writes what waits to be written with more of its kind. */
-    synchronized void flush() {
+    public synchronized void flush() {
         batches.values().forEach(this::write);
     }
 
@@ -91,7 +82,8 @@ final class SessionNotes {
         }
     }
 
-    void visited(long atMillis, String boat, GeoPoint location) {
+    /** Notes that a boat was at a location. */
+    public void visited(long atMillis, String boat, GeoPoint location) {
         add(atMillis, boat, VISITED, point(location));
     }
 
@@ -107,7 +99,7 @@ final class SessionNotes {
         add(nowMillis.getAsLong(), boat, ADDRESS, JSON.createObjectNode().put("address", address));
     }
 
-    void uploads(String boat, LinkResult.Uploads uploads) {
+    void uploads(String boat, UploadCount uploads) {
         add(
                 nowMillis.getAsLong(),
                 boat,
@@ -120,11 +112,11 @@ final class SessionNotes {
     }
 
     /** Why a boat moved or did not when the run stopped. */
-    void why(long atMillis, String boat, String text) {
+    public void why(long atMillis, String boat, String text) {
         add(atMillis, boat, WHY, JSON.createObjectNode().put("text", text));
     }
 
-    void message(NoteResult note) {
+    void message(SessionNote note) {
         add(
                 note.atMillis(),
                 "",
@@ -132,36 +124,39 @@ final class SessionNotes {
                 JSON.createObjectNode()
                         .put("kind", note.kind())
                         .put("mission", note.mission())
-                        .put("text", note.message()));
+                        .put("text", note.text()));
     }
 
     private static ObjectNode point(GeoPoint point) {
         return JSON.createObjectNode().put("latDeg", point.latDeg()).put("lonDeg", point.lonDeg());
     }
 
-    /** The report would lack it; the mission does not: a table that cannot be written stops nobody, and is told once. */
-    private synchronized void add(long atMillis, String boat, String kind, ObjectNode json) {
+    /**
+     * Adds a row. The missions do not need it: a table that cannot be written stops nobody, and is told once.
+     *
+     * @param boat whom it is about; empty text for nobody
+     * @param kind what it is, such as {@code pose}
+     */
+    public synchronized void add(long atMillis, String boat, String kind, ObjectNode json) {
         try {
             if (problem.isEmpty()) {
                 journal.addTelemetry(new TelemetryRow(atMillis, boat, kind, json.toString()));
             }
         } catch (IOException e) {
             String text = "telemetry is no longer kept in the journal: " + e.getMessage();
-            problem = Optional.of(new NoteResult(atMillis, NoteResult.JOURNAL, Ids.NONE, text));
+            problem = Optional.of(new SessionNote(atMillis, SessionNote.JOURNAL, Ids.NONE, text));
             LOG.log(System.Logger.Level.WARNING, text);
         }
     }
 
     /** What is missing in the journal and why; empty where nothing is. */
-    synchronized Optional<NoteResult> problem() {
+    public synchronized Optional<SessionNote> problem() {
         return problem;
     }
 
     /** Who wants to know what earlier processes wrote. */
-    interface Reader {
+    public interface Reader {
         void begun();
-
-        void area(SessionArea area);
 
         void pose(long atMillis, String boat, FleetStatus.Told told, double distanceM);
 
@@ -173,13 +168,16 @@ final class SessionNotes {
 
         void address(String boat, String address);
 
-        void uploads(String boat, LinkResult.Uploads uploads);
+        void uploads(String boat, UploadCount uploads);
 
         void why(String boat, String text);
 
-        void message(NoteResult note);
+        void message(SessionNote note);
 
-        void reading(ReadingResult reading);
+        void reading(SensorValue reading);
+
+        /** A row of a kind that the session does not know: whoever wrote it does. */
+        default void other(TelemetryRow row, JsonNode json) {}
     }
 
     /**
@@ -187,7 +185,7 @@ final class SessionNotes {
      *
      * @return what the rows that were left out are of, in the order of the rows
      */
-    static List<String> read(List<TelemetryRow> rows, Reader reader) {
+    public static List<String> read(List<TelemetryRow> rows, Reader reader) {
         List<String> senseless = new ArrayList<>();
         for (TelemetryRow row : rows) {
             try {
@@ -216,14 +214,14 @@ final class SessionNotes {
             case UPLOADS ->
                 reader.uploads(
                         boat,
-                        new LinkResult.Uploads(
+                        new UploadCount(
                                 json.path("sent").asInt(),
                                 json.path("acknowledged").asInt(),
                                 json.path("readBackEqual").asInt(),
                                 json.path("failed").asInt()));
             case WHY -> reader.why(boat, json.path("text").asText());
             case MESSAGE ->
-                reader.message(new NoteResult(
+                reader.message(new SessionNote(
                         row.atMillis(),
                         json.path("kind").asText(),
                         json.path("mission").asLong(),
@@ -231,29 +229,21 @@ final class SessionNotes {
             case READING -> reader.reading(reading(row.atMillis(), boat, json));
             case READINGS -> ReadingBatch.read(boat, json).forEach(reader::reading);
             case BEGUN -> reader.begun();
-            case AREA -> reader.area(area(json));
-            default -> LOG.log(System.Logger.Level.DEBUG, "a reading of another kind: {0}", row.kind());
+            default -> reader.other(row, json);
         }
     }
 
-    private static ReadingResult reading(long atMillis, String boat, JsonNode json) {
+    private static SensorValue reading(long atMillis, String boat, JsonNode json) {
         List<Double> values = new ArrayList<>();
         json.path("values").forEach(value -> values.add(value.asDouble()));
-        return new ReadingResult(
+        return new SensorValue(
                 atMillis,
                 boat,
                 json.path("sensor").asText(),
                 json.path("channel").asText(),
                 values,
                 json.path("unit").asText(),
-                json.path("latDeg").asDouble(),
-                json.path("lonDeg").asDouble());
-    }
-
-    private static SessionArea area(JsonNode json) {
-        List<String> boats = new ArrayList<>();
-        json.path("boats").forEach(boat -> boats.add(boat.asText()));
-        return new SessionArea(point(json), boats);
+                GeoPoint.of(json.path("latDeg").asDouble(), json.path("lonDeg").asDouble()));
     }
 
     private static FleetStatus.Told told(JsonNode json) {

@@ -1,18 +1,19 @@
-package org.sami.crw.sim.tcp;
+package org.sami.crw.session;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.sami.boat.server.LocalFrame;
-import org.sami.crw.sim.report.LinkResult;
-import org.sami.crw.sim.run.BoatState;
+import java.util.TreeMap;
+import org.sami.crw.proxy.UploadCount;
 import org.sami.spn.value.GeoPoint;
 
-/** What the base knows of the boats, by what they told and by how their links went. Safe for use by several threads. */
-final class FleetStatus {
+/**
+ * What a session knows of its boats over all its processes, by what they told and by how their links went. Safe for use by several
+ * threads.
+ */
+public final class FleetStatus {
     /** A charge that rises by more than this, in percent of full, did not do so by itself. */
     private static final double RECHARGED_PERCENT = 10;
 
@@ -26,7 +27,27 @@ final class FleetStatus {
      *
      * @param boatTimeMs the boat's clock
      */
-    record Told(GeoPoint position, double headingRad, double speedMps, double batteryPercent, long boatTimeMs) {}
+    public record Told(GeoPoint position, double headingRad, double speedMps, double batteryPercent, long boatTimeMs) {}
+
+    /**
+     * A boat as it was last.
+     *
+     * @param distanceM metres driven since the session began, as far as the base was told
+     * @param recharges how often its battery was filled
+     */
+    public record Boat(String id, Told told, double distanceM, int recharges) {}
+
+    /**
+     * How a boat's link went.
+     *
+     * @param address where its server listens; empty while that is not known
+     * @param bootId names the last start of the boat's server; empty if it never answered
+     * @param lost how often the link was lost
+     * @param reconnected how often it came back
+     * @param uploads of waypoint lists
+     * @param why why the boat moves or does not, in words
+     */
+    public record Link(String address, String bootId, int lost, int reconnected, UploadCount uploads, String why) {}
 
     private static final class Known {
         private String address = "";
@@ -37,8 +58,8 @@ final class FleetStatus {
         private Optional<Told> last = Optional.empty();
         private int recharges;
         private double distanceM;
-        private LinkResult.Uploads earlierUploads = LinkResult.Uploads.NONE;
-        private LinkResult.Uploads uploads = LinkResult.Uploads.NONE;
+        private UploadCount earlierUploads = UploadCount.NONE;
+        private UploadCount uploads = UploadCount.NONE;
         private String why = "";
         private boolean isWanted;
     }
@@ -48,7 +69,7 @@ final class FleetStatus {
     }
 
     /** A boat's link stands. */
-    synchronized void linked(String boat, String bootId) {
+    public synchronized void linked(String boat, String bootId) {
         Known known = of(boat);
         if (known.linkIsLost) {
             known.back++;
@@ -58,7 +79,7 @@ final class FleetStatus {
     }
 
     /** A boat's link is lost. */
-    synchronized void lost(String boat) {
+    public synchronized void lost(String boat) {
         Known known = of(boat);
         if (!known.linkIsLost) {
             known.lost++;
@@ -67,16 +88,16 @@ final class FleetStatus {
     }
 
     /** The process that had the links has ended; that is no loss of them. */
-    synchronized void begunAnew() {
+    public synchronized void begunAnew() {
         boats.values().forEach(known -> {
             known.linkIsLost = false;
             known.earlierUploads = known.earlierUploads.and(known.uploads);
-            known.uploads = LinkResult.Uploads.NONE;
+            known.uploads = UploadCount.NONE;
         });
     }
 
     /** Where a boat's server listens. Returns whether that is news. */
-    synchronized boolean isAt(String boat, String address) {
+    public synchronized boolean isAt(String boat, String address) {
         boolean news = !of(boat).address.equals(address);
         of(boat).address = address;
         return news;
@@ -98,13 +119,13 @@ final class FleetStatus {
     }
 
     /** Where a boat was and how far it had come when an earlier process wrote it down. */
-    synchronized void restored(String boat, Told then, double distanceM) {
+    public synchronized void restored(String boat, Told then, double distanceM) {
         told(boat, then);
         of(boat).distanceM = distanceM;
     }
 
     /** Where the boats are that have said so. */
-    synchronized List<GeoPoint> positions() {
+    public synchronized List<GeoPoint> positions() {
         return boats.values().stream()
                 .flatMap(known -> known.last.stream())
                 .map(Told::position)
@@ -112,12 +133,12 @@ final class FleetStatus {
     }
 
     /** What a boat told last. */
-    synchronized Optional<Told> last(String boat) {
+    public synchronized Optional<Told> last(String boat) {
         return of(boat).last;
     }
 
     /** How many waypoint lists this process has sent to a boat. Returns whether that is news. */
-    synchronized boolean uploaded(String boat, LinkResult.Uploads uploads) {
+    public synchronized boolean uploaded(String boat, UploadCount uploads) {
         boolean news = !of(boat).uploads.equals(uploads);
         of(boat).uploads = uploads;
         return news;
@@ -128,21 +149,21 @@ final class FleetStatus {
      *
      * @param isWanted whether a mission wants something of it that it can do, now or when nothing keeps it any longer
      */
-    synchronized void explained(String boat, String why, boolean isWanted) {
+    public synchronized void explained(String boat, String why, boolean isWanted) {
         of(boat).why = why;
         of(boat).isWanted = isWanted;
     }
 
     /** Whether a mission wants something of any boat that it can do, now or when nothing keeps it any longer. */
-    synchronized boolean someoneIsWanted() {
+    public synchronized boolean someoneIsWanted() {
         return boats.values().stream().anyMatch(known -> known.isWanted);
     }
 
     /** How a boat's link went. */
-    synchronized LinkResult link(String boat) {
+    public synchronized Link link(String boat) {
         Known known = of(boat);
-        return new LinkResult(
-                ("tcp " + known.address).strip(),
+        return new Link(
+                known.address,
                 known.bootId,
                 known.lost,
                 known.back,
@@ -150,36 +171,16 @@ final class FleetStatus {
                 known.why);
     }
 
-    /**
-     * The boats that have ever said where they are, by name, as they were last.
-     *
-     * @param plane around the area's centre
-     */
-    synchronized List<BoatState> states(LocalFrame plane) {
-        List<BoatState> states = new ArrayList<>();
-        boats.forEach((id, known) -> known.last.ifPresent(told -> states.add(state(id, known, told, plane))));
-        states.sort(Comparator.comparing(BoatState::id));
-        return states;
+    /** The boats that have ever said where they are, by name, as they were last. */
+    public synchronized List<Boat> boats() {
+        List<Boat> told = new ArrayList<>();
+        new TreeMap<>(boats).keySet().forEach(id -> boat(id).ifPresent(told::add));
+        return told;
     }
 
     /** One boat, if it has ever said where it is. */
-    synchronized List<BoatState> state(String boat, LocalFrame plane) {
+    public synchronized Optional<Boat> boat(String boat) {
         Known known = of(boat);
-        return known.last.map(told -> state(boat, known, told, plane)).stream().toList();
-    }
-
-    private static BoatState state(String id, Known known, Told told, LocalFrame plane) {
-        double latDeg = told.position.latDeg();
-        double lonDeg = told.position.lonDeg();
-        return new BoatState(
-                id,
-                plane.eastM(latDeg, lonDeg),
-                plane.northM(latDeg, lonDeg),
-                latDeg,
-                lonDeg,
-                told.speedMps,
-                told.batteryPercent,
-                known.distanceM,
-                known.recharges);
+        return known.last.map(told -> new Boat(boat, told, known.distanceM, known.recharges));
     }
 }

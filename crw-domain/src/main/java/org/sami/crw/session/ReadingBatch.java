@@ -1,4 +1,4 @@
-package org.sami.crw.sim.tcp;
+package org.sami.crw.session;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -6,7 +6,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.List;
-import org.sami.crw.sim.report.ReadingResult;
+import org.sami.spn.value.GeoPoint;
 
 /**
  * Readings of one channel of a boat's sensor that are written to the journal as one row: what they have in common is written once. A
@@ -22,7 +22,7 @@ final class ReadingBatch {
     record Channel(String boat, String sensor, String channel, String unit) {}
 
     private final Channel channel;
-    private final List<ReadingResult> readings = new ArrayList<>();
+    private final List<SensorValue> readings = new ArrayList<>();
 
     ReadingBatch(Channel channel) {
         this.channel = channel;
@@ -42,7 +42,7 @@ final class ReadingBatch {
                 || (!readings.isEmpty() && nowMillis - readings.get(0).atMillis() >= LONGEST_MILLIS);
     }
 
-    void add(ReadingResult reading) {
+    void add(SensorValue reading) {
         readings.add(reading);
     }
 
@@ -57,11 +57,11 @@ final class ReadingBatch {
                 .put("channel", channel.channel)
                 .put("unit", channel.unit);
         ArrayNode rows = json.putArray("rows");
-        for (ReadingResult reading : readings) {
+        for (SensorValue reading : readings) {
             ArrayNode row = rows.addArray()
                     .add(reading.atMillis())
-                    .add(reading.latDeg())
-                    .add(reading.lonDeg());
+                    .add(reading.position().latDeg())
+                    .add(reading.position().lonDeg());
             reading.values().forEach(row::add);
         }
         readings.clear();
@@ -73,22 +73,21 @@ final class ReadingBatch {
      *
      * @throws IllegalArgumentException if it makes no sense
      */
-    static List<ReadingResult> read(String boat, JsonNode json) {
-        List<ReadingResult> readings = new ArrayList<>();
+    static List<SensorValue> read(String boat, JsonNode json) {
+        List<SensorValue> readings = new ArrayList<>();
         for (JsonNode row : json.required("rows")) {
             List<Double> values = new ArrayList<>();
             for (int i = FIRST_VALUE; i < row.size(); i++) {
                 values.add(row.get(i).asDouble());
             }
-            readings.add(new ReadingResult(
+            readings.add(new SensorValue(
                     row.required(0).asLong(),
                     boat,
                     json.required("sensor").asText(),
                     json.required("channel").asText(),
                     values,
                     json.required("unit").asText(),
-                    row.required(1).asDouble(),
-                    row.required(2).asDouble()));
+                    GeoPoint.of(row.required(1).asDouble(), row.required(2).asDouble())));
         }
         return readings;
     }

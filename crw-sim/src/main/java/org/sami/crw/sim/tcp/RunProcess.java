@@ -11,10 +11,10 @@ import org.sami.boat.link.SteadyClock;
  * @param clientId names this process to boats, and its waypoint lists; never used by another process that they meet
  * @param connectWithinMillis how long boats may take to answer at the start
  */
-public record SessionStart(SteadyClock clock, String clientId, long connectWithinMillis) {
+public record RunProcess(SteadyClock clock, String clientId, long connectWithinMillis) {
     private static final SecureRandom RANDOM = new SecureRandom();
 
-    public SessionStart {
+    public RunProcess {
         Objects.requireNonNull(clock, "clock");
         if (clientId.isEmpty() || connectWithinMillis < 0) {
             throw new IllegalArgumentException(
@@ -23,8 +23,8 @@ public record SessionStart(SteadyClock clock, String clientId, long connectWithi
     }
 
     /** A process on this machine's monotonic clock, with a name that nobody had before. */
-    public static SessionStart ofThisProcess(long connectWithinMillis) {
+    public static RunProcess ofThisProcess(long connectWithinMillis) {
         String clientId = String.format("crw-%012x", RANDOM.nextLong() & 0xffff_ffff_ffffL);
-        return new SessionStart(SteadyClock.ofThisMachine(), clientId, connectWithinMillis);
+        return new RunProcess(SteadyClock.ofThisMachine(), clientId, connectWithinMillis);
     }
 }

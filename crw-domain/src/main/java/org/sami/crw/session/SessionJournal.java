@@ -1,33 +1,31 @@
-package org.sami.crw.sim.tcp;
+package org.sami.crw.session;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.sami.crw.sim.resume.EarlierProcesses;
-import org.sami.crw.sim.resume.RunRecord;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.host.InputJournal;
+import org.sami.spn.host.JournalEntry;
 import org.sami.spn.host.NoJournal;
+import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.journal.JournalOptions;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.journal.SqliteJournal;
 import org.sami.spn.journal.Telemetry;
 import org.sami.spn.journal.TelemetryRow;
-import org.sami.spn.protocol.Input;
 
 /**
- * The journal of a run behind TCP: the engine's inputs, telemetry beside them, and what earlier processes of the run left. It
- * survives the loss of power: real boats go on without the laptop.
+ * The journal of a session: the engine's inputs, telemetry beside them, and what earlier processes of the session left. It
+ * survives the loss of power: real boats go on without the laptop. Telemetry may be added from any thread.
  */
-public final class SessionJournal implements EarlierProcesses, AutoCloseable {
+public final class SessionJournal implements AutoCloseable {
     private final Optional<SqliteJournal> file;
     private final InputJournal inputs;
     private final boolean resumed;
@@ -50,9 +48,9 @@ public final class SessionJournal implements EarlierProcesses, AutoCloseable {
         telemetryDamage = earlier.damage();
     }
 
-    private SessionJournal() {
+    private SessionJournal(InputJournal inputs) {
         file = Optional.empty();
-        inputs = new NoJournal();
+        this.inputs = inputs;
         resumed = false;
         cameToMillis = 0;
         telemetryDamage = Optional.empty();
@@ -60,20 +58,25 @@ public final class SessionJournal implements EarlierProcesses, AutoCloseable {
 
     /** A journal that nobody reads again. */
     public static SessionJournal none() {
-        return new SessionJournal();
+        return over(new NoJournal());
+    }
+
+    /** A journal of inputs that somebody else keeps, for a session that begins; telemetry is not kept. */
+    public static SessionJournal over(InputJournal inputs) {
+        return new SessionJournal(inputs);
     }
 
     /**
-     * The journal of a run that begins.
+     * The journal of a session that begins.
      *
      * @throws IOException if there is one already, or none can be made
      */
-    public static SessionJournal create(Path file, RunRecord record) throws IOException {
-        return new SessionJournal(SqliteJournal.create(file, record.toHeader(), JournalOptions.DEFAULT));
+    public static SessionJournal create(Path file, JournalHeader header) throws IOException {
+        return new SessionJournal(SqliteJournal.create(file, header, JournalOptions.DEFAULT));
     }
 
     /**
-     * The journal of a run that is taken up.
+     * The journal of a session that is resumed.
      *
      * @throws IOException if it is no journal, is damaged from its head, or another process writes it
      */
@@ -87,23 +90,18 @@ public final class SessionJournal implements EarlierProcesses, AutoCloseable {
         }
     }
 
-    @Override
-    public RunRecord record() {
-        return RunRecord.of(file.orElseThrow().header());
+    /** What the file says before its first entry; empty where there is no file. */
+    public Optional<JournalHeader> header() {
+        return file.map(SqliteJournal::header);
     }
 
-    @Override
-    public List<String> differences(String project, Map<String, String> vocabulary) {
-        return file.orElseThrow().header().differences(record().source(), project, vocabulary);
-    }
-
-    @Override
+    /** What was wrong with the file, in a sentence; empty text where nothing was. */
     public String damage() {
         return Stream.concat(file.flatMap(journal -> journal.recovery().damage()).stream(), telemetryDamage.stream())
                 .collect(Collectors.joining("; "));
     }
 
-    @Override
+    /** Index of the last entry that an earlier process wrote; empty for a session from its start. */
     public OptionalLong resumedFrom() {
         return resumed ? OptionalLong.of(file.orElseThrow().recovery().lastValid()) : OptionalLong.empty();
     }
@@ -113,13 +111,13 @@ public final class SessionJournal implements EarlierProcesses, AutoCloseable {
         return inputs.lastIndex() - resumedFrom().orElse(0);
     }
 
-    @Override
+    /** The session's time to which earlier processes came, in milliseconds, as far as the journal knows. */
     public long cameToMillis() {
         return resumed ? cameToMillis : inputs.lastMillis();
     }
 
     /** What earlier processes wrote beside the inputs, in order, as far as it is not damaged. */
-    List<TelemetryRow> earlier() throws IOException {
+    public List<TelemetryRow> earlier() throws IOException {
         if (!resumed) {
             return List.of();
         }
@@ -128,21 +126,13 @@ public final class SessionJournal implements EarlierProcesses, AutoCloseable {
         }
     }
 
-    /** The boats with which an earlier process started the mission, in order; empty if none did. */
-    Optional<List<String>> startedWith() throws IOException {
-        List<String> joined = new ArrayList<>();
-        boolean[] started = new boolean[1];
-        if (resumed) {
+    /** Gives the entries of earlier processes, in order. */
+    public void earlierEntries(Consumer<JournalEntry> consumer) throws IOException {
+        if (resumed && resumedFrom().getAsLong() > 0) {
             try (JournalReader reader = JournalReader.open(file.orElseThrow().file())) {
-                reader.entries(1, resumedFrom().getAsLong(), entry -> {
-                    if (entry.input() instanceof Input.ProxyJoined proxy && !started[0]) {
-                        joined.add(proxy.proxy());
-                    }
-                    started[0] |= entry.input() instanceof Input.StartMission;
-                });
+                reader.entries(1, resumedFrom().getAsLong(), consumer);
             }
         }
-        return started[0] ? Optional.of(joined) : Optional.empty();
     }
 
     InputJournal inputs() {

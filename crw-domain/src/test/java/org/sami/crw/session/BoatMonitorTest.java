@@ -1,7 +1,8 @@
-package org.sami.crw.sim.tcp;
+package org.sami.crw.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.proxy.BoatListener;
@@ -16,15 +17,22 @@ import org.sami.spn.value.GeoPoint;
 class BoatMonitorTest {
     private static final String WHY = "anna does not move: the boat has not answered yet; one command waits";
 
-    private final FleetStatus desk = new FleetStatus();
-    private final SessionNotes notes = new SessionNotes(SessionJournal.none(), () -> 0);
-    private final OperatorNotices notices = new OperatorNotices(notes);
-    private final BoatMonitor watch = new BoatMonitor(desk, notes, notices);
+    private final FleetStatus status = new FleetStatus();
+    private final SessionTelemetry telemetry = new SessionTelemetry(SessionJournal.none(), () -> 0);
+    private final SessionMessages messages = new SessionMessages(telemetry, message -> {});
+    private final List<String> notices = new ArrayList<>();
+    private final BoatMonitor watch = new BoatMonitor(status, telemetry, messages);
     private final BoatProxy anna = new BoatProxy("anna", frame -> {}, new BoatListener() {}, ProxyConfig.DEFAULT);
     private final ProxyRegistry boats = new ProxyRegistry();
 
     BoatMonitorTest() {
         boats.add(anna);
+        messages.add(new SessionListener() {
+            @Override
+            public void onNotice(String text) {
+                notices.add(text);
+            }
+        });
     }
 
     private void look(int times) {
@@ -38,24 +46,24 @@ class BoatMonitorTest {
         anna.submit(FollowPath.of("m1-a1-anna", 1, 1, List.of(GeoPoint.of(45, 10)), Priority.MEDIUM));
 
         look(2);
-        assertThat(notices.next()).isNull();
+        assertThat(notices).isEmpty();
         look(1);
-        assertThat(notices.next()).isEqualTo(WHY);
+        assertThat(notices).containsExactly(WHY);
         look(5);
-        assertThat(notices.next()).isNull();
-        assertThat(desk.link("anna").why()).isEqualTo(WHY);
+        assertThat(notices).hasSize(1);
+        assertThat(status.link("anna").why()).isEqualTo(WHY);
     }
 
     @Test
-    void runIsNotStuckAsLongAsAMissionWantsSomethingOfABoat() {
-        assertThat(desk.someoneIsWanted()).isFalse();
+    void sessionIsNotStuckAsLongAsAMissionWantsSomethingOfABoat() {
+        assertThat(status.someoneIsWanted()).isFalse();
         anna.submit(FollowPath.of("m1-a1-anna", 1, 1, List.of(GeoPoint.of(45, 10)), Priority.MEDIUM));
         look(1);
-        assertThat(desk.someoneIsWanted()).isTrue();
+        assertThat(status.someoneIsWanted()).isTrue();
 
         anna.withdraw(1);
         look(1);
 
-        assertThat(desk.someoneIsWanted()).isFalse();
+        assertThat(status.someoneIsWanted()).isFalse();
     }
 }

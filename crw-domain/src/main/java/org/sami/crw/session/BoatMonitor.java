@@ -1,4 +1,4 @@
-package org.sami.crw.sim.tcp;
+package org.sami.crw.session;
 
 import java.util.HashMap;
 import java.util.Map;
@@ -6,27 +6,27 @@ import org.sami.crw.proxy.BoatExplanation;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.sim.report.LinkResult;
+import org.sami.crw.proxy.UploadCount;
 
 /**
  * Looks after the boats' proxies from time to time: how many paths have gone to each boat, and why one that should be under way is
- * not. Says the latter once for each reason that lasts. For the base's thread.
+ * not. Says the latter once for each reason that lasts. For the fleet's thread.
  */
 final class BoatMonitor {
     /** So many looks, a second apart, are the usual time of an upload and of a boat's answers. */
     private static final int PATIENCE = 3;
 
-    private final FleetStatus desk;
-    private final SessionNotes notes;
-    private final OperatorNotices notices;
+    private final FleetStatus status;
+    private final SessionTelemetry telemetry;
+    private final SessionMessages messages;
     private final Map<String, Standstill> standstills = new HashMap<>();
 
     private record Standstill(String reason, int looks) {}
 
-    BoatMonitor(FleetStatus desk, SessionNotes notes, OperatorNotices notices) {
-        this.desk = desk;
-        this.notes = notes;
-        this.notices = notices;
+    BoatMonitor(FleetStatus status, SessionTelemetry telemetry, SessionMessages messages) {
+        this.status = status;
+        this.telemetry = telemetry;
+        this.messages = messages;
     }
 
     /** Looks at all boats; to be called once a second. */
@@ -35,16 +35,16 @@ final class BoatMonitor {
     }
 
     private void look(BoatProxy boat) {
-        LinkResult.Uploads uploads = LinkResult.Uploads.of(boat.uploads());
-        if (desk.uploaded(boat.boatId(), uploads)) {
-            notes.uploads(boat.boatId(), uploads);
+        UploadCount uploads = boat.uploads();
+        if (status.uploaded(boat.boatId(), uploads)) {
+            telemetry.uploads(boat.boatId(), uploads);
         }
         BoatExplanation explanation = boat.explain();
         boolean isEmpty = boat.status()
                 .battery()
                 .filter(battery -> battery.percent() <= 0)
                 .isPresent();
-        desk.explained(boat.boatId(), explanation.text(), !boat.isAtRest() && !isEmpty);
+        status.explained(boat.boatId(), explanation.text(), !boat.isAtRest() && !isEmpty);
         boolean stands = !explanation.shouldMove()
                 && !boat.isAtRest()
                 && boat.status().link() != LinkState.LOST; // that was said at once
@@ -61,7 +61,7 @@ final class BoatMonitor {
         int looks = before != null && before.reason.equals(reason) ? before.looks + 1 : 1;
         standstills.put(boat, new Standstill(reason, looks));
         if (looks == PATIENCE) {
-            notices.show(text);
+            messages.notice(text);
         }
     }
 }

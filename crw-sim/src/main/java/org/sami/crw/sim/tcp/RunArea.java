@@ -1,10 +1,15 @@
 package org.sami.crw.sim.tcp;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.crw.session.SessionTelemetry;
 import org.sami.spn.engine.EngineView;
+import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.value.GeoPoint;
@@ -19,17 +24,19 @@ import org.sami.spn.value.Value;
  * @param centre of the area in which the locations lie
  * @param boats their names in the order of their addresses
  */
-record SessionArea(GeoPoint centre, List<String> boats) {
+record RunArea(GeoPoint centre, List<String> boats) {
     private static final String KEY = "run/area";
+    private static final String TELEMETRY_KIND = "area";
+    private static final ObjectMapper JSON = new ObjectMapper();
 
-    SessionArea {
+    RunArea {
         Objects.requireNonNull(centre, "centre");
         boats = List.copyOf(boats);
     }
 
     /** An area around boats. */
-    static SessionArea around(List<GeoPoint> positions, List<String> boats) {
-        return new SessionArea(
+    static RunArea around(List<GeoPoint> positions, List<String> boats) {
+        return new RunArea(
                 GeoPoint.of(
                         positions.stream()
                                 .mapToDouble(GeoPoint::latDeg)
@@ -42,6 +49,29 @@ record SessionArea(GeoPoint centre, List<String> boats) {
                 boats);
     }
 
+    /** Notes it beside the engine's inputs. */
+    void note(SessionTelemetry telemetry, long atMillis) {
+        ObjectNode json = JSON.createObjectNode().put("latDeg", centre.latDeg()).put("lonDeg", centre.lonDeg());
+        boats.forEach(json.putArray("boats")::add);
+        telemetry.add(atMillis, "", TELEMETRY_KIND, json);
+    }
+
+    /**
+     * What an earlier process noted beside the engine's inputs; empty if the row is of another kind.
+     *
+     * @throws IllegalArgumentException if it makes no sense
+     */
+    static Optional<RunArea> noted(TelemetryRow row, JsonNode json) {
+        if (!row.kind().equals(TELEMETRY_KIND)) {
+            return Optional.empty();
+        }
+        List<String> boats = new ArrayList<>();
+        json.path("boats").forEach(boat -> boats.add(boat.asText()));
+        GeoPoint centre = GeoPoint.of(
+                json.required("latDeg").asDouble(), json.required("lonDeg").asDouble());
+        return Optional.of(new RunArea(centre, boats));
+    }
+
     /** Has the engine remember it. */
     Input remember() {
         List<Value> values = new ArrayList<>(List.of(centre));
@@ -50,12 +80,12 @@ record SessionArea(GeoPoint centre, List<String> boats) {
     }
 
     /** What the engine remembers of it. */
-    static Optional<SessionArea> remembered(EngineView view) {
+    static Optional<RunArea> remembered(EngineView view) {
         return view.memory(Ids.NONE, KEY)
                 .filter(ListValue.class::isInstance)
                 .map(value -> ((ListValue) value).items())
                 .filter(items -> !items.isEmpty() && items.get(0) instanceof GeoPoint)
-                .map(items -> new SessionArea(
+                .map(items -> new RunArea(
                         (GeoPoint) items.get(0),
                         items.stream()
                                 .filter(ProxyValue.class::isInstance)

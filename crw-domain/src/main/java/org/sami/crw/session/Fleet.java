@@ -1,0 +1,274 @@
+package org.sami.crw.session;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.sami.crw.proxy.BoatConnector;
+import org.sami.crw.proxy.BoatExplanation;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.BoatStatus;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.proxy.tcp.LinkReport;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * The boats of a session, and what an operator does with them by hand. All methods may be called from any thread and return at once;
+ * what comes of them arrives on the front's executor, a refusal as a {@link RefusedException}.
+ */
+public final class Fleet {
+    private final FleetConnector connector;
+    private final Replies replies;
+    private final FleetStatus status;
+    private final Optional<RememberedBoats> remembered; // empty where a session is resumed by running its world again
+    private final Runnable beforeTheFirst;
+    private boolean stopped; // for the fleet's thread
+
+    Fleet(
+            FleetConnector connector,
+            FleetListener listener,
+            Replies replies,
+            FleetStatus status,
+            Optional<RememberedBoats> remembered,
+            Runnable beforeTheFirst) {
+        this.connector = connector;
+        this.replies = replies;
+        this.status = status;
+        this.remembered = remembered;
+        this.beforeTheFirst = beforeTheFirst;
+        listener.onEachBoat(this::found);
+    }
+
+    private void found(BoatProxy boat) {
+        if (remembered.map(memory -> memory.isWatched(boat.boatId())).orElse(false)) {
+            boat.observe();
+        }
+        if (stopped) {
+            boat.fleetStop();
+        }
+    }
+
+    // ---- which boats there are
+
+    /**
+     * Connects to a boat's server, and keeps at it until {@link #disconnect}.
+     *
+     * @return the boat's id, when it has answered
+     */
+    public CompletionStage<String> connect(BoatAddress address) {
+        beforeTheFirst.run();
+        Replies.Reply<String> reply = replies.open();
+        connector.executor().execute(() -> {
+            try {
+                connector.connect(new BoatConnector.Wanted("", "", address.toString()), reply::complete);
+            } catch (RuntimeException cannot) {
+                reply.fail(new RefusedException(cannot.getMessage()));
+            }
+        });
+        return reply.stage();
+    }
+
+    /**
+     * Gives up a boat and its address: its commands fail, it is stopped if it can be told, and is then left alone. Missions keep it;
+     * {@link Session#drop(String)} takes it out of them. Gives whether it was known.
+     */
+    public CompletionStage<Boolean> disconnect(String boat) {
+        return replies.of(connector.disconnect(boat));
+    }
+
+    /** Gives up an address, and as {@link #disconnect(String)} the boat that it leads to. Gives whether it was known. */
+    public CompletionStage<Boolean> disconnect(BoatAddress address) {
+        return replies.of(connector.disconnect(address));
+    }
+
+    /**
+     * Adds simulated boats, which join when their servers answer.
+     *
+     * @param name of one boat; of several, what their numbers are put behind
+     * @return their ids
+     */
+    public CompletionStage<List<String>> addSimulated(String name, GeoPoint start, int count) {
+        beforeTheFirst.run();
+        return onFleet(boats -> {
+            if (count < 1) {
+                throw new RefusedException("1 boat or more can be added, not " + count);
+            }
+            try {
+                return connector.create(name, "", start, count);
+            } catch (IllegalStateException | IllegalArgumentException cannot) {
+                throw new RefusedException(cannot.getMessage());
+            }
+        });
+    }
+
+    /** A boat of that name is known to be somewhere: missions may want things of it, which wait until an address leads to it. */
+    public void expect(String boat) {
+        beforeTheFirst.run();
+        connector.executor().execute(() -> connector.expect(boat));
+    }
+
+    /** Connects again to the boats that the journal knows, as far as they were not disconnected. Gives their ids. */
+    List<String> reconnect(Set<BoatAddress> except) {
+        List<RememberedBoats.Remembered> known =
+                remembered.map(RememberedBoats::all).orElse(List.of());
+        known.forEach(boat -> expect(boat.boat()));
+        known.forEach(boat ->
+                boat.address().filter(address -> !except.contains(address)).ifPresent(this::connect));
+        return known.stream().map(RememberedBoats.Remembered::boat).toList();
+    }
+
+    // ---- what is known of them
+
+    /** The boats that are known, as they are now. */
+    public CompletionStage<List<BoatStatus>> boats() {
+        return onFleet(boats -> boats.all().stream().map(BoatProxy::status).toList());
+    }
+
+    /** How the links stand. */
+    public CompletionStage<List<LinkReport>> links() {
+        return replies.of(connector.links());
+    }
+
+    /** Why a boat moves or does not. */
+    public CompletionStage<BoatExplanation> why(String boat) {
+        return onBoat(boat, BoatProxy::explain);
+    }
+
+    /** What is known of the boats over all processes of the session; from any thread, at once. */
+    public FleetStatus status() {
+        return status;
+    }
+
+    /** Asks the proxies something on the fleet's thread; what is asked must be quick. */
+    public <T> CompletionStage<T> ask(Function<ProxyRegistry, T> question) {
+        return onFleet(question);
+    }
+
+    // ---- by hand
+
+    /** Commands a boat from now on, whoever did before. The boat's answer is told to listeners. */
+    public CompletionStage<Void> takeCommand(String boat) {
+        return tell(boat, proxy -> {
+            checkLinked(proxy);
+            remembered.ifPresent(memory -> memory.watched(boat, false));
+            proxy.takeCommand();
+        });
+    }
+
+    /** Asks whoever commands a boat for its command. The answer is told to listeners. */
+    public CompletionStage<Void> askForCommand(String boat) {
+        return tell(boat, proxy -> {
+            checkLinked(proxy);
+            proxy.askForCommand();
+        });
+    }
+
+    /** Only watches a boat from now on: whoever wishes may command it. What missions want of it waits. */
+    public CompletionStage<Void> handOver(String boat) {
+        return tell(boat, proxy -> {
+            checkLinked(proxy);
+            remembered.ifPresent(memory -> memory.watched(boat, true));
+            proxy.observe();
+        });
+    }
+
+    /** Gives a boat's command to another base, by its client id, and watches. */
+    public CompletionStage<Void> handOver(String boat, String clientId) {
+        return tell(boat, proxy -> {
+            checkCommanding(proxy);
+            proxy.grantCommand(clientId);
+        });
+    }
+
+    /**
+     * Drives a boat by hand: missions are told, and what they want of it waits until {@link #handBack}. To be called again within two
+     * seconds, or the boat stops its motors.
+     *
+     * @param thrust part of full thrust, -1 to 1
+     * @param rudder part of full steering effort, -1 (port) to 1 (starboard)
+     */
+    public CompletionStage<Void> teleoperate(String boat, double thrust, double rudder) {
+        if (!(Math.abs(thrust) <= 1 && Math.abs(rudder) <= 1)) {
+            return CompletableFuture.failedFuture(
+                    new RefusedException("thrust and rudder are -1 to 1, not " + thrust + " and " + rudder));
+        }
+        return tell(boat, proxy -> {
+            checkCommanding(proxy);
+            proxy.teleoperate(thrust, rudder);
+        });
+    }
+
+    /** Gives a boat that was driven by hand back to the missions; it stops if none wants anything of it. */
+    public CompletionStage<Void> handBack(String boat) {
+        return tell(boat, BoatProxy::release);
+    }
+
+    /** Stops the motors of one boat, latched on it until {@link #release}. */
+    public CompletionStage<Void> stop(String boat) {
+        return tell(boat, BoatProxy::fleetStop);
+    }
+
+    /** Ends the stop of one boat, which goes on with what missions want of it. */
+    public CompletionStage<Void> release(String boat) {
+        return tell(boat, BoatProxy::fleetRelease);
+    }
+
+    /** Stops the motors of every boat, latched on each, and of every boat that is found until {@link #releaseAll}. Gives whom it told. */
+    public CompletionStage<List<String>> stopAll() {
+        return onFleet(boats -> {
+            stopped = true;
+            boats.fleetStop();
+            return boats.boatIds();
+        });
+    }
+
+    /** Ends the fleet stop; boats go on with what missions want of them. Gives whom it told. */
+    public CompletionStage<List<String>> releaseAll() {
+        return onFleet(boats -> {
+            stopped = false;
+            boats.fleetRelease();
+            return boats.boatIds();
+        });
+    }
+
+    // ---- how
+
+    private static void checkLinked(BoatProxy boat) {
+        if (boat.status().link() != LinkState.LINKED) {
+            throw new RefusedException("there is no link to " + boat.boatId() + " now");
+        }
+    }
+
+    private static void checkCommanding(BoatProxy boat) {
+        checkLinked(boat);
+        if (!boat.isCommanding()) {
+            throw new RefusedException("another base commands " + boat.boatId() + "; take its command first");
+        }
+    }
+
+    private CompletionStage<Void> tell(String boat, Consumer<BoatProxy> what) {
+        return onBoat(boat, proxy -> {
+            what.accept(proxy);
+            return null;
+        });
+    }
+
+    private <T> CompletionStage<T> onBoat(String boat, Function<BoatProxy, T> what) {
+        return onFleet(boats -> what.apply(boats.find(boat)
+                .orElseThrow(() ->
+                        new RefusedException("there is no boat '" + boat + "'; there " + namesOf(boats.boatIds())))));
+    }
+
+    private static String namesOf(List<String> boats) {
+        return boats.isEmpty() ? "is none" : (boats.size() == 1 ? "is " : "are ") + String.join(", ", boats);
+    }
+
+    private <T> CompletionStage<T> onFleet(Function<ProxyRegistry, T> what) {
+        return replies.on(connector.executor(), () -> what.apply(connector.boats()));
+    }
+}

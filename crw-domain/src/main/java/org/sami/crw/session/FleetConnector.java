@@ -1,0 +1,40 @@
+package org.sami.crw.session;
+
+import java.util.List;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
+import org.sami.crw.proxy.BoatConnector;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.tcp.BaseListener;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.proxy.tcp.LinkReport;
+
+/**
+ * The boats of a session and the ways to them: over TCP, or in a simulated world. By this and by its clock alone sessions in process
+ * differ from those over TCP. For the fleet's thread, but for {@link #executor} and {@link #close}.
+ */
+public interface FleetConnector extends BoatConnector, AutoCloseable {
+    /** Begins; whatever becomes of boats and links is told to the listener, on the fleet's thread. Called once, on any thread. */
+    void open(BaseListener listener);
+
+    /** The fleet's thread. */
+    Executor executor();
+
+    /** The boats that are known. */
+    ProxyRegistry boats();
+
+    /** A boat of that name is known to be somewhere: it gets its proxy, whose commands wait until an address leads to it. */
+    void expect(String boat);
+
+    /** Gives up a boat and its address: its commands fail, it is stopped if it can be told. Gives whether it was known. */
+    CompletionStage<Boolean> disconnect(String boat);
+
+    /** Gives up an address, and the boat that it leads to. Gives whether it was known. */
+    CompletionStage<Boolean> disconnect(BoatAddress address);
+
+    /** How the links stand; from any thread. */
+    CompletionStage<List<LinkReport>> links();
+
+    @Override
+    void close();
+}

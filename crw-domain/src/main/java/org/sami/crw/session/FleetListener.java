@@ -1,0 +1,177 @@
+package org.sami.crw.session;
+
+import java.net.InetSocketAddress;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.fleet.FleetEvents;
+import org.sami.crw.proxy.BatteryState;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.BoatReading;
+import org.sami.crw.proxy.BoatStatus;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.tcp.BaseListener;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.proxy.tcp.LinkAlarm;
+import org.sami.spn.host.ListenerList;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Hears of the boats and their links before plans do, and notes what a session keeps of them: status, telemetry, addresses. For the
+ * fleet's thread, but where said.
+ */
+final class FleetListener implements BaseListener {
+    private final FleetEvents events;
+    private final FleetStatus status;
+    private final SessionTelemetry telemetry;
+    private final SessionMessages messages;
+    private final Optional<RememberedBoats> remembered;
+    private final LongSupplier nowMillis;
+    private final ListenerList<Consumer<BoatProxy>> finders = new ListenerList<>();
+    private final Map<String, Integer> reported = new HashMap<>(); // points that were passed, by command
+    private volatile boolean closed;
+
+    FleetListener(
+            FleetEvents events,
+            FleetStatus status,
+            SessionTelemetry telemetry,
+            SessionMessages messages,
+            Optional<RememberedBoats> remembered,
+            LongSupplier nowMillis) {
+        this.events = events;
+        this.status = status;
+        this.telemetry = telemetry;
+        this.messages = messages;
+        this.remembered = remembered;
+        this.nowMillis = nowMillis;
+        events.subscribe(this::take);
+    }
+
+    /** Somebody is given each boat that becomes known. From any thread. */
+    void onEachBoat(Consumer<BoatProxy> finder) {
+        finders.add(finder);
+    }
+
+    /** From now on it notes nothing: what becomes of links now is the session's own doing. From any thread. */
+    void close() {
+        closed = true;
+    }
+
+    // ---- links, passed on to all who subscribed
+
+    @Override
+    public BoatListener found(String boatId) {
+        return events.found(boatId);
+    }
+
+    @Override
+    public void onBoat(BoatProxy proxy) {
+        finders.each(finder -> finder.accept(proxy));
+        events.onBoat(proxy);
+    }
+
+    @Override
+    public void onReached(String boatId, InetSocketAddress at) {
+        BoatAddress address = new BoatAddress(at.getHostString(), at.getPort());
+        remembered.ifPresent(memory -> memory.reachedAt(boatId, address));
+        if (status.isAt(boatId, address.toString())) {
+            telemetry.address(boatId, address.toString());
+        }
+    }
+
+    @Override
+    public void onMoved(String boatId, InetSocketAddress from, InetSocketAddress to) {
+        events.onMoved(boatId, from, to);
+    }
+
+    @Override
+    public void onRemoved(String boatId) {
+        remembered.ifPresent(memory -> memory.gone(boatId));
+        events.onRemoved(boatId);
+    }
+
+    @Override
+    public void onAlarm(LinkAlarm alarm) {
+        messages.ofLink(nowMillis.getAsLong(), "ALARM: " + alarm.text());
+        events.onAlarm(alarm);
+    }
+
+    @Override
+    public void onFailure(String what, RuntimeException cause) {
+        messages.ofLink(nowMillis.getAsLong(), "fault in " + what + ": " + cause);
+        events.onFailure(what, cause);
+    }
+
+    // ---- boats
+
+    private void take(FleetEvent event) {
+        if (closed) {
+            return;
+        }
+        if (event instanceof FleetEvent.StatusReported reported) {
+            told(reported.status());
+        } else if (event instanceof FleetEvent.LinkChanged changed) {
+            linkChanged(changed.status());
+        } else if (event instanceof FleetEvent.Measured measured) {
+            measured(measured.boat(), measured.reading());
+        } else if (event instanceof FleetEvent.Progressed progressed
+                && progressed.command() instanceof FollowPath path) {
+            progressed(progressed.boat(), path, progressed.visited());
+        } else if (event instanceof FleetEvent.CommandCompleted done) {
+            reported.remove(done.command().commandId());
+        } else if (event instanceof FleetEvent.CommandFailed failed) {
+            reported.remove(failed.command().commandId());
+        } else if (event instanceof FleetEvent.CommandWithdrawn withdrawn) {
+            reported.remove(withdrawn.command().commandId());
+        }
+    }
+
+    private void told(BoatStatus boat) {
+        boat.pose()
+                .ifPresent(pose -> status.told(
+                        boat.boatId(),
+                        new FleetStatus.Told(
+                                pose.position(),
+                                pose.headingRad(),
+                                pose.speedMps(),
+                                boat.battery().map(BatteryState::percent).orElse(100.0),
+                                pose.boatTimeMs())));
+    }
+
+    private void linkChanged(BoatStatus boat) {
+        if (boat.link() == LinkState.LINKED) {
+            status.linked(boat.boatId(), boat.bootId());
+            telemetry.linked(boat.boatId(), boat.bootId());
+        } else if (boat.link() == LinkState.LOST) {
+            status.lost(boat.boatId());
+            telemetry.lost(boat.boatId());
+        }
+    }
+
+    private void measured(String boat, BoatReading reading) {
+        SensorValue value = SensorValue.of(nowMillis.getAsLong(), boat, reading);
+        telemetry.reading(value);
+        messages.each(listener -> listener.onReading(value));
+    }
+
+    /**
+     * The visits are written down before the domain makes an input of the progress: whoever resumes either knows both or has the boat
+     * go there again.
+     */
+    private void progressed(String boat, FollowPath path, int visited) {
+        int before = Math.max(path.startIndex(), reported.getOrDefault(path.commandId(), 0));
+        if (visited > before) {
+            reported.put(path.commandId(), visited);
+            List<GeoPoint> points = path.points().subList(before, visited);
+            long at = nowMillis.getAsLong();
+            points.forEach(point -> telemetry.visited(at, boat, point));
+            messages.each(listener -> listener.onPassed(boat, points, at));
+        }
+    }
+}

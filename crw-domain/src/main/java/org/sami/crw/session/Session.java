@@ -1,0 +1,349 @@
+package org.sami.crw.session;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.host.Registration;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Answerer;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.value.Value;
+
+/**
+ * Runs plans on boats: the engine's host, the domain, the links to boats, the journal and the operator's models together. A window, a
+ * console, {@code crw run} and a test use it alike (docs/session.md).
+ *
+ * <p>It opens with no boat and no mission, at the state to which its journal came. Listeners and operators are added, and boats may be
+ * connected, before {@link #begin}; from then on any number of missions run, and boats come and go.
+ *
+ * <p>Methods may be called from any thread and return at once, but where said. What comes of them arrives on the front's executor: a
+ * value, or a {@link RefusedException} that says why not. Neither the engine's nor the fleet's thread ever waits for who is told.
+ */
+public final class Session implements AutoCloseable {
+    private static final long FAREWELL_MS = 3000;
+    private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
+
+    private final SessionSetup setup;
+    private final SessionParts parts;
+    private final AtomicBoolean boatsWanted = new AtomicBoolean();
+    private final AtomicBoolean begun = new AtomicBoolean();
+    private final AtomicBoolean closed = new AtomicBoolean();
+    private final Fleet fleet;
+
+    private Session(SessionSetup setup) throws IOException {
+        this.setup = setup;
+        parts = new SessionParts(setup);
+        fleet = new Fleet(parts.connector, parts.boats, parts.replies, parts.status, parts.remembered, this::noteBegin);
+    }
+
+    /**
+     * Opens a session. Nothing happens in it before {@link #begin}.
+     *
+     * @throws IOException if its journal cannot be read
+     */
+    public static Session open(SessionSetup setup) throws IOException {
+        return new Session(setup);
+    }
+
+    /** Before the first link is made it is noted that this process has come: what was lost then is no loss of this one. */
+    private void noteBegin() {
+        if (boatsWanted.compareAndSet(false, true)) {
+            parts.telemetry.begun();
+            parts.status.begunAnew();
+        }
+    }
+
+    /**
+     * Begins: delivers again what was open when an earlier process ended, and takes inputs in.
+     *
+     * @throws IllegalStateException if it has begun
+     */
+    public void begin() {
+        if (!begun.compareAndSet(false, true)) {
+            throw new IllegalStateException("the session has begun already");
+        }
+        noteBegin();
+        parts.begin();
+    }
+
+    /**
+     * Connects again to the boats that the journal knows, as far as they were not disconnected; what missions want of them waits until
+     * they answer. To be called once, before {@link #begin}. Gives their ids.
+     */
+    public List<String> reconnect() {
+        return reconnect(Set.of());
+    }
+
+    /** As {@link #reconnect()}, leaving out addresses to which the caller connects, or which hold no longer. */
+    public List<String> reconnect(Set<BoatAddress> except) {
+        return fleet.reconnect(except);
+    }
+
+    /**
+     * Lets a listener, and after it the operators, hear what happened in earlier processes; before {@link #begin}, on the calling thread.
+     *
+     * @throws IOException if the journal cannot be read
+     */
+    public void replay(HostListener listener) throws IOException {
+        setup.journal().replay(parts.engine, (index, atMillis, input, effects, view) -> {
+            listener.onStep(index, atMillis, input, effects, view);
+            parts.operators.onStep(index, atMillis, input, effects, view);
+        });
+    }
+
+    // ---- missions
+
+    /**
+     * Starts a mission.
+     *
+     * @param plan its id
+     * @param name of the mission, for people
+     * @param parameters values for what the plan asks at its start, by {@code eventId.field} or {@code field}, and for variables by
+     *     {@code @name}; what is not given is asked
+     * @return the mission's id
+     */
+    public CompletionStage<Long> start(String plan, String name, Map<String, Value> parameters) {
+        return parts.posted.post(new Input.StartMission(plan, name, parameters), Session::started);
+    }
+
+    private static long started(List<Effect> effects) {
+        for (Effect effect : effects) {
+            if (effect instanceof Effect.MissionStarted mission && mission.parent() == Ids.NONE) {
+                return mission.mission();
+            }
+        }
+        throw new RefusedException("the mission did not start");
+    }
+
+    /** Aborts a mission: its boats stop doing what it asked. */
+    public CompletionStage<Void> abort(long mission) {
+        return post(new Input.AbortMission(mission));
+    }
+
+    /** Aborts all missions. */
+    public CompletionStage<Void> abortAll() {
+        return post(new Input.AbortMission(Ids.NONE));
+    }
+
+    /** Completes a mission. */
+    public CompletionStage<Void> complete(long mission) {
+        return post(new Input.CompleteMission(mission));
+    }
+
+    /**
+     * Presses an interrupt.
+     *
+     * @param mission that offers it, or {@link Ids#NONE} for every mission that does
+     * @param boats whom it is about; empty for a general one, or where they are to be chosen
+     */
+    public CompletionStage<Void> press(String interrupt, long mission, List<String> boats) {
+        return post(new Input.Interrupt(mission, interrupt, boats));
+    }
+
+    /**
+     * Answers a decision. The first answer counts; a later one is refused.
+     *
+     * @param by name of the operator, which the others are told
+     */
+    public CompletionStage<Void> answer(long decision, Answer answer, String by) {
+        Input.AnswerDecision input = new Input.AnswerDecision(decision, answer, Answerer.OPERATOR);
+        parts.operators.answers(input, by);
+        return parts.posted.post(input, effects -> answered(decision, effects));
+    }
+
+    private static Void answered(long decision, List<Effect> effects) {
+        for (Effect effect : effects) {
+            if (effect instanceof Effect.DecisionClosed closed && closed.decision() == decision) {
+                return null;
+            }
+        }
+        throw new RefusedException("the question stays open: the answer names nobody");
+    }
+
+    /** Writes a variable as a mission would; {@link Ids#NONE} writes a global one. */
+    public CompletionStage<Void> setVariable(long mission, String variable, Value value) {
+        return post(new Input.SetVariable(mission, variable, value));
+    }
+
+    /** Takes a boat out of one mission, which waits for it no longer; the boat goes on with what others want of it. */
+    public CompletionStage<Void> drop(String boat, long mission) {
+        return post(new Input.ProxyDropped(boat, mission));
+    }
+
+    /** Takes a boat out of all missions and disconnects it. When it is connected again, it joins as a new one. */
+    public CompletionStage<Void> drop(String boat) {
+        return drop(boat, Ids.NONE)
+                .thenCompose(dropped -> fleet.disconnect(boat))
+                .thenAccept(known -> {});
+    }
+
+    private CompletionStage<Void> post(Input input) {
+        return parts.posted.post(input, effects -> null);
+    }
+
+    // ---- boats, operators, listeners, models
+
+    /** The boats. */
+    public Fleet fleet() {
+        return fleet;
+    }
+
+    /** What lies before the operator; belongs to the front's executor. */
+    public OperatorModels models() {
+        return parts.models;
+    }
+
+    /** Adds an operator, who is asked what waits and what will. For the engine's thread, or before {@link #begin}. */
+    public Registration addOperator(SessionOperator operator) {
+        return parts.operators.add(operator);
+    }
+
+    /** Adds a listener to the engine's steps, told on the engine's thread; must be quick. */
+    public Registration addListener(HostListener listener) {
+        return parts.host.addListener(listener);
+    }
+
+    /**
+     * Subscribes to all that happens to boats, links, commands and tasks, through a serial executor, such as a window's event thread.
+     * The fleet never waits for the subscriber.
+     */
+    public Registration subscribe(Executor executor, Consumer<? super FleetEvent> subscriber) {
+        return parts.events.subscribe(executor, subscriber);
+    }
+
+    /** Adds a listener to what the session notes. */
+    public Registration addListener(SessionListener listener) {
+        return parts.messages.add(listener);
+    }
+
+    /** Asks the engine's state. */
+    public <T> CompletionStage<T> ask(Function<EngineView, T> question) {
+        return parts.replies.of(parts.host.query(question));
+    }
+
+    /** Whether a service computes for a mission now, so that commands or answers are to come. */
+    public boolean isComputing() {
+        return parts.domain.isComputing();
+    }
+
+    /**
+     * Looks after all boats, and then has something done on the engine's thread: what was asked of boats before has reached their
+     * proxies by then.
+     */
+    public void lookAfterBoats(Runnable then) {
+        parts.lookAfterBoats(then);
+    }
+
+    /** What the session notes beside the engine's inputs. */
+    public SessionTelemetry telemetry() {
+        return parts.telemetry;
+    }
+
+    /** What the session was opened with. */
+    public SessionSetup setup() {
+        return setup;
+    }
+
+    /**
+     * The engine's host: for programs that post inputs of their own, and that ask at once. {@link EngineHost#ask} is not for a window's
+     * event thread.
+     */
+    public EngineHost host() {
+        return parts.host;
+    }
+
+    /** The session's time; its actions run on the engine's thread. */
+    public Scheduler scheduler() {
+        return parts.scheduler;
+    }
+
+    /** Has something done on the engine's thread. */
+    public void execute(Runnable work) {
+        parts.executor.execute(work);
+    }
+
+    // ---- the end
+
+    /**
+     * The engine takes up no further work: what it does now is the last. From any thread, also the engine's. The stage completes on the
+     * engine's thread, when that is done.
+     */
+    public CompletionStage<Void> halt() {
+        return parts.halt();
+    }
+
+    /**
+     * Takes back what missions have for boats, and waits, for 3 s at most, until they have stopped. After this nobody commands them from
+     * here, and nothing more is noted of them. Blocks: not for a thread of the session's own, nor a window's event thread.
+     *
+     * @return who has not said that it stops, in words
+     */
+    public List<String> leave() {
+        parts.domain.close();
+        parts.onFleet(boats -> {
+            parts.monitor.look(boats);
+            takeBack(boats);
+            return null;
+        });
+        long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(FAREWELL_MS);
+        while (!parts.onFleet(Session::haveStopped) && System.nanoTime() < end) {
+            LockSupport.parkNanos(LOOK_NANOS);
+        }
+        List<String> going = parts.onFleet(Session::whoGoesOn);
+        parts.listenNoLonger();
+        return going;
+    }
+
+    private static void takeBack(ProxyRegistry boats) {
+        for (BoatProxy boat : boats.all()) {
+            List<BoatCommand> queued = new ArrayList<>(boat.waitingCommands());
+            boat.currentCommand().ifPresent(queued::add);
+            queued.forEach(command -> boat.withdraw(command.mission()));
+        }
+    }
+
+    private static List<String> whoGoesOn(ProxyRegistry boats) {
+        return boats.all().stream()
+                .filter(boat -> !boat.isAtRest())
+                .map(boat -> boat.boatId()
+                        + " has not said that it stops; without a link it does what is set for a lost one")
+                .toList();
+    }
+
+    private static boolean haveStopped(ProxyRegistry boats) {
+        return boats.all().stream()
+                .allMatch(boat -> boat.isAtRest() || boat.status().link() != LinkState.LINKED);
+    }
+
+    /**
+     * Ends the session: links, threads, host and journal are closed, results that are open fail. Boats go on with what they were told
+     * until they notice that the link is lost. Blocks for a few seconds at most; not for a thread of the session's own.
+     */
+    @Override
+    public void close() throws IOException {
+        if (closed.compareAndSet(false, true)) {
+            parts.close();
+        }
+    }
+}

@@ -1,0 +1,25 @@
+package org.sami.crw.session;
+
+import java.util.List;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Hears what a session notes beside the engine's steps. Called on the thread on which it happens, most of it the fleet's: must be
+ * quick, and must not wait for the session.
+ */
+public interface SessionListener {
+    /** The operator is told something; kept in the journal. On any thread. */
+    default void onNote(SessionNote note) {}
+
+    /** The operator is told something that need not be kept, such as why a boat still stands. On the fleet's thread. */
+    default void onNotice(String text) {}
+
+    /** A boat says that these points of its path are behind it. On the fleet's thread, before the engine hears of it. */
+    default void onPassed(String boat, List<GeoPoint> points, long atMillis) {}
+
+    /** A sensor has measured. On the fleet's thread. */
+    default void onReading(SensorValue reading) {}
+
+    /** The session cannot go on, for a reason in one sentence. On the engine's thread. */
+    default void onBroken(String reason) {}
+}

@@ -1,0 +1,35 @@
+package org.sami.crw.session;
+
+import java.util.Locale;
+import java.util.Objects;
+import org.sami.crw.operator.OperatorMessage;
+import org.sami.spn.protocol.Ids;
+
+/**
+ * Something that the operator was told, as a session notes it.
+ *
+ * @param kind what sort of message: {@code plan message}, {@code domain message}, {@link #LINK}, {@link #JOURNAL}
+ * @param mission whom it concerns; {@link Ids#NONE} for nobody in particular
+ */
+public record SessionNote(long atMillis, String kind, long mission, String text) {
+    /** Kind of a note about a link. */
+    public static final String LINK = "link";
+
+    /** Kind of a note about the journal. */
+    public static final String JOURNAL = "journal";
+
+    public SessionNote {
+        Objects.requireNonNull(kind, "kind");
+        Objects.requireNonNull(text, "text");
+    }
+
+    static SessionNote of(OperatorMessage message) {
+        String source = message.source().name().toLowerCase(Locale.ROOT);
+        return new SessionNote(message.atMillis(), source + " message", message.mission(), message.text());
+    }
+
+    /** Whether it is the domain that speaks of a boat, or of a link: what the operator is to see at once. */
+    public boolean isUrgent() {
+        return kind.equals(LINK) || kind.equals("domain message");
+    }
+}

@@ -1,0 +1,36 @@
+package org.sami.crw.session;
+
+import java.util.Optional;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Decision;
+
+/**
+ * Somebody who answers decisions: a window, the simulated operator, an answers file. A session may have several at once: all are
+ * asked, the first answer counts, and all are told of it. Called on the engine's thread, must be quick; answers go to
+ * {@link Session#answer(long, Answer, String)}, now or later, from any thread.
+ */
+public interface SessionOperator {
+    /** Names it to the others, such as {@code window}. */
+    String name();
+
+    /** A decision waits. */
+    void asked(Asked asked);
+
+    /**
+     * A decision waits no longer.
+     *
+     * @param answer empty if nobody answered: its mission or its visit ended
+     * @param by name of the operator who answered first, or {@code autonomy}; empty text without an answer
+     */
+    void settled(long decision, Optional<Answer> answer, String by);
+
+    /**
+     * A decision that waits.
+     *
+     * @param decision offers only boats that the plan allows
+     * @param plan id of the plan whose mission asks; empty text where the domain asks
+     * @param workMillis how long the operator is busy with what is asked beside answering (thesis 8.1)
+     * @param atMillis since when, in the session's time
+     */
+    record Asked(Decision decision, String plan, long workMillis, long atMillis) {}
+}

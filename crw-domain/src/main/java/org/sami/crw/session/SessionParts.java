@@ -1,0 +1,185 @@
+package org.sami.crw.session;
+
+import java.io.IOException;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.function.Function;
+import org.sami.crw.fleet.FleetEvents;
+import org.sami.crw.handler.CrwDomain;
+import org.sami.crw.handler.ServiceThreads;
+import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.spn.engine.Engine;
+import org.sami.spn.host.EngineHost;
+
+/** The parts of a session, put together for its runtime. */
+final class SessionParts {
+    /** On the caller's one thread nobody waits for a listener but the caller. */
+    private static final long NEVER_SLOW_MILLIS = 3_600_000;
+
+    private static final long SLOW_MILLIS = 50;
+    private static final long LOOK_MS = 1000;
+
+    final Engine engine;
+    final Scheduler scheduler;
+    final Executor executor;
+    final Executor front;
+    final Replies replies;
+    final EngineHost host;
+    final FleetConnector connector;
+    final FleetStatus status = new FleetStatus();
+    final SessionTelemetry telemetry;
+    final OperatorModels models;
+    final SessionMessages messages;
+    final FleetEvents events;
+    final FleetListener boats;
+    final BoatMonitor monitor;
+    final PostedInputs posted;
+    final Operators operators = new Operators();
+    final CrwDomain domain;
+    final Optional<RememberedBoats> remembered;
+
+    private final SessionJournal journal;
+    private final Optional<RealTimeLoop> loop;
+    private final Optional<ServiceThreads> services;
+    private final Optional<ExecutorService> ownFront;
+    private final CompletableFuture<Void> ended = new CompletableFuture<>();
+    private volatile boolean halted;
+
+    SessionParts(SessionSetup setup) throws IOException {
+        journal = setup.journal();
+        engine = new Engine(setup.vocabulary(), setup.project());
+        if (setup.runtime() instanceof SessionRuntime.RealTime real) {
+            loop = Optional.of(new RealTimeLoop(journal.cameToMillis(), real.clock()));
+            scheduler = loop.get();
+            executor = loop.get();
+            connector = new TcpFleet(real.links(), real.clock(), real.simulatedBoats());
+            services = Optional.of(new ServiceThreads(ServiceThreads.STANDARD_LIMIT_MILLIS));
+            ownFront = real.front().isPresent() ? Optional.empty() : Optional.of(newFront());
+            front = real.front().orElseGet(ownFront::get);
+        } else {
+            SessionRuntime.OneThread one = (SessionRuntime.OneThread) setup.runtime();
+            loop = Optional.empty();
+            scheduler = one.clock();
+            executor = one.executor();
+            connector = one.fleet();
+            services = Optional.empty();
+            ownFront = Optional.empty();
+            front = one.executor();
+        }
+        long slowMillis = loop.isPresent() ? SLOW_MILLIS : NEVER_SLOW_MILLIS;
+        ScheduledHostClock clock = new ScheduledHostClock(scheduler);
+        host = EngineHost.builder(engine, journal.restore(engine))
+                .journal(journal.inputs())
+                .clock(clock)
+                .executor(executor)
+                .slowListenerMillis(slowMillis)
+                .build();
+        replies = new Replies(front);
+        posted = new PostedInputs(host, replies);
+        telemetry = new SessionTelemetry(journal, scheduler::nowMs);
+        models = new OperatorModels(front);
+        messages = new SessionMessages(telemetry, models);
+        remembered = loop.map(real -> new RememberedBoats(host));
+        events = new FleetEvents(slowMillis);
+        boats = new FleetListener(events, status, telemetry, messages, remembered, scheduler::nowMs);
+        monitor = new BoatMonitor(status, telemetry, messages);
+        connector.open(boats);
+        domain = services.map(threads -> CrwDomain.installInRealTime(
+                        host,
+                        connector.boats(),
+                        connector.executor(),
+                        messages,
+                        setup.services(),
+                        connector,
+                        events,
+                        threads))
+                .orElseGet(() -> CrwDomain.install(
+                        host, connector.boats(), connector.executor(), messages, setup.services(), connector, events));
+        host.addListener(operators);
+        host.addListener(models);
+        host.addListener(posted);
+    }
+
+    private static ExecutorService newFront() {
+        return Executors.newSingleThreadExecutor(work -> {
+            Thread thread = new Thread(work, "session");
+            thread.setDaemon(true);
+            return thread;
+        });
+    }
+
+    void begin() {
+        host.ask(view -> {
+            operators.restore(view, scheduler.nowMs());
+            models.restore(view, scheduler.nowMs());
+            return null;
+        });
+        host.resume();
+        keepLookingAfterBoats();
+        loop.ifPresent(this::startEngine);
+    }
+
+    private void keepLookingAfterBoats() {
+        connector.executor().execute(() -> monitor.look(connector.boats()));
+        scheduler.after(LOOK_MS, this::keepLookingAfterBoats);
+    }
+
+    void lookAfterBoats(Runnable then) {
+        connector.executor().execute(() -> {
+            monitor.look(connector.boats());
+            executor.execute(then);
+        });
+    }
+
+    private void startEngine(RealTimeLoop real) {
+        Thread thread = new Thread(() -> runEngine(real), "engine");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private void runEngine(RealTimeLoop real) {
+        try {
+            real.run(() -> halted);
+        } catch (RuntimeException | AssertionError fault) {
+            String reason = "the engine's thread broke: " + fault;
+            messages.each(listener -> listener.onBroken(reason));
+            posted.onFailed(reason);
+        } finally {
+            ended.complete(null);
+        }
+    }
+
+    CompletionStage<Void> halt() {
+        halted = true;
+        return ended;
+    }
+
+    /** Asks the proxies and waits; not for the fleet's thread. */
+    <T> T onFleet(Function<ProxyRegistry, T> question) {
+        return CompletableFuture.supplyAsync(() -> question.apply(connector.boats()), connector.executor())
+                .join();
+    }
+
+    /** What becomes of links now is the session's own doing. */
+    void listenNoLonger() {
+        boats.close();
+        messages.close();
+    }
+
+    void close() throws IOException {
+        listenNoLonger();
+        halted = true;
+        services.ifPresent(ServiceThreads::close);
+        connector.close();
+        telemetry.flush();
+        host.close();
+        replies.close();
+        ownFront.ifPresent(ExecutorService::shutdown);
+        journal.close();
+    }
+}

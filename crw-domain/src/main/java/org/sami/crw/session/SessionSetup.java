@@ -1,0 +1,68 @@
+package org.sami.crw.session;
+
+import java.io.IOException;
+import java.util.Objects;
+import org.sami.crw.handler.CrwServices;
+import org.sami.spn.journal.JournalHeader;
+import org.sami.spn.json.ProjectReader;
+import org.sami.spn.json.VocabularyFiles;
+import org.sami.spn.json.VocabularyReader;
+import org.sami.spn.model.Project;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * What a session is opened with.
+ *
+ * @param project whose plans may run; they have passed the checks
+ * @param journal belongs to the session, which closes it
+ * @param services who computes allocations, paths and coverage
+ */
+public record SessionSetup(
+        Vocabulary vocabulary, Project project, SessionJournal journal, CrwServices services, SessionRuntime runtime) {
+    public SessionSetup {
+        Objects.requireNonNull(vocabulary, "vocabulary");
+        Objects.requireNonNull(project, "project");
+        Objects.requireNonNull(journal, "journal");
+        Objects.requireNonNull(services, "services");
+        Objects.requireNonNull(runtime, "runtime");
+    }
+
+    /** A session without a journal, in real time, on boats behind TCP. */
+    public static SessionSetup of(Vocabulary vocabulary, Project project) {
+        return new SessionSetup(
+                vocabulary,
+                project,
+                SessionJournal.none(),
+                CrwServices.STANDARD,
+                SessionRuntime.RealTime.ofThisProcess());
+    }
+
+    /**
+     * A session that goes on where its journal ends, with the words and the plans that the journal holds.
+     *
+     * @throws IOException if the journal's documents cannot be read
+     */
+    public static SessionSetup resumed(SessionJournal journal) throws IOException {
+        JournalHeader header =
+                journal.header().orElseThrow(() -> new IllegalArgumentException("there is no journal to go on from"));
+        Vocabulary vocabulary =
+                VocabularyReader.read(new VocabularyFiles(header.vocabulary())).orThrow();
+        Project project = new ProjectReader(vocabulary).read(header.project()).orThrow();
+        return of(vocabulary, project).with(journal);
+    }
+
+    /** The same with another journal. */
+    public SessionSetup with(SessionJournal other) {
+        return new SessionSetup(vocabulary, project, other, services, runtime);
+    }
+
+    /** The same on another runtime. */
+    public SessionSetup with(SessionRuntime other) {
+        return new SessionSetup(vocabulary, project, journal, services, other);
+    }
+
+    /** The same with other services. */
+    public SessionSetup with(CrwServices others) {
+        return new SessionSetup(vocabulary, project, journal, others, runtime);
+    }
+}

@@ -1,0 +1,171 @@
+package org.sami.crw.session;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import org.sami.boat.link.SteadyClock;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.tcp.BaseListener;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.proxy.tcp.LinkAlarm;
+import org.sami.crw.proxy.tcp.LinkReport;
+import org.sami.crw.proxy.tcp.TcpBase;
+import org.sami.crw.proxy.tcp.TcpBaseConfig;
+import org.sami.spn.value.GeoPoint;
+
+/** Boats behind TCP. Knows which address leads to which boat, and who waits for an address to lead to one. */
+final class TcpFleet implements FleetConnector {
+    private final TcpBaseConfig config;
+    private final SteadyClock clock;
+    private final Optional<SimulatedBoats> simulated;
+    private final Map<InetSocketAddress, String> boatAt = new HashMap<>(); // this and the next: for the fleet's thread
+    private final Map<InetSocketAddress, List<Consumer<String>>> awaited = new HashMap<>();
+    private volatile TcpBase base;
+
+    TcpFleet(TcpBaseConfig config, SteadyClock clock, Optional<SimulatedBoats> simulated) {
+        this.config = config;
+        this.clock = clock;
+        this.simulated = simulated;
+    }
+
+    @Override
+    public void open(BaseListener listener) {
+        base = new TcpBase(config, clock, new Relay(listener));
+    }
+
+    @Override
+    public Executor executor() {
+        return base.executor();
+    }
+
+    @Override
+    public ProxyRegistry boats() {
+        return base.boats();
+    }
+
+    @Override
+    public void connect(Wanted wanted, Consumer<String> found) {
+        InetSocketAddress address = BoatAddress.parse(wanted.server()).toSocketAddress();
+        String known = boatAt.get(address);
+        if (known != null) {
+            found.accept(known);
+        } else {
+            awaited.computeIfAbsent(address, unknown -> new ArrayList<>()).add(found);
+            base.connect(address);
+        }
+    }
+
+    @Override
+    public List<String> create(String name, String color, GeoPoint start, int count) {
+        SimulatedBoats yard = simulated.orElseThrow(
+                () -> new IllegalStateException("this session has nobody who makes simulated boats"));
+        List<String> created = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            String boat = unused(count == 1 ? name : name.strip() + (i + 1));
+            try {
+                InetSocketAddress address = yard.launch(boat, start).toSocketAddress();
+                base.expect(boat); // its name is taken from now on
+                base.connect(address);
+            } catch (IOException noPort) {
+                throw new IllegalStateException(boat + " cannot be launched: " + noPort.getMessage(), noPort);
+            }
+            created.add(boat);
+        }
+        return created;
+    }
+
+    private String unused(String wanted) {
+        String name = wanted.isBlank() ? "boat" : wanted.strip();
+        String id = name;
+        for (int i = 2; boats().find(id).isPresent(); i++) {
+            id = name + "-" + i;
+        }
+        return id;
+    }
+
+    @Override
+    public void expect(String boat) {
+        base.expect(boat);
+    }
+
+    @Override
+    public CompletionStage<Boolean> disconnect(String boat) {
+        return base.remove(boat);
+    }
+
+    @Override
+    public CompletionStage<Boolean> disconnect(BoatAddress address) {
+        awaited.remove(address.toSocketAddress());
+        return base.disconnect(address.toSocketAddress());
+    }
+
+    @Override
+    public CompletionStage<List<LinkReport>> links() {
+        return base.links();
+    }
+
+    @Override
+    public void close() {
+        base.close();
+        simulated.ifPresent(SimulatedBoats::close);
+    }
+
+    /** Passes everything on, and keeps where boats are. */
+    private final class Relay implements BaseListener {
+        private final BaseListener listener;
+
+        Relay(BaseListener listener) {
+            this.listener = listener;
+        }
+
+        @Override
+        public BoatListener found(String boatId) {
+            return listener.found(boatId);
+        }
+
+        @Override
+        public void onBoat(BoatProxy proxy) {
+            listener.onBoat(proxy);
+        }
+
+        @Override
+        public void onReached(String boatId, InetSocketAddress at) {
+            boatAt.values().remove(boatId);
+            boatAt.put(at, boatId);
+            listener.onReached(boatId, at);
+            List<Consumer<String>> waiting =
+                    Optional.ofNullable(awaited.remove(at)).orElse(List.of());
+            waiting.forEach(found -> found.accept(boatId));
+        }
+
+        @Override
+        public void onMoved(String boatId, InetSocketAddress from, InetSocketAddress to) {
+            listener.onMoved(boatId, from, to);
+        }
+
+        @Override
+        public void onRemoved(String boatId) {
+            boatAt.values().remove(boatId);
+            listener.onRemoved(boatId);
+        }
+
+        @Override
+        public void onAlarm(LinkAlarm alarm) {
+            listener.onAlarm(alarm);
+        }
+
+        @Override
+        public void onFailure(String what, RuntimeException cause) {
+            listener.onFailure(what, cause);
+        }
+    }
+}

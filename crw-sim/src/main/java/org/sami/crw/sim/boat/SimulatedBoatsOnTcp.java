@@ -1,0 +1,59 @@
+package org.sami.crw.sim.boat;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.ArrayList;
+import java.util.List;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.session.SimulatedBoats;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Simulated boats in this process, each with a server of its own on the loopback address, for sessions that want some. They move in
+ * real time. Safe for use by several threads.
+ */
+public final class SimulatedBoatsOnTcp implements SimulatedBoats {
+    private final long seed;
+    private final SteadyClock clock = SteadyClock.ofThisMachine();
+    private final List<BoatOnTcp> boats = new ArrayList<>();
+    private boolean closed;
+
+    /**
+     * Nobody is launched yet.
+     *
+     * @param seed everything random about the boats follows from it
+     */
+    public SimulatedBoatsOnTcp(long seed) {
+        this.seed = seed;
+    }
+
+    @Override
+    public synchronized BoatAddress launch(String boat, GeoPoint at) throws IOException {
+        if (closed) {
+            throw new IOException("no boats are launched any more");
+        }
+        InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
+        BoatOnTcp launched =
+                new BoatOnTcp(BoatSettings.of(boat, anyPort, at, seed + boats.size()), clock, TcpServerListener.NONE);
+        boats.add(launched);
+        return new BoatAddress(
+                launched.address().getAddress().getHostAddress(),
+                launched.address().getPort());
+    }
+
+    @Override
+    public synchronized void close() {
+        closed = true;
+        for (BoatOnTcp boat : boats) {
+            try {
+                boat.close();
+            } catch (IOException portStaysOpen) {
+                // its threads end with this process
+            }
+        }
+        boats.clear();
+    }
+}

@@ -1,0 +1,61 @@
+package org.sami.crw.sim.tcp;
+
+import java.util.List;
+import java.util.Optional;
+import org.sami.boat.server.LocalFrame;
+import org.sami.crw.session.FleetStatus;
+import org.sami.crw.sim.report.LinkResult;
+import org.sami.crw.sim.run.BoatState;
+
+/** The boats of a session as a run's report has them. Safe for use by several threads. */
+final class RunBoats {
+    private final FleetStatus status;
+    private final LocalFrame plane;
+
+    /**
+     * Boats of a run.
+     *
+     * @param plane around the area's centre
+     */
+    RunBoats(FleetStatus status, LocalFrame plane) {
+        this.status = status;
+        this.plane = plane;
+    }
+
+    /** The boats that have ever said where they are, by name, as they were last. */
+    List<BoatState> all() {
+        return status.boats().stream().map(this::state).toList();
+    }
+
+    /** One boat, if it has ever said where it is. */
+    Optional<BoatState> find(String boat) {
+        return status.boat(boat).map(this::state);
+    }
+
+    private BoatState state(FleetStatus.Boat boat) {
+        double latDeg = boat.told().position().latDeg();
+        double lonDeg = boat.told().position().lonDeg();
+        return new BoatState(
+                boat.id(),
+                plane.eastM(latDeg, lonDeg),
+                plane.northM(latDeg, lonDeg),
+                latDeg,
+                lonDeg,
+                boat.told().speedMps(),
+                boat.told().batteryPercent(),
+                boat.distanceM(),
+                boat.recharges());
+    }
+
+    /** How a boat's link went. */
+    LinkResult link(String boat) {
+        FleetStatus.Link link = status.link(boat);
+        return new LinkResult(
+                ("tcp " + link.address()).strip(),
+                link.bootId(),
+                link.lost(),
+                link.reconnected(),
+                LinkResult.Uploads.of(link.uploads()),
+                link.why());
+    }
+}

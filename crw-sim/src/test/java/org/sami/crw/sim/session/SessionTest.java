@@ -1,0 +1,215 @@
+package org.sami.crw.sim.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.server.testing.Await;
+import org.sami.crw.proxy.BoatStatus;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.session.RefusedException;
+import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionOperator;
+import org.sami.crw.sim.boat.BoatOnTcp;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.engine.MissionView;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Ids;
+
+/** What a window, a console and a run do with a session, on boats that are reached over TCP. */
+@Timeout(120)
+@Execution(ExecutionMode.CONCURRENT)
+class SessionTest {
+    private static final String SELECT = "OperatorSelectBoatList";
+
+    @TempDir
+    private Path folder;
+
+    private TestSession world;
+
+    @BeforeEach
+    void open() {
+        world = new TestSession(folder);
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        world.close();
+    }
+
+    private Session begun(String plan) throws Exception {
+        Session session = world.opened(TestSession.library(plan));
+        session.begin();
+        return session;
+    }
+
+    private static List<Long> missions(Session session) {
+        return TestSession.get(session.ask(
+                view -> view.missions().stream().map(MissionView::id).toList()));
+    }
+
+    private static void awaitMode(Session session, String boat, BoatMode mode) {
+        Await.until(
+                boat + " is in mode " + mode,
+                TestSession.WITHIN_S,
+                () -> TestSession.get(session.fleet().boats()).stream()
+                        .anyMatch(status ->
+                                status.boatId().equals(boat) && status.mode().equals(Optional.of(mode))));
+    }
+
+    @Test
+    void opensWithNoBoatAndRunsMissionsOnBoatsThatComeLater() throws Exception {
+        Session session = begun("clv");
+        BoatOnTcp anna = world.boat("anna");
+
+        assertThat(TestSession.get(session.fleet().boats())).isEmpty();
+        assertThat(TestSession.get(session.fleet().connect(TestSession.address(anna))))
+                .isEqualTo("anna");
+        TestSession.until("anna has joined", session, view -> view.proxies().contains("anna"));
+        long first = TestSession.get(session.start("clv", "first", Map.of()));
+        long second = TestSession.get(session.start("clv", "second", Map.of()));
+
+        assertThat(missions(session)).containsExactly(first, second);
+        TestSession.get(session.abort(first));
+        assertThat(missions(session)).containsExactly(second);
+    }
+
+    @Test
+    void refusalSaysWhyNot() throws Exception {
+        Session session = begun("clv");
+
+        assertThatThrownBy(() -> TestSession.get(session.start("clw", "first", Map.of())))
+                .hasCauseInstanceOf(RefusedException.class)
+                .hasMessageContaining("clw");
+        assertThatThrownBy(() -> TestSession.get(session.abort(17))).hasMessageContaining("no running mission 17");
+        assertThatThrownBy(() -> TestSession.get(session.answer(9, new Answer.YesNo(true), "window")))
+                .hasMessageContaining("decision 9 is not open");
+        assertThatThrownBy(() -> TestSession.get(session.press("alarm", Ids.NONE, List.of())))
+                .hasMessageContaining("'alarm'");
+        assertThatThrownBy(() -> TestSession.get(session.fleet().teleoperate("anna", 0.5, 0)))
+                .hasMessageContaining("there is no boat 'anna'; there is none");
+        assertThatThrownBy(() -> TestSession.get(session.fleet().teleoperate("anna", 2, 0)))
+                .hasMessageContaining("-1 to 1, not 2.0");
+    }
+
+    @Test
+    void resultsThatAreOpenFailWhenTheSessionCloses() throws Exception {
+        Session session = begun("clv");
+        CompletionStage<String> never = session.fleet().connect(BoatAddress.parse("127.0.0.1:1"));
+
+        session.close();
+
+        assertThatThrownBy(() -> TestSession.get(never)).hasMessageContaining("the session is closed");
+        assertThatThrownBy(() -> TestSession.get(session.start("clv", "late", Map.of())))
+                .hasMessageContaining("closed");
+    }
+
+    /** An operator who writes down what it hears. */
+    private static final class Listening implements SessionOperator {
+        private final String name;
+        private final List<String> heard = new CopyOnWriteArrayList<>();
+
+        Listening(String name) {
+            this.name = name;
+        }
+
+        @Override
+        public String name() {
+            return name;
+        }
+
+        @Override
+        public void asked(Asked asked) {
+            heard.add("asked in " + asked.plan() + ": " + asked.decision().type());
+        }
+
+        @Override
+        public void settled(long decision, Optional<Answer> answer, String by) {
+            heard.add("answered by " + by);
+        }
+    }
+
+    @Test
+    void firstAnswerOfSeveralOperatorsCountsAndAllAreTold() throws Exception {
+        Session session = world.opened(TestSession.library("clv"));
+        Listening window = new Listening("window");
+        Listening file = new Listening("answers file");
+        session.addOperator(window);
+        session.addOperator(file);
+        session.begin();
+        TestSession.get(session.fleet().connect(TestSession.address(world.boat("anna"))));
+        TestSession.until("anna has joined", session, view -> view.proxies().contains("anna"));
+        TestSession.get(session.start("clv", "first", Map.of()));
+        Decision select = TestSession.decision(session, SELECT);
+
+        TestSession.get(session.answer(select.id(), new Answer.Proxies(List.of("anna")), window.name()));
+        assertThatThrownBy(() ->
+                        TestSession.get(session.answer(select.id(), new Answer.Proxies(List.of("anna")), file.name())))
+                .hasMessageContaining("is not open");
+
+        assertThat(file.heard).startsWith("asked in clv: " + SELECT, "answered by window");
+        assertThat(window.heard).containsExactlyElementsOf(file.heard);
+    }
+
+    @Test
+    void boatThatWasDroppedJoinsAgainWhenItIsConnected() throws Exception {
+        Session session = begun("clv");
+        BoatOnTcp anna = world.boat("anna");
+        TestSession.get(session.fleet().connect(TestSession.address(anna)));
+        TestSession.until("anna has joined", session, view -> view.proxies().contains("anna"));
+
+        TestSession.get(session.drop("anna"));
+
+        List<String> left = session.host().ask(EngineView::proxies);
+        assertThat(left).isEmpty();
+        assertThat(TestSession.get(session.fleet().boats())).isEmpty();
+        TestSession.get(session.fleet().connect(TestSession.address(anna)));
+        TestSession.until(
+                "anna has joined again", session, view -> view.proxies().contains("anna"));
+    }
+
+    @Test
+    void fleetStopHoldsBoatsThatAreFoundLater() throws Exception {
+        Session session = begun("clv");
+        TestSession.get(session.fleet().connect(TestSession.address(world.boat("anna"))));
+        awaitMode(session, "anna", BoatMode.STOPPED);
+
+        assertThat(TestSession.get(session.fleet().stopAll())).containsExactly("anna");
+        awaitMode(session, "anna", BoatMode.FLEET_STOP);
+        TestSession.get(session.fleet().connect(TestSession.address(world.boat("bert"))));
+        awaitMode(session, "bert", BoatMode.FLEET_STOP);
+
+        assertThat(TestSession.get(session.fleet().why("bert")).text()).contains("the fleet stop is latched");
+        assertThat(TestSession.get(session.fleet().releaseAll())).containsExactly("anna", "bert");
+        awaitMode(session, "anna", BoatMode.STOPPED);
+        awaitMode(session, "bert", BoatMode.STOPPED);
+    }
+
+    @Test
+    void simulatedBoatsAreReachedAsAnyOther() throws Exception {
+        Session session = begun("clv");
+
+        List<String> boats = TestSession.get(session.fleet().addSimulated("sim", TestSession.PIER, 2));
+
+        assertThat(boats).containsExactly("sim1", "sim2");
+        TestSession.until("both have joined", session, view -> view.proxies().containsAll(boats));
+        assertThat(TestSession.get(session.fleet().boats()))
+                .map(BoatStatus::boatId)
+                .containsAll(new ArrayList<>(boats));
+    }
+}
