@@ -20,7 +20,8 @@ public final class ServiceThreads implements AutoCloseable {
 
     private final long limitMillis;
     private final ExecutorService threads = Executors.newFixedThreadPool(THREADS, daemons("service"));
-    private final ScheduledExecutorService watch = Executors.newSingleThreadScheduledExecutor(daemons("service-watch"));
+    private final ScheduledExecutorService timeouts =
+            Executors.newSingleThreadScheduledExecutor(daemons("service-timeouts"));
 
     /** Threads with a limit for each computation. */
     public ServiceThreads(long limitMillis) {
@@ -41,7 +42,7 @@ public final class ServiceThreads implements AutoCloseable {
 
     /** Has somebody look after a computation: every few seconds, and when its time is over. */
     Future<?> lookAfter(Runnable progress) {
-        return watch.scheduleAtFixedRate(
+        return timeouts.scheduleAtFixedRate(
                 progress,
                 Math.min(TOLD_MILLIS, limitMillis),
                 Math.min(TOLD_MILLIS, limitMillis),
@@ -55,7 +56,7 @@ public final class ServiceThreads implements AutoCloseable {
     /** Gives up what is being computed. */
     @Override
     public void close() {
-        watch.shutdownNow();
+        timeouts.shutdownNow();
         threads.shutdownNow();
     }
 }

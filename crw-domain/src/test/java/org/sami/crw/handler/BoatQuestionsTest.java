@@ -49,7 +49,7 @@ class BoatQuestionsTest {
     }
 
     private List<Decision> asked() {
-        return world.desk.decisions().pending().stream()
+        return world.operator.decisions().pending().stream()
                 .map(PendingDecision::decision)
                 .toList();
     }
@@ -148,7 +148,7 @@ class BoatQuestionsTest {
         answer(true); // the boat knows no such client, and says so
 
         assertThat(asked()).isEmpty();
-        assertThat(world.desk.messages().messages())
+        assertThat(world.operator.messages().messages())
                 .extracting(OperatorMessage::text)
                 .anyMatch(text -> text.startsWith("a refuses: "));
     }

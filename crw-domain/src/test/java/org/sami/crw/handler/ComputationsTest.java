@@ -89,7 +89,7 @@ class ComputationsTest {
     }
 
     private List<String> messages() {
-        return world.desk.messages().messages().stream()
+        return world.operator.messages().messages().stream()
                 .map(OperatorMessage::text)
                 .toList();
     }

@@ -7,7 +7,7 @@ import java.util.function.Consumer;
 
 /**
  * For each event of the vocabulary the effect by which one sees that it works, and the scene that shows it with real parts. To add an
- * event: {@code shows} it in the chapter that it belongs to; a new chapter is a line of {@link #CHAPTERS}.
+ * event: {@code shows} it in the cases that it belongs to; a new class of cases is a line of {@link #CASES}.
  */
 final class EventCatalogue {
     /** Where an effect is seen. */
@@ -30,7 +30,7 @@ final class EventCatalogue {
     /** One event's row. */
     record Row(String event, Seen seen, String effect, Check check) {}
 
-    private static final List<Consumer<EventCatalogue>> CHAPTERS = List.of(
+    private static final List<Consumer<EventCatalogue>> CASES = List.of(
             MotionEventCases::add,
             AbortEventCases::add,
             ServiceEventCases::add,
@@ -47,7 +47,7 @@ final class EventCatalogue {
     /** The whole catalogue. */
     static EventCatalogue whole() {
         EventCatalogue catalogue = new EventCatalogue();
-        CHAPTERS.forEach(chapter -> chapter.accept(catalogue));
+        CASES.forEach(cases -> cases.accept(catalogue));
         return catalogue;
     }
 

@@ -165,7 +165,7 @@ class ExploreAreaTest {
     }
 
     private List<String> messages() {
-        return world.desk.messages().messages().stream()
+        return world.operator.messages().messages().stream()
                 .map(OperatorMessage::text)
                 .toList();
     }

@@ -329,7 +329,7 @@ class MotionTest {
     }
 
     private List<String> messages() {
-        return world.desk.messages().messages().stream()
+        return world.operator.messages().messages().stream()
                 .map(OperatorMessage::text)
                 .toList();
     }

@@ -54,7 +54,7 @@ class PanoramaTest {
         world.run(5);
 
         assertThat(taken()).isEmpty();
-        assertThat(world.desk.messages().messages())
+        assertThat(world.operator.messages().messages())
                 .extracting(OperatorMessage::text)
                 .anyMatch(text -> text.startsWith("b could not do what here asked") && text.contains("no camera"));
     }

@@ -92,7 +92,7 @@ class PathRequestTest {
         Map<String, TextValue> noWay = ProxyMaps.read(answer.values().get("noWay"), TextValue.class);
         assertThat(noWay).containsOnlyKeys("west");
         assertThat(noWay.get("west").value()).contains("what is forbidden lies all the way");
-        assertThat(world.desk.messages().messages()).singleElement().satisfies(message -> {
+        assertThat(world.operator.messages().messages()).singleElement().satisfies(message -> {
             assertThat(message.text()).startsWith("west: There is no way");
             assertThat(message.priority()).isEqualTo(Priority.HIGH);
             assertThat(message.boats()).containsExactly("west");
@@ -176,7 +176,7 @@ class PathRequestTest {
     }
 
     private List<String> messages() {
-        return world.desk.messages().messages().stream()
+        return world.operator.messages().messages().stream()
                 .map(OperatorMessage::text)
                 .toList();
     }

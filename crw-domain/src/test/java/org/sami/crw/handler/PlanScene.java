@@ -175,7 +175,7 @@ final class PlanScene {
     }
 
     List<String> messages() {
-        return world.desk.messages().messages().stream()
+        return world.operator.messages().messages().stream()
                 .map(OperatorMessage::text)
                 .toList();
     }

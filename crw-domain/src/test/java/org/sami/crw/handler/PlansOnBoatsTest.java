@@ -65,8 +65,8 @@ class PlansOnBoatsTest {
         assertThat(left).isEmpty();
         assertThat(outcome()).contains(Outcome.ENDED);
         assertThat(problems()).isEmpty();
-        assertThat(world.desk.clicks().clicks()).isEqualTo(1 + boats + 1 + locations + 1 + 1);
-        assertThat(world.desk.messages().messages())
+        assertThat(world.operator.clicks().clicks()).isEqualTo(1 + boats + 1 + locations + 1 + 1);
+        assertThat(world.operator.messages().messages())
                 .extracting(OperatorMessage::text)
                 .contains("All boats have finished");
     }
@@ -177,7 +177,7 @@ class PlansOnBoatsTest {
     private void runFor(double seconds) {
         for (int tick = 0; tick < Math.round(seconds * 10); tick++) {
             world.run(0.1);
-            for (PendingDecision pending : world.desk.decisions().pending()) {
+            for (PendingDecision pending : world.operator.decisions().pending()) {
                 if (world.nowMillis() - pending.openedAtMillis() >= ANSWER_AFTER_MS
                         && answered.add(pending.decision().id())) {
                     answer(pending);

@@ -190,7 +190,7 @@ class RequestTest {
                         .of("east")
                         .effect());
 
-        OperatorMessage message = world.desk.messages().messages().get(0);
+        OperatorMessage message = world.operator.messages().messages().get(0);
         assertThat(message.text()).isEqualTo("All locations visited");
         assertThat(message.boats()).containsExactly("east");
         assertThat(message.keyword()).isEqualTo("done");
@@ -258,7 +258,7 @@ class RequestTest {
     }
 
     private List<String> messages() {
-        return world.desk.messages().messages().stream()
+        return world.operator.messages().messages().stream()
                 .map(OperatorMessage::text)
                 .toList();
     }

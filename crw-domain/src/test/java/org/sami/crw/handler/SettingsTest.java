@@ -60,7 +60,7 @@ class SettingsTest {
                 .allSatisfy(failed -> assertThat(((TextValue) failed.values().get("reason")).value())
                         .contains("-2"));
         assertThat(world.boats.find("a").orElseThrow().tuning()).contains(before);
-        assertThat(world.desk.messages().messages())
+        assertThat(world.operator.messages().messages())
                 .extracting(OperatorMessage::text)
                 .anyMatch(text -> text.startsWith("a has not taken over what here set"));
     }

@@ -40,7 +40,7 @@ final class TestWorld implements HostClock {
     private static final int TICK_MS = 100;
 
     final ProxyRegistry boats = new ProxyRegistry();
-    final OperatorModels desk;
+    final OperatorModels operator;
     final EngineHost host;
     final CrwDomain domain;
     private final Map<String, TestHull> hulls = new LinkedHashMap<>();
@@ -58,9 +58,9 @@ final class TestWorld implements HostClock {
     /** A world whose services compute beside the fleet's thread, as in a session in real time. */
     TestWorld(EngineFunction engine, CrwServices services, ServiceThreads threads) {
         host = EngineHost.builder(engine).clock(this).executor(tasks::add).build();
-        desk = new OperatorModels(Runnable::run);
-        domain = CrwDomain.installInRealTime(host, boats, tasks::add, desk, services, threads);
-        host.addListener(desk);
+        operator = new OperatorModels(Runnable::run);
+        domain = CrwDomain.installInRealTime(host, boats, tasks::add, operator, services, threads);
+        host.addListener(operator);
     }
 
     TestWorld(EngineFunction engine, Optional<Executor> enginesOwn) {
@@ -68,13 +68,13 @@ final class TestWorld implements HostClock {
                 .clock(this)
                 .executor(enginesOwn.orElse(tasks::add))
                 .build();
-        desk = new OperatorModels(enginesOwn.isPresent() ? tasks::add : Runnable::run);
-        domain = CrwDomain.install(host, boats, tasks::add, desk, CrwServices.STANDARD, new TestHarbour());
-        host.addListener(desk);
+        operator = new OperatorModels(enginesOwn.isPresent() ? tasks::add : Runnable::run);
+        domain = CrwDomain.install(host, boats, tasks::add, operator, CrwServices.STANDARD, new TestBoatConnector());
+        host.addListener(operator);
     }
 
     /** A boat lies behind every address but one; made boats lie where they are wanted. */
-    private final class TestHarbour implements BoatConnector {
+    private final class TestBoatConnector implements BoatConnector {
         @Override
         public void connect(Wanted wanted, Consumer<String> found) {
             if (wanted.server().equals(NOWHERE)) {

@@ -129,7 +129,7 @@ class WatchingTest {
         assertThat(engine.received("MeasurementTaken"))
                 .extracting(Occurrence::activation)
                 .containsExactly(7L);
-        assertThat(world.desk.messages().messages())
+        assertThat(world.operator.messages().messages())
                 .extracting(OperatorMessage::text)
                 .filteredOn(text -> text.contains("oxygen"))
                 .satisfiesExactlyInAnyOrder(
@@ -177,7 +177,7 @@ class WatchingTest {
 
         world.happens(engine, new Effect.DecisionOpened(choiceOfBoats(onShore)));
 
-        assertThat(world.desk.decisions().pending())
+        assertThat(world.operator.decisions().pending())
                 .extracting(pending -> pending.decision().question())
                 .containsExactly(new Question.ChooseProxies(List.of("a"), 1, 1));
     }

@@ -14,7 +14,7 @@ class BoatListenersTest {
     @Test
     void everyKindOfNewsReachesEveryListenerInOrder() throws Exception {
         List<String> heard = new ArrayList<>();
-        BoatListener both = new BoatListeners(ear("first", heard), ear("second", heard));
+        BoatListener both = new BoatListeners(recorder("first", heard), recorder("second", heard));
         List<String> expected = new ArrayList<>();
         for (Method method : BoatListener.class.getMethods()) {
             method.invoke(both, nothing(method));
@@ -66,7 +66,8 @@ class BoatListenersTest {
             }
         };
 
-        new BoatListeners(new BoatListeners(failing, ear("inner", heard)), ear("outer", heard)).onTakenOver("boat1");
+        new BoatListeners(new BoatListeners(failing, recorder("inner", heard)), recorder("outer", heard))
+                .onTakenOver("boat1");
 
         assertThat(heard).containsExactly("inner onTakenOver", "inner onListenerFault", "outer onTakenOver");
     }
@@ -77,7 +78,7 @@ class BoatListenersTest {
                 .toArray();
     }
 
-    private static BoatListener ear(String name, List<String> heard) {
+    private static BoatListener recorder(String name, List<String> heard) {
         return (BoatListener) Proxy.newProxyInstance(
                 BoatListener.class.getClassLoader(), new Class<?>[] {BoatListener.class}, (self, method, args) -> {
                     heard.add(name + " " + method.getName());

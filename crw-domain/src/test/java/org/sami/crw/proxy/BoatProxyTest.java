@@ -44,7 +44,7 @@ class BoatProxyTest {
 
     @BeforeEach
     void makeProxy() {
-        proxy = new BoatProxy("boat1", this::keep, new Ear(), ProxyConfig.DEFAULT);
+        proxy = new BoatProxy("boat1", this::keep, new Recorder(), ProxyConfig.DEFAULT);
     }
 
     private void keep(byte[] frame) {
@@ -374,7 +374,7 @@ class BoatProxyTest {
         proxy = new BoatProxy(
                 "boat1",
                 this::keep,
-                new Ear() {
+                new Recorder() {
                     @Override
                     public void onCompleted(String boatId, BoatCommand command) {
                         super.onCompleted(boatId, command);
@@ -398,7 +398,7 @@ class BoatProxyTest {
         link("b1");
         proxy.submit(path("c", 1));
         String before = last(UploadWaypoints.class).commandId();
-        proxy = new BoatProxy("boat1", this::keep, new Ear(), ProxyConfig.DEFAULT.withEpoch(1));
+        proxy = new BoatProxy("boat1", this::keep, new Recorder(), ProxyConfig.DEFAULT.withEpoch(1));
         link("b1");
         proxy.submit(path("c", 1));
 
@@ -433,7 +433,7 @@ class BoatProxyTest {
         return new Telemetry(45, 10, 0, speedMps, 88, mode, 1);
     }
 
-    private class Ear implements BoatListener {
+    private class Recorder implements BoatListener {
         @Override
         public void onCompleted(String boatId, BoatCommand command) {
             heard.add("completed " + command.commandId());

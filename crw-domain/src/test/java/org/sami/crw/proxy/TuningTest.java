@@ -38,7 +38,7 @@ class TuningTest {
 
     @BeforeEach
     void link() {
-        BoatListener ear = new BoatListener() {
+        BoatListener listener = new BoatListener() {
             @Override
             public void onReading(String boatId, BoatReading reading) {
                 heard.add(reading);
@@ -54,7 +54,7 @@ class TuningTest {
                 heard.add(reason);
             }
         };
-        proxy = new BoatProxy("boat1", this::keep, ear, ProxyConfig.DEFAULT);
+        proxy = new BoatProxy("boat1", this::keep, listener, ProxyConfig.DEFAULT);
         boatSays(new Welcome("boat1", "b1", Role.COMMANDER, ""));
         boatSays(new Progress("", 0, false));
     }

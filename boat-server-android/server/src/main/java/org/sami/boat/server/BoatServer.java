@@ -55,7 +55,7 @@ public final class BoatServer {
     private final ServerLog log;
     private final LinkCodec codec = new LinkCodec();
     private final CommandLedger ledger = new CommandLedger();
-    private final ModeControl pilot;
+    private final ModeControl modes;
     private final CommandExecutor executor;
     private final SensorWatch sensors;
     private final List<ServerSession> sessions = new ArrayList<>();
@@ -74,8 +74,8 @@ public final class BoatServer {
         this.config = Objects.requireNonNull(config, "config");
         this.vehicle = Objects.requireNonNull(vehicle, "vehicle");
         this.log = Objects.requireNonNull(log, "log");
-        pilot = new ModeControl(config, vehicle);
-        executor = new CommandExecutor(config, pilot);
+        modes = new ModeControl(config, vehicle);
+        executor = new CommandExecutor(config, modes);
         sensors = new SensorWatch(vehicle);
         reportedLevel = batteryLevel();
     }
@@ -106,10 +106,10 @@ public final class BoatServer {
     /** Lets time pass: failsafes, control, reports. To be called ten times a second. */
     public void tick(long nowMs) {
         watchCommander(nowMs);
-        if (pilot.tick(nowMs)) {
-            broadcast(pilot.track().progress(), nowMs);
+        if (modes.tick(nowMs)) {
+            broadcast(modes.track().progress(), nowMs);
         }
-        pilot.takeReport().ifPresent(report -> broadcast(report, nowMs));
+        modes.takeReport().ifPresent(report -> broadcast(report, nowMs));
         if (batteryLevel() != reportedLevel) {
             reportedLevel = batteryLevel();
             broadcast(battery(), nowMs);
@@ -122,7 +122,7 @@ public final class BoatServer {
 
     /** What the boat is doing. */
     public BoatMode mode() {
-        return pilot.mode();
+        return modes.mode();
     }
 
     /** Whether a commander is linked now. */
@@ -177,7 +177,7 @@ public final class BoatServer {
 
     private void loseCommander() {
         commanderLost = true;
-        pilot.linkLost(executor.lostLinkAction());
+        modes.linkLost(executor.lostLinkAction());
     }
 
     private void greet(ServerSession session, Hello hello, long nowMs) {
@@ -215,7 +215,7 @@ public final class BoatServer {
         session.send(new Welcome(config.boatId(), config.bootId(), role, term, ""), nowMs);
         session.send(battery(), nowMs);
         session.send(executor.settings(), nowMs);
-        session.send(pilot.track().progress(), nowMs);
+        session.send(modes.track().progress(), nowMs);
     }
 
     private void command(ServerSession session, CommandMessage command, Frame frame, long nowMs) {
@@ -227,7 +227,7 @@ public final class BoatServer {
             NackReason reason = session.role().isPresent() ? NackReason.NOT_COMMANDER : NackReason.NOT_GREETED;
             session.send(CommandExecutor.nack(command, reason, "this client does not command"), nowMs);
         } else if (command instanceof ReadBack) { // changes nothing, so each one is answered afresh
-            WaypointTrack track = pilot.track();
+            WaypointTrack track = modes.track();
             session.send(new HeldWaypoints(command.commandId(), track.listId(), track.waypoints()), nowMs);
         } else if (known.isPresent()) {
             session.send(known.get(), nowMs);
@@ -258,7 +258,7 @@ public final class BoatServer {
 
     /** What only stops the boat is obeyed however late it comes; keeping station is more than a boat at rest does. */
     private boolean isStopping(LinkMessage command) {
-        boolean rests = command instanceof HoldPosition && pilot.mode() == BoatMode.STOPPED;
+        boolean rests = command instanceof HoldPosition && modes.mode() == BoatMode.STOPPED;
         return command instanceof FleetStop || (isStoppingOnly(command) && !rests);
     }
 
@@ -267,7 +267,7 @@ public final class BoatServer {
     }
 
     private void execute(ServerSession session, CommandMessage command, Frame frame, long nowMs) {
-        Progress before = pilot.track().progress();
+        Progress before = modes.track().progress();
         LinkMessage answer = executor.execute(command);
         ledger.record(command.commandId(), answer);
         session.executed(frame);
@@ -276,8 +276,8 @@ public final class BoatServer {
         if (CommandExecutor.isSetting(command)) {
             broadcast(executor.settings(), nowMs);
         }
-        if (!pilot.track().isAt(before)) {
-            broadcast(pilot.track().progress(), nowMs);
+        if (!modes.track().isAt(before)) {
+            broadcast(modes.track().progress(), nowMs);
         }
     }
 
@@ -289,8 +289,8 @@ public final class BoatServer {
             refuseLate(session, hand, OTHER_TERM, nowMs);
         } else if (!session.isOvertaken(frame)) {
             session.executed(frame);
-            if (pilot.mode() != BoatMode.FLEET_STOP) {
-                pilot.teleoperate(hand.thrust(), hand.rudder(), nowMs);
+            if (modes.mode() != BoatMode.FLEET_STOP) {
+                modes.teleoperate(hand.thrust(), hand.rudder(), nowMs);
             }
         }
     }
@@ -323,7 +323,7 @@ public final class BoatServer {
                 vehicle.headingRad(),
                 vehicle.speedMps(),
                 vehicle.batteryPercent(),
-                pilot.mode(),
+                modes.mode(),
                 nowMs);
     }
 }

@@ -23,12 +23,12 @@ import org.sami.boat.link.UploadWaypoints;
 /** Executes the commands of the commander, each once, and says how it answers them. */
 final class CommandExecutor {
     private final ServerConfig config;
-    private final ModeControl pilot;
+    private final ModeControl modes;
     private LostLinkAction lostLinkAction;
 
-    CommandExecutor(ServerConfig config, ModeControl pilot) {
+    CommandExecutor(ServerConfig config, ModeControl modes) {
         this.config = config;
-        this.pilot = pilot;
+        this.modes = modes;
         lostLinkAction = config.lostLinkAction();
     }
 
@@ -46,9 +46,9 @@ final class CommandExecutor {
     /** What is in force. */
     SettingsReport settings() {
         return new SettingsReport(
-                pilot.helm().gains(GainAxis.HEADING),
-                pilot.helm().gains(GainAxis.SPEED),
-                pilot.velocityMultiplier(),
+                modes.steering().gains(GainAxis.HEADING),
+                modes.steering().gains(GainAxis.SPEED),
+                modes.velocityMultiplier(),
                 lostLinkAction);
     }
 
@@ -64,7 +64,7 @@ final class CommandExecutor {
         } else if (command instanceof TakePanorama) {
             return panorama((TakePanorama) command);
         } else if (command instanceof FleetStop) {
-            pilot.fleetStop();
+            modes.fleetStop();
         } else if (command instanceof FleetRelease) {
             release();
         } else {
@@ -78,12 +78,12 @@ final class CommandExecutor {
         if (size > config.maxWaypoints()) {
             return nack(command, NackReason.TOO_LONG, size + " waypoints; this boat keeps " + config.maxWaypoints());
         }
-        pilot.replaceTrack(new WaypointTrack(command.listId(), command.waypoints()));
+        modes.replaceTrack(new WaypointTrack(command.listId(), command.waypoints()));
         return ack(command);
     }
 
     private LinkMessage start(StartWaypoints command) {
-        WaypointTrack track = pilot.track();
+        WaypointTrack track = modes.track();
         if (isFleetStopped()) {
             return fleetStopped(command);
         }
@@ -93,13 +93,13 @@ final class CommandExecutor {
         if (command.index() > track.size()) {
             return nack(command, NackReason.BAD_INDEX, "index " + command.index() + " of " + track.size());
         }
-        pilot.follow(command.index());
+        modes.follow(command.index());
         return ack(command);
     }
 
     private LinkMessage stop(CommandMessage command) {
         if (!isFleetStopped()) { // it is stopped already, and stays latched
-            pilot.stop();
+            modes.stop();
         }
         return ack(command);
     }
@@ -108,7 +108,7 @@ final class CommandExecutor {
         if (isFleetStopped()) {
             return fleetStopped(command);
         }
-        pilot.hold();
+        modes.hold();
         return ack(command);
     }
 
@@ -116,25 +116,25 @@ final class CommandExecutor {
         if (isFleetStopped()) {
             return fleetStopped(command);
         }
-        if (!pilot.hasCamera()) {
+        if (!modes.hasCamera()) {
             return nack(command, NackReason.NO_CAMERA, "there is no camera on board");
         }
-        pilot.takePanorama(command);
+        modes.takePanorama(command);
         return ack(command);
     }
 
     private void release() {
         if (isFleetStopped()) {
-            pilot.stop();
+            modes.stop();
         }
     }
 
     private void set(CommandMessage command) {
         if (command instanceof SetGains) {
             SetGains set = (SetGains) command;
-            pilot.helm().setGains(set.axis(), set.gains());
+            modes.steering().setGains(set.axis(), set.gains());
         } else if (command instanceof SetVelocityMultiplier) {
-            pilot.setVelocityMultiplier(((SetVelocityMultiplier) command).multiplier());
+            modes.setVelocityMultiplier(((SetVelocityMultiplier) command).multiplier());
         } else if (command instanceof SetLostLinkAction) {
             lostLinkAction = ((SetLostLinkAction) command).action();
         } else {
@@ -143,7 +143,7 @@ final class CommandExecutor {
     }
 
     private boolean isFleetStopped() {
-        return pilot.mode() == BoatMode.FLEET_STOP;
+        return modes.mode() == BoatMode.FLEET_STOP;
     }
 
     private static String named(String listId) {

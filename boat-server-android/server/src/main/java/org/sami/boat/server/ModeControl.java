@@ -16,7 +16,7 @@ final class ModeControl {
 
     private final ServerConfig config;
     private final Vehicle vehicle;
-    private final SteeringControl helm;
+    private final SteeringControl steering;
     private final LocalFrame home;
     private BoatMode mode = BoatMode.STOPPED;
     private boolean moved; // since the server started
@@ -34,7 +34,7 @@ final class ModeControl {
     ModeControl(ServerConfig config, Vehicle vehicle) {
         this.config = config;
         this.vehicle = vehicle;
-        helm = new SteeringControl(vehicle, config);
+        steering = new SteeringControl(vehicle, config);
         home = here();
         target = home;
     }
@@ -47,8 +47,8 @@ final class ModeControl {
         return track;
     }
 
-    SteeringControl helm() {
-        return helm;
+    SteeringControl steering() {
+        return steering;
     }
 
     double velocityMultiplier() {
@@ -105,17 +105,17 @@ final class ModeControl {
         mode = BoatMode.HOLD;
         target = station;
         drivingBack = false;
-        helm.rest();
+        steering.rest();
     }
 
     void stop() {
         mode = BoatMode.STOPPED;
-        helm.rest();
+        steering.rest();
     }
 
     void fleetStop() {
         mode = BoatMode.FLEET_STOP;
-        helm.rest();
+        steering.rest();
     }
 
     void teleoperate(double newThrust, double newRudder, long nowMs) {
@@ -153,7 +153,7 @@ final class ModeControl {
         try {
             return drive(nowMs);
         } catch (RuntimeException e) {
-            helm.rest();
+            steering.rest();
             throw e;
         }
     }
@@ -180,7 +180,7 @@ final class ModeControl {
     }
 
     private boolean tickPath(double seconds) {
-        boolean reached = helm.distanceM(target) <= config.arrivalRadiusM();
+        boolean reached = steering.distanceM(target) <= config.arrivalRadiusM();
         if (reached) {
             track.reached();
             if (track.isCompleted()) {
@@ -189,20 +189,20 @@ final class ModeControl {
             }
             aimAtNext();
         }
-        helm.steerTo(target, track.target().speedMps() * velocityMultiplier, seconds);
+        steering.steerTo(target, track.target().speedMps() * velocityMultiplier, seconds);
         return reached;
     }
 
     private void tickHold(double seconds) {
-        double distanceM = helm.distanceM(target);
+        double distanceM = steering.distanceM(target);
         if (drivingBack && distanceM < config.holdRadiusM() / 2) {
             drivingBack = false;
-            helm.rest();
+            steering.rest();
         } else if (distanceM > config.holdRadiusM()) {
             drivingBack = true;
         }
         if (drivingBack) {
-            helm.steerTo(target, config.returnSpeedMps(), seconds);
+            steering.steerTo(target, config.returnSpeedMps(), seconds);
         } else if (panorama.isPresent()) {
             tickPanorama(panorama.get());
         }
@@ -214,19 +214,19 @@ final class ModeControl {
         }
         if (turn.isDone()) {
             panorama = Optional.empty();
-            helm.rest();
+            steering.rest();
             completed = Optional.of(new PanoramaReport(
                     turn.command().commandId(), turn.command().pictures(), vehicle.latDeg(), vehicle.lonDeg()));
         } else {
-            helm.drive(0, TURNING_EFFORT);
+            steering.drive(0, TURNING_EFFORT);
         }
     }
 
     private void tickReturn(double seconds) {
-        if (helm.distanceM(home) <= config.arrivalRadiusM()) {
+        if (steering.distanceM(home) <= config.arrivalRadiusM()) {
             hold(home);
         } else {
-            helm.steerTo(home, config.returnSpeedMps(), seconds);
+            steering.steerTo(home, config.returnSpeedMps(), seconds);
         }
     }
 
@@ -234,7 +234,7 @@ final class ModeControl {
         if (nowMs - handMs >= config.deadmanMs()) {
             stop();
         } else {
-            helm.drive(thrust, rudder);
+            steering.drive(thrust, rudder);
         }
     }
 

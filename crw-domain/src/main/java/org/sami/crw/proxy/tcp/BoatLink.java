@@ -25,7 +25,7 @@ final class BoatLink implements FrameSink {
     /** What a link needs of its base. */
     interface Base {
         /** Where a connection of this link tells what happens; brings it to the base's thread, and back to this link. */
-        BoatConnection.Owner ears(BoatLink link);
+        BoatConnection.Owner owner(BoatLink link);
 
         /** A boat has said who it is: whether this link is to carry it. Asked again as long as the answer is to wait. */
         Claim claimed(BoatLink link, Found found);
@@ -127,7 +127,7 @@ final class BoatLink implements FrameSink {
         if (proxy.isPresent() && proxy.get().isDisconnected()) {
             connection.ifPresent(standing -> standing.close("the link is cut on purpose"));
         } else if (connection.isEmpty() && nowMs >= nextTryMs) {
-            BoatConnection next = new BoatConnection(address, config, base.ears(this));
+            BoatConnection next = new BoatConnection(address, config, base.owner(this));
             connection = Optional.of(next);
             next.start();
         } else if (open && nowMs - lastHeardMs > config.proxy().lostAfterMs()) {

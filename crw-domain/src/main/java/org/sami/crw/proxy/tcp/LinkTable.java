@@ -28,7 +28,7 @@ final class LinkTable {
 
     private final TcpBaseConfig config;
     private final BaseListener listener;
-    private final Function<BoatLink, BoatConnection.Owner> ears;
+    private final Function<BoatLink, BoatConnection.Owner> owners;
     private final BiConsumer<String, Runnable> guarded;
     private final List<BoatLink> links = new ArrayList<>();
     private final List<Leaving> leaving = new ArrayList<>();
@@ -44,18 +44,18 @@ final class LinkTable {
     /**
      * A table without links.
      *
-     * @param ears gives a link's connections whom to tell what happens
+     * @param owners gives a link's connections whom to tell what happens
      * @param guarded runs work that it is given in words, and reports what that throws
      */
     LinkTable(
             TcpBaseConfig config,
             BaseListener listener,
-            Function<BoatLink, BoatConnection.Owner> ears,
+            Function<BoatLink, BoatConnection.Owner> owners,
             BiConsumer<String, Runnable> guarded) {
         this.guarded = guarded;
         this.config = config;
         this.listener = listener;
-        this.ears = ears;
+        this.owners = owners;
     }
 
     ProxyRegistry proxies() {
@@ -171,8 +171,8 @@ final class LinkTable {
     /** Decides which link carries a boat. */
     private final class Hand implements BoatLink.Base {
         @Override
-        public BoatConnection.Owner ears(BoatLink link) {
-            return ears.apply(link);
+        public BoatConnection.Owner owner(BoatLink link) {
+            return owners.apply(link);
         }
 
         @Override

@@ -55,10 +55,10 @@ class CutLinkTest {
     @MethodSource("cuts")
     void boatHoldsTheWholeOldOrTheWholeNewListAndTheBaseSaysWhich(Class<? extends LinkMessage> message, Where where)
             throws Exception {
-        try (TcpTestFleet harbour = new TcpTestFleet(logs)) {
-            BoatOnTcp boat = harbour.boat("anna");
-            TestRelay relay = harbour.relay(boat);
-            Base base = harbour.base("base");
+        try (TcpTestFleet fleet = new TcpTestFleet(logs)) {
+            BoatOnTcp boat = fleet.boat("anna");
+            TestRelay relay = fleet.relay(boat);
+            Base base = fleet.base("base");
             base.connect(relay.address(), "anna");
             base.submit("anna", TcpTestFleet.path("old", 1));
             base.awaitMode("anna", BoatMode.PATH);
@@ -76,49 +76,49 @@ class CutLinkTest {
                         10,
                         () -> base.ask(
                                 "anna",
-                                proxy -> proxy.heldListId().orElseThrow().equals(lastUploaded(harbour, oldList))));
+                                proxy -> proxy.heldListId().orElseThrow().equals(lastUploaded(fleet, oldList))));
             }
-            Await.until("the new list is started", 30, () -> isStarted(base, harbour));
-            assertThat(base.heldListId("anna")).contains(lastUploaded(harbour, oldList));
+            Await.until("the new list is started", 30, () -> isStarted(base, fleet));
+            assertThat(base.heldListId("anna")).contains(lastUploaded(fleet, oldList));
 
             base.ask("anna", proxy -> proxy.withdraw(1));
-            Await.until("it is cancelled", 30, () -> isCancelled(base, harbour, message == StopMotors.class));
+            Await.until("it is cancelled", 30, () -> isCancelled(base, fleet, message == StopMotors.class));
 
             assertThat(relay.isArmed()).isFalse();
-            assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+            assertThat(fleet.executedIds("anna")).doesNotHaveDuplicates();
             assertThat(base.failures).isEmpty();
         }
     }
 
     /** It has stopped; cut after the answer to that, it does what is set for a lost link, and nobody wants it otherwise. */
-    private static boolean isCancelled(Base base, TcpTestFleet harbour, boolean cutSince) {
+    private static boolean isCancelled(Base base, TcpTestFleet fleet, boolean cutSince) {
         Optional<BoatMode> mode = base.mode("anna");
         boolean rests = mode.equals(Optional.of(BoatMode.STOPPED));
         boolean holds = cutSince && mode.equals(Optional.of(BoatMode.HOLD));
-        return harbour.executedOf("anna", "stop") > 0 && (rests || holds);
+        return fleet.executedOf("anna", "stop") > 0 && (rests || holds);
     }
 
-    private static boolean isStarted(Base base, TcpTestFleet harbour) {
+    private static boolean isStarted(Base base, TcpTestFleet fleet) {
         Optional<Upload> upload = base.upload("anna");
         return upload.isPresent()
                 && upload.get().listId().startsWith("new#")
                 && upload.get().state() == Upload.State.READ_BACK_EQUAL
-                && entries(harbour).stream()
+                && entries(fleet).stream()
                         .anyMatch(entry -> entry.command() instanceof StartWaypoints start
                                 && start.listId().equals(upload.get().listId()));
     }
 
     /** The list that the boat took last, by its own log. */
-    private static String lastUploaded(TcpTestFleet harbour, String before) {
-        return entries(harbour).stream()
+    private static String lastUploaded(TcpTestFleet fleet, String before) {
+        return entries(fleet).stream()
                 .filter(entry -> entry.command() instanceof UploadWaypoints)
                 .map(entry -> ((UploadWaypoints) entry.command()).listId())
                 .reduce(before, (earlier, later) -> later);
     }
 
-    private static List<LoggedCommand> entries(TcpTestFleet harbour) {
+    private static List<LoggedCommand> entries(TcpTestFleet fleet) {
         try {
-            return harbour.log("anna");
+            return fleet.log("anna");
         } catch (java.io.IOException e) {
             throw new java.io.UncheckedIOException(e);
         }

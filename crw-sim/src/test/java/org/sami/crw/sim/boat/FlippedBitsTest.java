@@ -27,24 +27,23 @@ class FlippedBitsTest {
 
     @Test
     void noBentFrameMakesTheBoatDoAnythingElseThanItWasSent() throws Exception {
-        try (TcpTestFleet harbour = new TcpTestFleet(logs)) {
-            BoatOnTcp boat = harbour.boat("anna");
-            TestRelay relay = harbour.relay(boat);
-            Base base = harbour.impatientBase("base", 50);
+        try (TcpTestFleet fleet = new TcpTestFleet(logs)) {
+            BoatOnTcp boat = fleet.boat("anna");
+            TestRelay relay = fleet.relay(boat);
+            Base base = fleet.impatientBase("base", 50);
             relay.setBent(0.2);
             base.tcp.connect(relay.address());
             base.linked("anna");
             for (int i = 1; i <= 12; i++) {
                 String id = "p" + i;
                 base.submit("anna", TcpTestFleet.path(id, 1, 1000 + i, 2000 + i, 3000 + i, 4000 + i));
-                Await.until(
-                        id + " is started", 60, () -> harbour.executedOf("anna", "start") > 0 && starts(harbour, id));
+                Await.until(id + " is started", 60, () -> fleet.executedOf("anna", "start") > 0 && starts(fleet, id));
             }
 
             Set<String> sent =
                     relay.carried().stream().map(FlippedBitsTest::body).collect(Collectors.toSet());
             List<String> executed = new ArrayList<>();
-            for (LoggedCommand entry : harbour.log("anna")) {
+            for (LoggedCommand entry : fleet.log("anna")) {
                 executed.add(body(entry.command()));
             }
             assertThat(executed).hasSizeGreaterThanOrEqualTo(24).isSubsetOf(sent);
@@ -53,9 +52,9 @@ class FlippedBitsTest {
         }
     }
 
-    private static boolean starts(TcpTestFleet harbour, String id) {
+    private static boolean starts(TcpTestFleet fleet, String id) {
         try {
-            return harbour.executedIds("anna").stream()
+            return fleet.executedIds("anna").stream()
                     .anyMatch(done -> done.startsWith(id + "#") && done.contains("/start"));
         } catch (java.io.IOException e) {
             throw new java.io.UncheckedIOException(e);

@@ -28,26 +28,26 @@ class LongOutageTest {
     @TempDir
     private Path logs;
 
-    private TcpTestFleet harbour;
+    private TcpTestFleet fleet;
 
     @BeforeEach
     void open() {
-        harbour = new TcpTestFleet(logs, LongOutageTest::clockMs);
+        fleet = new TcpTestFleet(logs, LongOutageTest::clockMs);
     }
 
     @AfterEach
     void close() throws Exception {
-        harbour.close();
+        fleet.close();
     }
 
     @Test
     void routerThatIsOffForAMinuteLosesTwentyFiveBoatsAndAllGoOn() throws Exception {
-        Base base = harbour.base("base");
+        Base base = fleet.base("base");
         List<TestRelay> routers = new ArrayList<>();
         List<String> names = new ArrayList<>();
         for (int i = 1; i <= 25; i++) {
             names.add("boat" + i);
-            routers.add(harbour.relay(harbour.boat("boat" + i)));
+            routers.add(fleet.relay(fleet.boat("boat" + i)));
             base.tcp.connect(routers.get(i - 1).address());
         }
         for (String name : names) {
@@ -71,17 +71,17 @@ class LongOutageTest {
         names.forEach(base::linked);
         names.forEach(name -> base.awaitMode(name, BoatMode.PATH));
         for (String name : names) {
-            assertThat(harbour.executedIds(name)).doesNotHaveDuplicates();
-            assertThat(harbour.executed(name, "upload")).isEqualTo(1);
+            assertThat(fleet.executedIds(name)).doesNotHaveDuplicates();
+            assertThat(fleet.executed(name, "upload")).isEqualTo(1);
         }
         assertThat(base.failures).isEmpty();
     }
 
     @Test
     void whatComesThirtySecondsLateIsExecutedOnceAtMostAndTheNewestPathIsDriven() throws Exception {
-        BoatOnTcp boat = harbour.boat("anna");
-        DelayingRelay relay = harbour.lateRelay(boat);
-        Base base = harbour.base("base");
+        BoatOnTcp boat = fleet.boat("anna");
+        DelayingRelay relay = fleet.lateRelay(boat);
+        Base base = fleet.base("base");
         base.connect(relay.address(), "anna");
         base.submit("anna", TcpTestFleet.path("first", 1));
         base.awaitMode("anna", BoatMode.PATH);
@@ -96,7 +96,7 @@ class LongOutageTest {
 
         Await.until("the newest is driven", 30, () -> drives(base, "third#"));
         Await.holds("it stays so", 1.5, () -> drives(base, "third#"));
-        assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+        assertThat(fleet.executedIds("anna")).doesNotHaveDuplicates();
         assertThat(base.heldListId("anna")).isEqualTo(base.upload("anna").map(Upload::listId));
         assertThat(base.failures).isEmpty();
     }

@@ -53,21 +53,21 @@ class MalformedPeerTest {
     private Path logs;
 
     private final LinkCodec codec = new LinkCodec();
-    private TcpTestFleet harbour;
+    private TcpTestFleet fleet;
     private Base base;
 
     @BeforeEach
     void sendAGoodBoatOnItsWay() throws IOException {
-        harbour = new TcpTestFleet(logs);
-        base = harbour.base("base");
-        base.connect(harbour.boat("anna").address(), "anna");
+        fleet = new TcpTestFleet(logs);
+        base = fleet.base("base");
+        base.connect(fleet.boat("anna").address(), "anna");
         base.submit("anna", TcpTestFleet.path("p", 1));
         base.awaitMode("anna", BoatMode.PATH);
     }
 
     @AfterEach
     void close() throws Exception {
-        harbour.close();
+        fleet.close();
     }
 
     private static List<LinkMessage> everythingThatBoatsSay() {

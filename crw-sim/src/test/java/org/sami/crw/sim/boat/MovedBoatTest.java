@@ -29,24 +29,24 @@ class MovedBoatTest {
     @TempDir
     private Path logs;
 
-    private TcpTestFleet harbour;
+    private TcpTestFleet fleet;
 
     @BeforeEach
     void open() {
-        harbour = new TcpTestFleet(logs);
+        fleet = new TcpTestFleet(logs);
     }
 
     @AfterEach
     void close() throws Exception {
-        harbour.close();
+        fleet.close();
     }
 
     @Test
     void boatThatFallsSilentAndAnswersAtAnotherAddressGoesOnThereWithoutAnAlarm() throws Exception {
-        BoatOnTcp boat = harbour.boat("anna");
-        TestRelay first = harbour.relay(boat);
-        TestRelay second = harbour.relay(boat);
-        Base base = harbour.base("base");
+        BoatOnTcp boat = fleet.boat("anna");
+        TestRelay first = fleet.relay(boat);
+        TestRelay second = fleet.relay(boat);
+        Base base = fleet.base("base");
         base.connect(first.address(), "anna");
         base.submit("anna", TcpTestFleet.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
@@ -57,9 +57,9 @@ class MovedBoatTest {
                 "it has moved",
                 10,
                 () -> base.count("anna moved to port " + second.address().getPort()) == 1);
-        Await.until("it goes on", 30, () -> harbour.executedOf("anna", "start") == 2);
+        Await.until("it goes on", 30, () -> fleet.executedOf("anna", "start") == 2);
         assertThat(base.alarms).isEmpty();
-        assertThat(harbour.executedOf("anna", "upload")).isEqualTo(1);
+        assertThat(fleet.executedOf("anna", "upload")).isEqualTo(1);
         first.setSwallows(false);
         Await.holds("nobody tries the old address", 1, () -> base.links().size() == 1);
         assertThat(base.links()).extracting(LinkReport::address).containsExactly(second.address());
@@ -69,13 +69,13 @@ class MovedBoatTest {
 
     @Test
     void boatThatStartsAnewAtAnotherAddressIsTakenOverAndNotMovedUntilItIsAllowed() throws Exception {
-        BoatOnTcp boat = harbour.boat("anna");
-        Base base = harbour.base("base");
+        BoatOnTcp boat = fleet.boat("anna");
+        Base base = fleet.base("base");
         base.connect(boat.address(), "anna");
         base.submit("anna", TcpTestFleet.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
         boat.close();
-        BoatOnTcp again = harbour.boat("anna");
+        BoatOnTcp again = fleet.boat("anna");
         base.tcp.connect(again.address());
 
         Await.until(
@@ -91,15 +91,15 @@ class MovedBoatTest {
             return true;
         });
         base.awaitMode("anna", BoatMode.PATH);
-        assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+        assertThat(fleet.executedIds("anna")).doesNotHaveDuplicates();
     }
 
     @Test
     void namesakeOfABoatThatHasComeBackIsAlarmed() throws Exception {
-        BoatOnTcp boat = harbour.boat("anna");
-        TestRelay relay = harbour.relay(boat);
-        BoatOnTcp namesake = harbour.boat("anna", 0, logs.resolve("other"));
-        Base base = harbour.base("base");
+        BoatOnTcp boat = fleet.boat("anna");
+        TestRelay relay = fleet.relay(boat);
+        BoatOnTcp namesake = fleet.boat("anna", 0, logs.resolve("other"));
+        Base base = fleet.base("base");
         base.connect(relay.address(), "anna");
         relay.setSwallows(true);
         base.tcp.connect(namesake.address());
@@ -118,10 +118,10 @@ class MovedBoatTest {
 
     @Test
     void secondBoatOfANameThatAppearsWhereAnotherBoatWasIsAlarmedOnceAndGetsNoCommand() throws Exception {
-        BoatOnTcp anna = harbour.boat("anna");
-        BoatOnTcp berta = harbour.boat("berta");
+        BoatOnTcp anna = fleet.boat("anna");
+        BoatOnTcp berta = fleet.boat("berta");
         int port = berta.address().getPort();
-        Base base = harbour.base("base");
+        Base base = fleet.base("base");
         base.connect(anna.address(), "anna");
         base.connect(berta.address(), "berta");
         base.submit("anna", TcpTestFleet.path("m1", 1));
@@ -129,7 +129,7 @@ class MovedBoatTest {
         base.awaitMode("anna", BoatMode.PATH);
         base.awaitMode("berta", BoatMode.PATH);
         berta.close();
-        BoatOnTcp namesake = harbour.boat("anna", port, logs.resolve("other"));
+        BoatOnTcp namesake = fleet.boat("anna", port, logs.resolve("other"));
 
         Await.until("an alarm", 30, () -> !base.alarms.isEmpty());
         long connections = base.links().get(1).connections();
@@ -144,7 +144,7 @@ class MovedBoatTest {
         assertThat(entries).as("what the second was told").isEmpty();
 
         namesake.close();
-        harbour.boat("berta", port, logs);
+        fleet.boat("berta", port, logs);
         Await.until("berta is there again", 30, () -> base.count("berta restarted") == 1);
         assertThat(base.alarms).hasSize(1);
         assertThat(base.failures).isEmpty();
@@ -152,8 +152,8 @@ class MovedBoatTest {
 
     @Test
     void removedBoatIsStoppedAndLeftAloneAndItsCommandsFail() throws Exception {
-        BoatOnTcp boat = harbour.boat("anna");
-        Base base = harbour.base("removing");
+        BoatOnTcp boat = fleet.boat("anna");
+        Base base = fleet.base("removing");
         base.connect(boat.address(), "anna");
         base.submit("anna", TcpTestFleet.path("m1", 1));
         base.submit("anna", TcpTestFleet.path("m2", 2));
@@ -161,7 +161,7 @@ class MovedBoatTest {
 
         assertThat(base.tcp.remove("anna").join()).isTrue();
         assertThat(base.tcp.remove("anna").join()).isFalse();
-        Await.until("it is stopped", 30, () -> harbour.executedOf("anna", "stop") == 1);
+        Await.until("it is stopped", 30, () -> fleet.executedOf("anna", "stop") == 1);
         Await.until("no thread is left", 30, () -> Await.threads("removing-to-") == 0);
         Await.until("its link is gone", 30, () -> base.count("anna LOST") == 1);
         assertThat(base.heard)
@@ -177,8 +177,8 @@ class MovedBoatTest {
 
     @Test
     void removedBoatCanBeConnectedAgainAndGetsNoIdTwice() throws Exception {
-        BoatOnTcp boat = harbour.boat("anna");
-        Base base = harbour.base("base");
+        BoatOnTcp boat = fleet.boat("anna");
+        Base base = fleet.base("base");
         for (int i = 1; i <= 3; i++) {
             int times = i;
             base.tcp.connect(boat.address());
@@ -192,20 +192,20 @@ class MovedBoatTest {
             Await.until(
                     "it is under way",
                     10,
-                    () -> harbour.executedOf("anna", "start") == times
+                    () -> fleet.executedOf("anna", "start") == times
                             && base.ask("anna", BoatProxy::explain).shouldMove());
             assertThat(base.tcp.disconnect(boat.address()).join()).isTrue();
-            Await.until("it is stopped", 30, () -> harbour.executedOf("anna", "stop") == times);
+            Await.until("it is stopped", 30, () -> fleet.executedOf("anna", "stop") == times);
         }
 
-        assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+        assertThat(fleet.executedIds("anna")).doesNotHaveDuplicates();
         assertThat(base.alarms).isEmpty();
         assertThat(base.tcp.disconnect(boat.address()).join()).isFalse();
     }
 
     @Test
     void addressWhereNobodyIsCanBeGivenUp() throws IOException {
-        Base base = harbour.base("base");
+        Base base = fleet.base("base");
         base.tcp.connect(TcpTestFleet.port(1));
         assertThat(base.links()).hasSize(1);
 

@@ -21,9 +21,9 @@ class StopCommandTest {
 
     @Test
     void everyBoatIsStoppedAndSaysSo() throws Exception {
-        try (TcpTestFleet harbour = new TcpTestFleet(logs)) {
-            BoatOnTcp anna = harbour.boat("anna");
-            BoatOnTcp bert = harbour.boat("bert");
+        try (TcpTestFleet fleet = new TcpTestFleet(logs)) {
+            BoatOnTcp anna = fleet.boat("anna");
+            BoatOnTcp bert = fleet.boat("bert");
 
             CommandResult ran = CommandResult.crw("stop", at(anna), at(bert));
 
@@ -32,16 +32,16 @@ class StopCommandTest {
                     .containsExactly(
                             at(anna) + "  anna: stopped, and the stop is latched",
                             at(bert) + "  bert: stopped, and the stop is latched");
-            assertThat(harbour.executed("anna", "fleet-stop")).isEqualTo(1);
-            assertThat(harbour.executed("bert", "fleet-stop")).isEqualTo(1);
+            assertThat(fleet.executed("anna", "fleet-stop")).isEqualTo(1);
+            assertThat(fleet.executed("bert", "fleet-stop")).isEqualTo(1);
         }
     }
 
     @Test
     void boatThatAnotherBaseDrivesIsStopped() throws Exception {
-        try (TcpTestFleet harbour = new TcpTestFleet(logs)) {
-            BoatOnTcp anna = harbour.boat("anna");
-            Base base = harbour.base("base");
+        try (TcpTestFleet fleet = new TcpTestFleet(logs)) {
+            BoatOnTcp anna = fleet.boat("anna");
+            Base base = fleet.base("base");
             base.connect(anna.address(), "anna");
             base.submit("anna", TcpTestFleet.path("far", 1, 1000));
             base.awaitMode("anna", BoatMode.PATH);
@@ -56,9 +56,9 @@ class StopCommandTest {
 
     @Test
     void addressWithoutABoatIsNamedAndTheOthersAreStopped() throws Exception {
-        try (TcpTestFleet harbour = new TcpTestFleet(logs)) {
-            BoatOnTcp anna = harbour.boat("anna");
-            BoatOnTcp gone = harbour.boat("gone");
+        try (TcpTestFleet fleet = new TcpTestFleet(logs)) {
+            BoatOnTcp anna = fleet.boat("anna");
+            BoatOnTcp gone = fleet.boat("gone");
             String nowhere = at(gone);
             gone.close();
 
@@ -71,8 +71,8 @@ class StopCommandTest {
 
     @Test
     void releaseTakesTwoSteps() throws Exception {
-        try (TcpTestFleet harbour = new TcpTestFleet(logs)) {
-            BoatOnTcp anna = harbour.boat("anna");
+        try (TcpTestFleet fleet = new TcpTestFleet(logs)) {
+            BoatOnTcp anna = fleet.boat("anna");
             CommandResult.crw("stop", at(anna));
 
             CommandResult first = CommandResult.crw("stop", "--release", at(anna));
@@ -80,13 +80,13 @@ class StopCommandTest {
             assertThat(first.exitCode()).isEqualTo(2);
             assertThat(first.out()).contains("anna: stopped, and the stop is latched");
             assertThat(first.err()).contains("nothing was released; 1 boat is stopped", "--confirm");
-            assertThat(harbour.executed("anna", "fleet-release")).isZero();
+            assertThat(fleet.executed("anna", "fleet-release")).isZero();
 
             CommandResult second = CommandResult.crw("stop", "--release", "--confirm", at(anna));
 
             assertThat(second.exitCode()).as(second.out() + second.err()).isZero();
             assertThat(second.out()).contains("anna: released");
-            assertThat(harbour.executed("anna", "fleet-release")).isEqualTo(1);
+            assertThat(fleet.executed("anna", "fleet-release")).isEqualTo(1);
         }
     }
 

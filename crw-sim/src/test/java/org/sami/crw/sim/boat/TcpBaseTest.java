@@ -41,23 +41,23 @@ class TcpBaseTest {
     @TempDir
     private Path logs;
 
-    private TcpTestFleet harbour;
+    private TcpTestFleet fleet;
 
     @BeforeEach
     void open() {
-        harbour = new TcpTestFleet(logs);
+        fleet = new TcpTestFleet(logs);
     }
 
     @AfterEach
     void close() throws Exception {
-        harbour.close();
+        fleet.close();
     }
 
     @Test
     void findsBoatsByTheirAddressesAndHasThemDriveTheirPaths() throws Exception {
-        Base base = harbour.base("base");
+        Base base = fleet.base("base");
         for (String name : List.of("anna", "berta")) {
-            BoatOnTcp boat = harbour.boat(name);
+            BoatOnTcp boat = fleet.boat(name);
             base.connect(boat.address(), name);
             base.submit(name, TcpTestFleet.path("m1-" + name, 1, 4, 8));
         }
@@ -70,7 +70,7 @@ class TcpBaseTest {
                 .extracting(LinkReport::boatId)
                 .containsExactly(Optional.of("anna"), Optional.of("berta"));
         assertThat(base.links()).allMatch(LinkReport::connected);
-        assertThat(harbour.executedIds("anna"))
+        assertThat(fleet.executedIds("anna"))
                 .hasSize(2)
                 .doesNotHaveDuplicates()
                 .allMatch(id -> id.startsWith("m1-anna#base.0."));
@@ -79,8 +79,8 @@ class TcpBaseTest {
 
     @Test
     void aListenerThatFailsAtEverythingKeepsNoBoatFromItsPath() throws Exception {
-        BoatOnTcp boat = harbour.boat("anna");
-        TestRelay relay = harbour.relay(boat);
+        BoatOnTcp boat = fleet.boat("anna");
+        TestRelay relay = fleet.relay(boat);
         try (TcpBase base = new TcpBase(
                 TcpBaseConfig.of(ProxyConfig.DEFAULT.withTelemetryHz(10), 5),
                 SteadyClock.ofThisMachine(),
@@ -105,7 +105,7 @@ class TcpBaseTest {
                     () -> base.query(boats -> boats.find("anna").orElseThrow().isAtRest())
                             .join());
         }
-        assertThat(harbour.executed("anna", "start")).isEqualTo(1);
+        assertThat(fleet.executed("anna", "start")).isEqualTo(1);
     }
 
     private static LinkState link(TcpBase base) {
@@ -136,9 +136,9 @@ class TcpBaseTest {
 
     @Test
     void closedSocketIsShownAtOnceAndTheBoatGoesOnWithItsList() throws Exception {
-        BoatOnTcp boat = harbour.boat("anna");
-        TestRelay relay = harbour.relay(boat);
-        Base base = harbour.base("base");
+        BoatOnTcp boat = fleet.boat("anna");
+        TestRelay relay = fleet.relay(boat);
+        Base base = fleet.base("base");
         base.connect(relay.address(), "anna");
         base.submit("anna", TcpTestFleet.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
@@ -153,13 +153,13 @@ class TcpBaseTest {
                 10,
                 () -> uploads("start") == 2 && base.mode("anna").equals(Optional.of(BoatMode.PATH)));
         assertThat(uploads("upload")).isEqualTo(1);
-        assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+        assertThat(fleet.executedIds("anna")).doesNotHaveDuplicates();
     }
 
     @Test
     void linkThatIsCutOnPurposeStaysDownUntilItIsTakenUpAgain() throws Exception {
-        BoatOnTcp boat = harbour.boat("anna");
-        Base base = harbour.base("base");
+        BoatOnTcp boat = fleet.boat("anna");
+        Base base = fleet.base("base");
         base.connect(boat.address(), "anna");
         base.submit("anna", TcpTestFleet.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
@@ -188,7 +188,7 @@ class TcpBaseTest {
 
     private long executed(String name, String type) {
         try {
-            return harbour.executed(name, type);
+            return fleet.executed(name, type);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -197,13 +197,13 @@ class TcpBaseTest {
     @Test
     void silentLinkIsShownLostWithinHalfASecondAfterItsTimeAndRecovers() throws Exception {
         AtomicLong backMs = new AtomicLong();
-        BoatOnTcp boat = harbour.boat("anna");
-        TestRelay relay = harbour.relay(boat);
-        Base base = harbour.base("base", () -> System.nanoTime() / 1_000_000 - backMs.get());
+        BoatOnTcp boat = fleet.boat("anna");
+        TestRelay relay = fleet.relay(boat);
+        Base base = fleet.base("base", () -> System.nanoTime() / 1_000_000 - backMs.get());
         base.connect(relay.address(), "anna");
         base.submit("anna", TcpTestFleet.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
-        Base watching = harbour.base("watching");
+        Base watching = fleet.base("watching");
         watching.onlyWatches = true;
         watching.connect(boat.address(), "anna");
         relay.setSwallows(true);
@@ -218,15 +218,15 @@ class TcpBaseTest {
         base.linked("anna");
         Await.until("it goes on", 30, () -> base.mode("anna").equals(Optional.of(BoatMode.PATH)));
         assertThat(uploads("upload")).isEqualTo(1);
-        assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+        assertThat(fleet.executedIds("anna")).doesNotHaveDuplicates();
     }
 
     @Test
     void hundredCutsLeaveNoThreadAndTheOtherBoatUntouched() throws Exception {
-        BoatOnTcp cut = harbour.boat("cutboat");
-        BoatOnTcp berta = harbour.boat("berta");
-        TestRelay relay = harbour.relay(cut);
-        Base base = harbour.base("cutting");
+        BoatOnTcp cut = fleet.boat("cutboat");
+        BoatOnTcp berta = fleet.boat("berta");
+        TestRelay relay = fleet.relay(cut);
+        Base base = fleet.base("cutting");
         base.connect(berta.address(), "berta");
         base.submit("berta", TcpTestFleet.path("m2", 2));
         base.awaitMode("berta", BoatMode.PATH);
@@ -242,15 +242,15 @@ class TcpBaseTest {
         Await.until("no thread is left", 30, () -> Await.threads("cutting-") + Await.threads("cutboat-") == threads);
         assertThat(base.count("berta LINKED")).isEqualTo(1);
         assertThat(base.count("berta LOST")).isZero();
-        assertThat(harbour.executed("berta", "upload")).isEqualTo(1);
+        assertThat(fleet.executed("berta", "upload")).isEqualTo(1);
         assertThat(base.mode("berta")).contains(BoatMode.PATH);
         assertThat(base.failures).isEmpty();
     }
 
     @Test
     void closingTheBaseEndsItsThreads() throws Exception {
-        Base base = harbour.base("closing");
-        base.connect(harbour.boat("anna").address(), "anna");
+        Base base = fleet.base("closing");
+        base.connect(fleet.boat("anna").address(), "anna");
         base.tcp.connect(TcpTestFleet.port(1)); // nobody there
         base.close();
 
@@ -259,9 +259,9 @@ class TcpBaseTest {
 
     @Test
     void ofTwoBoatsWithOneIdTheSecondIsRefusedAndAlarmedOnce() throws Exception {
-        BoatOnTcp first = harbour.boat("anna");
-        BoatOnTcp second = harbour.boat("anna", 0, logs.resolve("other"));
-        Base base = harbour.base("base");
+        BoatOnTcp first = fleet.boat("anna");
+        BoatOnTcp second = fleet.boat("anna", 0, logs.resolve("other"));
+        Base base = fleet.base("base");
         base.connect(first.address(), "anna");
         base.submit("anna", TcpTestFleet.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
@@ -282,10 +282,10 @@ class TcpBaseTest {
 
     @Test
     void oneBoatUnderTwoAddressesIsLinkedOnce() throws Exception {
-        BoatOnTcp boat = harbour.boat("anna");
-        Base base = harbour.base("base");
+        BoatOnTcp boat = fleet.boat("anna");
+        Base base = fleet.base("base");
         base.connect(boat.address(), "anna");
-        base.tcp.connect(harbour.relay(boat).address());
+        base.tcp.connect(fleet.relay(boat).address());
 
         Await.until("an alarm", 30, () -> !base.alarms.isEmpty());
         assertThat(base.alarms)
@@ -305,15 +305,15 @@ class TcpBaseTest {
     }
 
     private void restart(Path logFolder) throws Exception {
-        BoatOnTcp boat = harbour.boat("anna");
+        BoatOnTcp boat = fleet.boat("anna");
         int port = boat.address().getPort();
-        Base base = harbour.base("base");
+        Base base = fleet.base("base");
         base.connect(boat.address(), "anna");
         base.submit("anna", TcpTestFleet.path("m1", 1));
         base.awaitMode("anna", BoatMode.PATH);
         boat.close();
         Await.until("lost", 30, () -> base.count("anna LOST") == 1);
-        BoatOnTcp again = harbour.boat("anna", port, logFolder);
+        BoatOnTcp again = fleet.boat("anna", port, logFolder);
         assertThat(again.restored() > 0).isEqualTo(logFolder.equals(logs));
 
         Await.until("the operator is asked", 30, () -> base.count("anna restarted") == 1);
@@ -327,17 +327,17 @@ class TcpBaseTest {
 
         base.awaitMode("anna", BoatMode.PATH);
         assertThat(base.upload("anna").orElseThrow().state()).isEqualTo(Upload.State.READ_BACK_EQUAL);
-        assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+        assertThat(fleet.executedIds("anna")).doesNotHaveDuplicates();
     }
 
     @Test
     void commandChangesHandsBetweenBasesAndComesBack() throws Exception {
-        BoatOnTcp boat = harbour.boat("anna");
-        Base first = harbour.base("first");
+        BoatOnTcp boat = fleet.boat("anna");
+        Base first = fleet.base("first");
         first.connect(boat.address(), "anna");
         first.submit("anna", TcpTestFleet.path("m1", 1));
         first.awaitMode("anna", BoatMode.PATH);
-        Base second = harbour.base("second");
+        Base second = fleet.base("second");
         second.connect(boat.address(), "anna");
         Await.until("it observes", 30, () -> !second.ask("anna", BoatProxy::isCommanding));
         second.ask("anna", proxy -> {
@@ -362,17 +362,17 @@ class TcpBaseTest {
         });
         Await.until("the first goes on", 30, () -> uploads("start") == 3);
         Await.holds("nobody grabs it back", 1.5, () -> first.ask("anna", BoatProxy::isCommanding));
-        assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+        assertThat(fleet.executedIds("anna")).doesNotHaveDuplicates();
     }
 
     @Test
     void routerThatIsOffLosesAllBoatsInTimeAndAllRecover() throws Exception {
-        Base base = harbour.base("base");
+        Base base = fleet.base("base");
         List<TestRelay> routers = new ArrayList<>();
         List<String> names = new ArrayList<>();
         for (int i = 1; i <= 25; i++) {
             String name = "boat" + i;
-            TestRelay router = harbour.relay(harbour.boat(name));
+            TestRelay router = fleet.relay(fleet.boat(name));
             routers.add(router);
             names.add(name);
             base.tcp.connect(router.address());
@@ -393,17 +393,17 @@ class TcpBaseTest {
         names.forEach(base::linked);
         names.forEach(name -> base.awaitMode(name, BoatMode.PATH));
         for (String name : names) {
-            assertThat(harbour.executedIds(name)).doesNotHaveDuplicates();
-            assertThat(harbour.executed(name, "upload")).isEqualTo(1);
+            assertThat(fleet.executedIds(name)).doesNotHaveDuplicates();
+            assertThat(fleet.executed(name, "upload")).isEqualTo(1);
         }
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {0.05, 0.2, 0.5})
     void uploadOverALossyLinkIsReadBackEqualOrFailsForAReason(double loss) throws Exception {
-        BoatOnTcp boat = harbour.boat("anna");
-        TestRelay relay = harbour.relay(boat);
-        Base base = harbour.impatientBase("base", 100);
+        BoatOnTcp boat = fleet.boat("anna");
+        TestRelay relay = fleet.relay(boat);
+        Base base = fleet.impatientBase("base", 100);
         base.connect(relay.address(), "anna");
         relay.setLoss(loss);
         double[] northM = new double[20];
@@ -420,7 +420,7 @@ class TcpBaseTest {
                                 && base.upload("anna")
                                         .filter(upload -> upload.state() == Upload.State.READ_BACK_EQUAL)
                                         .isPresent()));
-        assertThat(harbour.executedIds("anna")).doesNotHaveDuplicates();
+        assertThat(fleet.executedIds("anna")).doesNotHaveDuplicates();
         assertThat(loss < 0.5 && failed(base))
                 .as("failed at a loss that can be borne")
                 .isFalse();
@@ -432,8 +432,8 @@ class TcpBaseTest {
 
     @Test
     void tenThousandWaypointsAreReadBackEqual() throws Exception {
-        BoatOnTcp boat = harbour.boat("anna");
-        Base base = harbour.base("base");
+        BoatOnTcp boat = fleet.boat("anna");
+        Base base = fleet.base("base");
         base.connect(boat.address(), "anna");
         double[] northM = new double[10_000];
         for (int i = 0; i < northM.length; i++) {
@@ -456,8 +456,8 @@ class TcpBaseTest {
     @ParameterizedTest
     @ValueSource(ints = {0, 1})
     void boatThatReadsNothingOrOneByteASecondIsDroppedAndDelaysNoOther(int bytesPerSecond) throws Exception {
-        BoatOnTcp berta = harbour.boat("berta");
-        Base base = harbour.base("base");
+        BoatOnTcp berta = fleet.boat("berta");
+        Base base = fleet.base("base");
         base.connect(berta.address(), "berta");
         try (UnreadingPeer stuck = new UnreadingPeer("anna", bytesPerSecond)) {
             base.connect(stuck.address(), "anna");

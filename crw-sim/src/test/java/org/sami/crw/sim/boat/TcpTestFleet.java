@@ -35,7 +35,7 @@ import org.sami.crw.proxy.tcp.TcpBaseConfig;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
-/** Real boats on real ports of the loopback address, routers in between, and bases; all closed with the harbour. */
+/** Real boats on real ports of the loopback address, routers in between, and bases; all closed with it. */
 final class TcpTestFleet implements AutoCloseable {
     static final GeoPoint PIER = GeoPoint.of(45.4, 10.9);
 
@@ -47,7 +47,7 @@ final class TcpTestFleet implements AutoCloseable {
         this(logs, () -> System.nanoTime() / 1_000_000);
     }
 
-    /** A harbour where boats and bases live on a clock of milliseconds. */
+    /** A fleet whose boats and bases live on a clock of milliseconds. */
     TcpTestFleet(Path logs, LongSupplier clockMs) {
         this.logs = logs;
         this.clockMs = clockMs;
@@ -214,7 +214,7 @@ final class TcpTestFleet implements AutoCloseable {
 
         @Override
         public BoatListener found(String boatId) {
-            return new Ear();
+            return new Recorder();
         }
 
         @Override
@@ -245,7 +245,7 @@ final class TcpTestFleet implements AutoCloseable {
         }
 
         /** Writes down what a proxy tells. */
-        private final class Ear implements BoatListener {
+        private final class Recorder implements BoatListener {
             @Override
             public void onStatus(BoatStatus status) {
                 statuses.put(status.boatId(), status);

@@ -27,7 +27,9 @@ import org.sami.boat.server.Vehicle;
 final class TcpBench implements AutoCloseable {
     private static final AtomicLong NAMES = new AtomicLong();
 
-    final String name = "bench" + NAMES.incrementAndGet();
+    /** With which the names of its threads begin, and of no others'. */
+    final String name;
+
     final List<String> executed = java.util.Collections.synchronizedList(new ArrayList<>());
     final ConcurrentLinkedQueue<String> failures = new ConcurrentLinkedQueue<>();
     final ConcurrentLinkedQueue<String> goodbyes = new ConcurrentLinkedQueue<>();
@@ -41,6 +43,16 @@ final class TcpBench implements AutoCloseable {
 
     TcpBench(UnaryOperator<ServerConfig.Builder> boat, UnaryOperator<TcpServerConfig> tcp, LongSupplier clockMs)
             throws IOException {
+        this("bench%04d".formatted(NAMES.incrementAndGet()), boat, tcp, clockMs);
+    }
+
+    TcpBench(
+            String name,
+            UnaryOperator<ServerConfig.Builder> boat,
+            UnaryOperator<TcpServerConfig> tcp,
+            LongSupplier clockMs)
+            throws IOException {
+        this.name = name;
         BoatServer boatServer = new BoatServer(
                 boat.apply(ServerConfig.of("boat1", "boot1")).build(),
                 new Moored(),
