@@ -25,6 +25,7 @@ final class Codes {
     static final String VARIABLE_NAME = "E-VARIABLE-NAME";
     static final String ANSWERS = "E-ANSWERS";
     static final String DECISION = "E-DECISION";
+    static final String UNKNOWN_GLOBAL = "W-UNKNOWN-GLOBAL";
 
     private Codes() {}
 }
