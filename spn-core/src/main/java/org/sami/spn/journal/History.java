@@ -23,12 +23,14 @@ final class History {
     private final Connection connection;
     private final Contents contents;
     private final Attachments attachments;
+    private final ProjectDocuments documents;
 
     History(Path file, Connection connection, Contents contents) {
         this.file = file;
         this.connection = connection;
         this.contents = contents;
         this.attachments = new Attachments(connection);
+        this.documents = new ProjectDocuments(connection);
     }
 
     EngineState stateAt(long index, Engine engine) throws JournalException {
@@ -88,7 +90,7 @@ final class History {
 
     private JournalEntry entry(ResultSet row) throws SQLException, JournalException {
         long index = row.getLong(1);
-        return new JournalEntry(index, row.getLong(2), InputText.read(file, index, row.getString(3)));
+        return new JournalEntry(index, row.getLong(2), InputText.read(file, index, row.getString(3), documents));
     }
 
     private EngineState goOn(Engine engine, EngineState state, long after, long last) throws JournalException {

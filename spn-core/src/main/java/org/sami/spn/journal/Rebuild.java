@@ -10,6 +10,7 @@ import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.sami.spn.protocol.Input;
 
 /**
  * Makes journal files: new ones, and the valid part of a damaged one anew. Writing on into a file whose structure is
@@ -83,6 +84,8 @@ final class Rebuild {
     }
 
     private static void copyEntries(Database from, Connection to, long last) throws SQLException {
+        ProjectDocuments old = new ProjectDocuments(from.connection());
+        ProjectDocuments fresh = new ProjectDocuments(to);
         try (PreparedStatement select = from.connection()
                         .prepareStatement(
                                 "SELECT idx, at_millis, input, checksum FROM entries WHERE idx <= ? ORDER BY idx");
@@ -95,6 +98,11 @@ final class Rebuild {
                     insert.setString(3, rows.getString(3));
                     insert.setBytes(4, rows.getBytes(4));
                     insert.executeUpdate();
+                    Optional<String> document =
+                            InputText.documentOf(rows.getString(3)).flatMap(old::find);
+                    if (document.isPresent()) {
+                        fresh.add(new Input.LoadProject(document.get()));
+                    }
                 }
             }
         }

@@ -19,6 +19,7 @@ final class Scan {
     private final Path file;
     private final Connection connection;
     private final HashChain chain = new HashChain();
+    private final ProjectDocuments documents;
     private final NavigableMap<Long, Checksum> snapshots = new TreeMap<>();
     private final NavigableMap<Long, Checksum> marks = new TreeMap<>();
     private NavigableSet<Long> snapshotIndexes = new TreeSet<>();
@@ -31,6 +32,7 @@ final class Scan {
     private Scan(Path file, Connection connection) {
         this.file = file;
         this.connection = connection;
+        this.documents = new ProjectDocuments(connection);
     }
 
     /**
@@ -74,6 +76,11 @@ final class Scan {
         Checksum expected = chain.entry(checksum, index, atMillis, input);
         if (!expected.is(stored)) {
             note("entry " + index + " is damaged: its checksum does not hold");
+            return false;
+        }
+        Optional<String> document = InputText.documentOf(input);
+        if (document.isPresent() && documents.find(document.get()).isEmpty()) {
+            note("entry " + index + " is damaged: the document of the project that it loads does not hold");
             return false;
         }
         last = index;

@@ -16,6 +16,7 @@ import org.sami.spn.engine.EngineState;
 import org.sami.spn.host.Durability;
 import org.sami.spn.host.InputJournal;
 import org.sami.spn.host.JournalEntry;
+import org.sami.spn.protocol.Input;
 
 /**
  * A session's journal, open for writing (docs/decisions 0030, 0031, 0032). One writer at a time; anybody may read beside it
@@ -35,6 +36,7 @@ public final class SqliteJournal implements InputJournal {
     private final PowerSync power;
     private final EntryTable entries;
     private final Attachments attachments;
+    private final ProjectDocuments documents;
     private final TelemetryTable telemetry = new TelemetryTable();
     private final History history;
     private Checksum checksum;
@@ -58,6 +60,7 @@ public final class SqliteJournal implements InputJournal {
         this.recovery = new Recovery(contents.lastValid(), damage);
         this.entries = new EntryTable(database.connection());
         this.attachments = new Attachments(database.connection());
+        this.documents = new ProjectDocuments(database.connection());
         this.history = new History(file, database.connection(), contents);
         this.power = new PowerSync(Database.log(file), options.syncWithinMillis(), this::writeTelemetry);
         this.checksum = contents.lastChecksum();
@@ -173,7 +176,14 @@ public final class SqliteJournal implements InputJournal {
             return;
         }
         Checksum[] end = new Checksum[1];
-        commit(lastIndex + 1, () -> end[0] = entries.write(batch, checksum));
+        commit(lastIndex + 1, () -> {
+            for (JournalEntry entry : batch) {
+                if (entry.input() instanceof Input.LoadProject load) {
+                    documents.add(load);
+                }
+            }
+            end[0] = entries.write(batch, checksum);
+        });
         JournalEntry last = batch.get(batch.size() - 1);
         checksum = end[0];
         lastIndex = last.index();

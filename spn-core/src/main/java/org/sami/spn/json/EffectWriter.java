@@ -34,6 +34,13 @@ final class EffectWriter {
                     .put("place", e.place())
                     .put("plan", e.plan())
                     .put("name", e.name());
+            if (e.projectVersion() > 1) {
+                node.put("projectVersion", e.projectVersion());
+            }
+        } else if (effect instanceof Effect.ProjectLoaded e) {
+            node.put("effect", "project-loaded")
+                    .put("version", e.version())
+                    .put("project", e.project().id());
         } else if (effect instanceof Effect.MissionEnded e) {
             node.put("effect", "mission-ended").put("mission", e.mission()).put("outcome", Words.of(e.outcome()));
         } else if (effect instanceof Effect.DecisionOpened e) {

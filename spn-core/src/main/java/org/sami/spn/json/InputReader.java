@@ -39,6 +39,7 @@ final class InputReader {
             case "received" -> Optional.of(new Input.Received(occurrence(m)));
             case "start-mission" ->
                 Optional.of(new Input.StartMission(m.text("plan"), m.text("name", ""), values(m, "parameters")));
+            case "load-project" -> Optional.of(new Input.LoadProject(m.text("document", "")));
             case "proxy-joined" -> Optional.of(new Input.ProxyJoined(m.text("proxy")));
             case "proxy-dropped" -> Optional.of(new Input.ProxyDropped(m.text("proxy"), m.whole("mission")));
             case "time-reached" -> Optional.of(new Input.TimeReached());

@@ -26,6 +26,8 @@ final class InputWriter {
         } else if (input instanceof Input.StartMission i) {
             node.put("input", "start-mission").put("plan", i.plan()).put("name", i.name());
             node.set("parameters", values(i.parameters()));
+        } else if (input instanceof Input.LoadProject i) {
+            node.put("input", "load-project").put("document", i.document());
         } else if (input instanceof Input.ProxyJoined i) {
             node.put("input", "proxy-joined").put("proxy", i.proxy());
         } else if (input instanceof Input.ProxyDropped i) {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.spn.model.Project;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
@@ -17,12 +18,31 @@ public sealed interface Effect {
      *
      * @param parent the mission that it is an instance for; {@link Ids#NONE} for a root
      * @param place the parent's place that runs it; empty text for a root
+     * @param projectVersion of which of the session's projects the plan is ({@link ProjectLoaded}); 1 where none was loaded
      */
-    record MissionStarted(long mission, long parent, String place, String plan, String name) implements Effect {
+    record MissionStarted(long mission, long parent, String place, String plan, String name, int projectVersion)
+            implements Effect {
         public MissionStarted {
             Objects.requireNonNull(place, "place");
             Objects.requireNonNull(plan, "plan");
             Objects.requireNonNull(name, "name");
+        }
+
+        /** A mission of the project with which the session began. */
+        public MissionStarted(long mission, long parent, String place, String plan, String name) {
+            this(mission, parent, place, plan, name, 1);
+        }
+    }
+
+    /**
+     * Missions that start from now on have the plans of this project ({@link Input.LoadProject}).
+     *
+     * @param version the session's number for it: the project with which it began is 1, each that differs from the one before is
+     *     one more; a project equal to the newest changes nothing and is told with its number
+     */
+    record ProjectLoaded(int version, Project project) implements Effect {
+        public ProjectLoaded {
+            Objects.requireNonNull(project, "project");
         }
     }
 

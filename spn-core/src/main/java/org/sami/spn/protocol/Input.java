@@ -1,6 +1,10 @@
 package org.sami.spn.protocol;
 
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.util.Collections;
+import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -29,6 +33,28 @@ public sealed interface Input {
             Objects.requireNonNull(plan, "plan");
             Objects.requireNonNull(name, "name");
             parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
+        }
+    }
+
+    /**
+     * Loads a project beside the missions that run: those keep the plans with which they started, missions that start later take
+     * the loaded ones (docs/decisions 0176). Whoever posts it has checked the project's plans.
+     *
+     * @param document the project as {@code ProjectWriter} writes it, in the words of the session's vocabulary
+     */
+    record LoadProject(String document) implements Input {
+        public LoadProject {
+            Objects.requireNonNull(document, "document");
+        }
+
+        /** The SHA-256 of the document's UTF-8, in 64 hexadecimal digits: by it journals and states name the project. */
+        public String sha256() {
+            try {
+                byte[] digest = MessageDigest.getInstance("SHA-256").digest(document.getBytes(StandardCharsets.UTF_8));
+                return HexFormat.of().formatHex(digest);
+            } catch (NoSuchAlgorithmException missing) {
+                throw new IllegalStateException("every Java platform has SHA-256", missing);
+            }
         }
     }
 

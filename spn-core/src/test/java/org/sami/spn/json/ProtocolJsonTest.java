@@ -14,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.spn.model.MarkupSpec;
+import org.sami.spn.model.Project;
 import org.sami.spn.model.TaskSpec;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Answer;
@@ -49,6 +50,7 @@ class ProtocolJsonTest {
         values.put("a.b/c", GeoPoint.of(1.5, 2));
         return List.of(
                 new Input.StartMission("clv", "", values),
+                new Input.LoadProject("{\"formatVersion\": 1}\n"),
                 new Input.Received(new Occurrence("A", 1, 2, List.of("b2", "b1"), List.of(TASK), values)),
                 new Input.Received(Occurrence.news("News", List.of(), Map.of())),
                 new Input.ProxyJoined("b1"),
@@ -138,6 +140,7 @@ class ProtocolJsonTest {
                 List.of());
         List<Effect> effects = List.of(
                 new Effect.MissionStarted(1, 0, "", "clv", "x"),
+                new Effect.ProjectLoaded(2, new Project("lake", "", "test", List.of(), List.of(), List.of())),
                 new Effect.Fired(
                         1,
                         1,
@@ -169,13 +172,14 @@ class ProtocolJsonTest {
                 .contains("{\"effect\":\"tasks-allocated\",\"priority\":\"high\",\"tasks\":[{\"task\":"
                         + "{\"mission\":" + TASK.mission() + ",\"name\":\"" + TASK.name()
                         + "\"},\"proxy\":\"b2\",\"before\":\"b1\"}]}");
-        assertThat(written.get(1))
+        assertThat(written.get(1)).isEqualTo("{\"effect\":\"project-loaded\",\"version\":2,\"project\":\"lake\"}");
+        assertThat(written.get(2))
                 .isEqualTo("{\"effect\":\"fired\",\"firing\":1,\"mission\":1,\"transition\":\"t\","
                         + "\"used\":[{\"type\":\"N\"}],\"moves\":[{\"token\":\"generic\",\"from\":\"a\"}]}");
         assertThat(written)
                 .contains(
                         "{\"effect\":\"entered\",\"mission\":1,\"place\":\"b\",\"visit\":3,\"tokens\":[{\"proxy\":\"b1\"}]}",
                         "{\"effect\":\"left\",\"mission\":1,\"place\":\"a\",\"visit\":2,\"tokens\":[]}");
-        assertThat(written.get(4)).contains("\"deadlineMillis\":1000").contains("\"ask\":\"fill-in\"");
+        assertThat(written.get(5)).contains("\"deadlineMillis\":1000").contains("\"ask\":\"fill-in\"");
     }
 }

@@ -1,0 +1,55 @@
+package org.sami.spn.journal;
+
+import java.sql.Connection;
+import java.sql.PreparedStatement;
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.sql.Statement;
+import java.util.Optional;
+import org.sami.spn.protocol.Input;
+
+/**
+ * Documents of the projects that were loaded during the session, by their SHA-256: an equal document is stored once
+ * (docs/decisions 0177). The table is made with the first of them; a journal of a session that loads nothing has none.
+ */
+final class ProjectDocuments {
+    private static final String TABLE =
+            "CREATE TABLE IF NOT EXISTS documents (sha256 TEXT PRIMARY KEY, content TEXT NOT NULL) STRICT";
+
+    private final Connection connection;
+
+    ProjectDocuments(Connection connection) {
+        this.connection = connection;
+    }
+
+    /** Adds a document, within the transaction of the caller. */
+    void add(Input.LoadProject load) throws SQLException {
+        try (Statement statement = connection.createStatement()) {
+            statement.execute(TABLE);
+        }
+        // A copy that was damaged since is replaced.
+        try (PreparedStatement insert = connection.prepareStatement("INSERT OR REPLACE INTO documents VALUES (?, ?)")) {
+            insert.setString(1, load.sha256());
+            insert.setString(2, load.document());
+            insert.executeUpdate();
+        }
+    }
+
+    /** The document with that SHA-256; empty where it is not there or not what it was. */
+    Optional<String> find(String sha256) {
+        try (PreparedStatement select = connection.prepareStatement("SELECT content FROM documents WHERE sha256 = ?")) {
+            select.setString(1, sha256);
+            try (ResultSet rows = select.executeQuery()) {
+                return rows.next()
+                        ? Optional.ofNullable(rows.getString(1)).filter(content -> isOf(content, sha256))
+                        : Optional.empty();
+            }
+        } catch (SQLException damagedOrNoTable) {
+            return Optional.empty();
+        }
+    }
+
+    private static boolean isOf(String document, String sha256) {
+        return new Input.LoadProject(document).sha256().equals(sha256);
+    }
+}
