@@ -25,7 +25,7 @@ final class PlanAreas {
         Optional<MissionView> mission = view.mission(activation.mission());
         while (mission.isPresent()) {
             MissionView one = mission.get();
-            view.plan(one.plan()).ifPresent(plan -> plan.places().forEach(place -> add(place, one, view, areas)));
+            view.planOf(one.id()).ifPresent(plan -> plan.places().forEach(place -> add(place, one, view, areas)));
             mission = view.mission(one.parent());
         }
         return List.copyOf(areas);

@@ -104,7 +104,7 @@ public final class OperatorModels implements HostListener, MessageSink {
         return switch (kind) {
             case LIVELOCK -> Priority.CRITICAL;
             case HANDLER_FAILED, INTERRUPT_REFUSED, NOT_RETURNED, NO_AUTOMATIC_ANSWER -> Priority.HIGH;
-            case REJECTED_INPUT, NAMES_NOBODY, SHORT_OF_TOKENS -> Priority.MEDIUM;
+            case REJECTED_INPUT, NAMES_NOBODY, SHORT_OF_TOKENS, GLOBAL_KEPT -> Priority.MEDIUM;
             case DISCARDED, LATE -> Priority.LOW;
         };
     }

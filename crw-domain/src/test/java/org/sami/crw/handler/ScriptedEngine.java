@@ -16,6 +16,7 @@ import org.sami.spn.engine.InterruptButton;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.host.EngineFunction;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
@@ -101,6 +102,26 @@ final class ScriptedEngine implements EngineFunction, EngineView {
     @Override
     public Optional<Plan> plan(String id) {
         return Optional.empty();
+    }
+
+    @Override
+    public Optional<Plan> planOf(long mission) {
+        return Optional.empty();
+    }
+
+    @Override
+    public Project project() {
+        throw new UnsupportedOperationException("a script has no project");
+    }
+
+    @Override
+    public int projectVersion() {
+        return 1;
+    }
+
+    @Override
+    public Map<String, Value> globals() {
+        return Map.of();
     }
 
     @Override

@@ -70,7 +70,7 @@ final class Awaiting {
 
     private boolean answers(SentActivation sent, CompiledInput input) {
         return sent.output.type.map(EventType::answers).orElse(List.of()).stream()
-                .anyMatch(answer -> state.project.knownTypeId(answer) == input.typeId);
+                .anyMatch(answer -> state.newest().knownTypeId(answer) == input.typeId);
     }
 
     private static Optional<String> answered(SentActivation sent, TransitionState t) {

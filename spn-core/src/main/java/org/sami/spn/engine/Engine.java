@@ -58,7 +58,7 @@ public final class Engine {
         return project.vocabulary;
     }
 
-    /** The plans. */
+    /** The plans with which sessions begin; what a session loaded later is asked of its {@link EngineView}. */
     public Project project() {
         return project.project;
     }
@@ -96,7 +96,7 @@ public final class Engine {
     }
 
     private void run(EngineState state, long nowMillis, Consumer<? super Effect> effects, Consumer<Rules> input) {
-        if (state.net.project != project) {
+        if (state.net.first != project) {
             throw new IllegalArgumentException("The state belongs to another engine");
         }
         Rules rules = state.rules();
@@ -140,6 +140,8 @@ public final class Engine {
             rules.routing.route(received.occurrence());
         } else if (input instanceof Input.StartMission start) {
             refused = rules.missionStart.start(start);
+        } else if (input instanceof Input.LoadProject load) {
+            refused = rules.projectLoading.load(load);
         } else if (input instanceof Input.AnswerDecision answer) {
             OpenDecision open = rules.state.decisions.get(answer.decision());
             mission = open == null ? Ids.NONE : open.decision.mission();

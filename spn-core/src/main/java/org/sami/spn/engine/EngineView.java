@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
@@ -28,8 +29,20 @@ public interface EngineView {
      */
     List<Effect> markingAsEffects();
 
-    /** A plan of the project that the engine runs, by its id. */
+    /** A plan of the newest project, by its id: what a mission would have that starts now. */
     Optional<Plan> plan(String id);
+
+    /** The newest project: the last that was loaded, else the one with which the session began. */
+    Project project();
+
+    /** The session's number for the newest project; 1 where none was loaded. */
+    int projectVersion();
+
+    /** The plan of a mission that has not ended, of the project with which its root mission started. */
+    Optional<Plan> planOf(long mission);
+
+    /** The globals of the newest project that have a value, in the project's order. */
+    Map<String, Value> globals();
 
     /** Open decisions, in order of creation. */
     List<Decision> decisions();

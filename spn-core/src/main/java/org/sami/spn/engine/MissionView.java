@@ -14,6 +14,7 @@ import org.sami.spn.protocol.Token;
  * @param parent the mission whose place runs it, or {@code Ids.NONE}
  * @param place the parent's place whose sub-mission it is, by its id; empty text for a root mission
  * @param marking tokens of each marked place in order of entry, by place id in the plan's order
+ * @param projectVersion of which of the session's projects its plan is ({@code Effect.ProjectLoaded}); 1 where none was loaded
  */
 public record MissionView(
         long id,
@@ -23,7 +24,8 @@ public record MissionView(
         String plan,
         String name,
         MissionStatus status,
-        Map<String, List<Token>> marking) {
+        Map<String, List<Token>> marking,
+        int projectVersion) {
     public MissionView {
         Objects.requireNonNull(place, "place");
         Objects.requireNonNull(plan, "plan");
@@ -32,7 +34,20 @@ public record MissionView(
         marking = Collections.unmodifiableMap(new LinkedHashMap<>(marking));
     }
 
-    /** A mission that stands in no place of another. */
+    /** A mission of the project with which the session began. */
+    public MissionView(
+            long id,
+            long parent,
+            long root,
+            String place,
+            String plan,
+            String name,
+            MissionStatus status,
+            Map<String, List<Token>> marking) {
+        this(id, parent, root, place, plan, name, status, marking, 1);
+    }
+
+    /** Likewise, one that stands in no place of another. */
     public MissionView(
             long id,
             long parent,
@@ -41,6 +56,6 @@ public record MissionView(
             String name,
             MissionStatus status,
             Map<String, List<Token>> marking) {
-        this(id, parent, root, "", plan, name, status, marking);
+        this(id, parent, root, "", plan, name, status, marking, 1);
     }
 }

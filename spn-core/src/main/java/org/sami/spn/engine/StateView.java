@@ -19,6 +19,8 @@ import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.TaskState;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.model.VariableSpec;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
@@ -65,7 +67,8 @@ final class StateView implements EngineView {
                 m.plan.plan.id(),
                 m.name,
                 m.status,
-                marking);
+                marking,
+                m.plan.project.version);
     }
 
     @Override
@@ -86,7 +89,34 @@ final class StateView implements EngineView {
 
     @Override
     public Optional<Plan> plan(String id) {
-        return state.project.project.plan(id);
+        return project().plan(id);
+    }
+
+    @Override
+    public Project project() {
+        return state.newest().project;
+    }
+
+    @Override
+    public int projectVersion() {
+        return state.newest().version;
+    }
+
+    @Override
+    public Optional<Plan> planOf(long mission) {
+        return Optional.ofNullable(state.missions.get(mission)).map(m -> m.plan.plan);
+    }
+
+    @Override
+    public Map<String, Value> globals() {
+        Map<String, Value> globals = new LinkedHashMap<>();
+        for (VariableSpec declared : project().globals()) {
+            Value value = state.globals.get(declared.name());
+            if (value != null) {
+                globals.put(declared.name(), value);
+            }
+        }
+        return globals;
     }
 
     @Override
@@ -186,7 +216,7 @@ final class StateView implements EngineView {
 
     @Override
     public boolean awaits(String inputEvent) {
-        int type = state.project.knownTypeId(inputEvent);
+        int type = state.newest().knownTypeId(inputEvent);
         for (MissionState m : state.attentive(type).values()) {
             if (m.runs()) {
                 for (CompiledTransition t : m.plan.waitingFor(type)) {

@@ -105,7 +105,7 @@ final class History {
     private Optional<EngineState> decoded(long index, Checksum entryChecksum, Engine engine) {
         return attachments.snapshot(index, entryChecksum).flatMap(bytes -> {
             try {
-                return Optional.of(StateCodec.decode(bytes, engine));
+                return Optional.of(StateCodec.decode(bytes, engine, documents::find));
             } catch (IllegalArgumentException older) {
                 return Optional
                         .empty(); // of another version of the state's format: an earlier one, or the start, will do

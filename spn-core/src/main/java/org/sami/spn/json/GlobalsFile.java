@@ -14,6 +14,7 @@ import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.value.Value;
+import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
@@ -33,9 +34,10 @@ public final class GlobalsFile {
      *
      * @param before empty where the file gave none
      */
-    public record Change(String name, Optional<Value> before, Value after) {
+    public record Change(String name, ValueType type, Optional<Value> before, Value after) {
         public Change {
             Objects.requireNonNull(name, "name");
+            Objects.requireNonNull(type, "type");
             Objects.requireNonNull(before, "before");
             Objects.requireNonNull(after, "after");
         }
@@ -65,7 +67,7 @@ public final class GlobalsFile {
                 String pointer = "/globals/" + i;
                 write(value, spec, pointer, problems)
                         .ifPresent(text -> ((ObjectNode) root.get().at(pointer)).set("initial", text));
-                changes.add(new Change(spec.name(), spec.initial(), value));
+                changes.add(new Change(spec.name(), spec.type(), spec.initial(), value));
             }
         }
         if (!problems.none()) {

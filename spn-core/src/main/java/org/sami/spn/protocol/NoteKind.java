@@ -19,6 +19,8 @@ public enum NoteKind {
     HANDLER_FAILED,
     /** An input that makes no sense in this state. */
     REJECTED_INPUT,
+    /** A loaded project has another initial value for a global that has one already. */
+    GLOBAL_KEPT,
     /** Autonomy was to answer and had no answer. */
     NO_AUTOMATIC_ANSWER
 }

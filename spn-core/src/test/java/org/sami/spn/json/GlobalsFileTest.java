@@ -18,6 +18,7 @@ import org.sami.spn.value.ListValue;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
+import org.sami.spn.value.ValueType;
 
 /** Globals of a session, saved as the initial values of a project's file. */
 class GlobalsFileTest {
@@ -75,7 +76,8 @@ class GlobalsFileTest {
 
         assertThat(saved.findings()).isEmpty();
         assertThat(saved.orThrow())
-                .containsExactly(new GlobalsFile.Change("@speed", Optional.of(new RealValue(1.5)), new RealValue(0.5)));
+                .containsExactly(new GlobalsFile.Change(
+                        "@speed", ValueType.Simple.REAL, Optional.of(new RealValue(1.5)), new RealValue(0.5)));
         assertThat(file()).hasContent(before.replace("1.5", "0.5"));
         assertThat(folder.resolve("odd name.json")).hasContent(PLAN);
     }
@@ -87,7 +89,8 @@ class GlobalsFileTest {
         Reading<List<GlobalsFile.Change>> saved = save(Map.of("@dock", GeoPoint.of(45.25, 10.5)), folder);
 
         assertThat(saved.orThrow())
-                .containsExactly(new GlobalsFile.Change("@dock", Optional.empty(), GeoPoint.of(45.25, 10.5)));
+                .containsExactly(new GlobalsFile.Change(
+                        "@dock", ValueType.Simple.POINT, Optional.empty(), GeoPoint.of(45.25, 10.5)));
         assertThat(new ProjectReader(TestVocabulary.TEST).read(folder).orThrow().globals())
                 .extracting(v -> v.name() + " " + v.initial().orElseThrow())
                 .contains("@dock " + GeoPoint.of(45.25, 10.5));

@@ -27,6 +27,7 @@ final class Comparison {
     /** What of one input's effects and of the states after it is not equal. */
     static Optional<String> difference(Subject interpreter, List<Effect> expected, Subject other, List<Effect> actual) {
         return Stream.of(
+                        compare("projects loaded", loaded(expected), loaded(actual)),
                         compare("missions that began", begun(expected), begun(actual)),
                         compare("firings", firings(expected), firings(actual)),
                         compare("activations", activations(expected), activations(actual)),
@@ -53,11 +54,16 @@ final class Comparison {
                 : Optional.of("  " + what + "\n    interpreter: " + expected + "\n    other:       " + actual);
     }
 
+    private static List<Effect> loaded(List<Effect> effects) {
+        return effects.stream().filter(Effect.ProjectLoaded.class::isInstance).toList();
+    }
+
     private static List<String> begun(List<Effect> effects) {
         List<String> found = new ArrayList<>();
         for (Effect effect : effects) {
             if (effect instanceof Effect.MissionStarted m) {
-                found.add(m.mission() + " in '" + m.place() + "' of " + m.parent() + " runs " + m.plan());
+                found.add(m.mission() + " in '" + m.place() + "' of " + m.parent() + " runs " + m.plan()
+                        + " of project " + m.projectVersion());
             }
         }
         return found;

@@ -48,6 +48,14 @@ final class Coverage {
             NoteKind.LIVELOCK,
             NoteKind.REJECTED_INPUT,
             NoteKind.NO_AUTOMATIC_ANSWER);
+    private static final List<String> LOADING = List.of(
+            "project loaded",
+            "equal project loaded",
+            "project refused",
+            "mission of a loaded project started",
+            "sub-mission of an earlier project started",
+            "firing of an earlier project",
+            "global kept");
     private static final List<String> OTHERS = List.of(
             "firing without event",
             "firing with several events",
@@ -119,6 +127,7 @@ final class Coverage {
             entry("visit ends", "R-VIS-5"));
 
     private final Map<String, Long> counts = new LinkedHashMap<>();
+    private final Map<String, Long> ofLoading = new LinkedHashMap<>();
 
     Coverage() {
         for (TokenKind kind : TokenKind.values()) {
@@ -144,11 +153,13 @@ final class Coverage {
             counts.put("mission " + outcome, 0L);
         }
         OTHERS.forEach(rule -> counts.put(rule, 0L));
+        LOADING.forEach(what -> ofLoading.put(what, 0L));
     }
 
     /** Counts what the effects of one input show; sessions on several threads count together. */
     synchronized void saw(Seen seen, List<Effect> effects) {
         for (Effect effect : effects) {
+            loading(seen, effect);
             if (effect instanceof Effect.Fired f) {
                 fired(seen, f);
             } else if (effect instanceof Effect.MissionStarted m && m.parent() != Ids.NONE) {
@@ -167,6 +178,34 @@ final class Coverage {
                 sawSimple(effect);
             }
         }
+    }
+
+    private void loading(Seen seen, Effect effect) {
+        if (effect instanceof Effect.ProjectLoaded) {
+            countLoading(seen.isFirstSight() ? "project loaded" : "equal project loaded");
+        } else if (effect instanceof Effect.MissionStarted m && m.projectVersion() < seen.newest()) {
+            countLoading("sub-mission of an earlier project started");
+        } else if (effect instanceof Effect.MissionStarted m && m.projectVersion() > 1) {
+            countLoading("mission of a loaded project started");
+        } else if (effect instanceof Effect.Fired f && seen.versionOf(f.mission()) < seen.newest()) {
+            countLoading("firing of an earlier project");
+        } else if (effect instanceof Effect.Noted n && n.kind() == NoteKind.GLOBAL_KEPT) {
+            countLoading("global kept");
+        } else if (effect instanceof Effect.Noted n && n.message().equals(Loading.REFUSED)) {
+            countLoading("project refused");
+        }
+    }
+
+    private void countLoading(String what) {
+        ofLoading.merge(what, 1L, Long::sum);
+    }
+
+    /** What was done with loaded projects less often. */
+    List<String> ofLoading(long least) {
+        return ofLoading.entrySet().stream()
+                .filter(e -> e.getValue() < least)
+                .map(e -> e.getKey() + ": " + e.getValue())
+                .toList();
     }
 
     private void sawSimple(Effect effect) {

@@ -36,10 +36,24 @@ final class Differential {
     /** As the other, and counts which rules it exercised. */
     static Optional<Disagreement> explore(long seed, int length, Maker maker, Coverage coverage) {
         Project project = RandomPlans.project(seed);
+        return explore(seed, length, maker, coverage, project, new RandomInputs(project, seed));
+    }
+
+    /** A random session in which projects are loaded. */
+    static Optional<Disagreement> exploreLoading(long seed, int length, Maker maker, Coverage coverage) {
+        Optional<Project> project = RandomLoads.readable(RandomPlans.project(seed));
+        if (project.isEmpty()) {
+            return Optional.empty();
+        }
+        RandomInputs world = new RandomInputs(project.get(), seed, RandomLoads.of(project.get(), seed));
+        return explore(seed, length, maker, coverage, project.get(), world);
+    }
+
+    private static Optional<Disagreement> explore(
+            long seed, int length, Maker maker, Coverage coverage, Project project, RandomInputs world) {
         Subject interpreter = interpreter(project);
         Subject other = maker.make(project);
         Following following = new Following();
-        RandomInputs world = new RandomInputs(project, seed);
         List<Scenario.Timed> inputs = new ArrayList<>();
         for (int i = 0; i < length; i++) {
             Scenario.Timed timed = world.next(interpreter);

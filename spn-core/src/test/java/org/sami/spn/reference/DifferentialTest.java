@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongFunction;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.testing.TestVocabulary;
@@ -45,11 +46,31 @@ class DifferentialTest {
         assertThat(disagreements).as("Disagreements").isEmpty();
     }
 
-    /** The first disagreements of so many sessions, made small; sessions know nothing of each other and run on all processors. */
+    @Test
+    void engineAndInterpreterAgreeWhenProjectsAreLoaded() {
+        Coverage coverage = new Coverage();
+        List<String> disagreements = disagreements(
+                2_000_000 + FIRST_SEED,
+                SEEDS / 3,
+                seed -> Differential.exploreLoading(seed, 80, DifferentialTest::engine, coverage));
+
+        assertThat(disagreements).as("Disagreements").isEmpty();
+        assertThat(coverage.ofLoading(SEEDS < ENOUGH_SEEDS ? 0 : 20))
+                .as("What the sessions did with loaded projects less than 20 times")
+                .isEmpty();
+    }
+
     private static List<String> disagreements(long firstSeed, long seeds, int length, Coverage coverage) {
+        return disagreements(
+                firstSeed, seeds, seed -> Differential.explore(seed, length, DifferentialTest::engine, coverage));
+    }
+
+    /** The first disagreements of so many sessions, made small; sessions know nothing of each other and run on all processors. */
+    private static List<String> disagreements(
+            long firstSeed, long seeds, LongFunction<Optional<Differential.Disagreement>> session) {
         return LongStream.range(firstSeed, firstSeed + seeds)
                 .parallel()
-                .mapToObj(seed -> Differential.explore(seed, length, DifferentialTest::engine, coverage))
+                .mapToObj(session)
                 .flatMap(Optional::stream)
                 .limit(MOST_TOLD)
                 .map(DifferentialTest::shrunk)

@@ -9,6 +9,7 @@ import org.sami.spn.model.InEdge;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
 import org.sami.spn.model.TaskSpec;
 import org.sami.spn.model.Transition;
 import org.sami.spn.protocol.Token;
@@ -26,6 +27,10 @@ final class Mission {
 
     final long id;
     final Plan plan;
+    /** That of its root, with which it started. */
+    final Project project;
+
+    final int projectVersion;
     final String name;
     /** How the parent sees this mission; empty for a root. */
     final Optional<Instance> asChild;
@@ -55,11 +60,13 @@ final class Mission {
     /** Firings since the last input; a chain that is too long is a livelock. */
     int chain;
 
-    Mission(long id, Plan plan, String name, Optional<Instance> asChild) {
+    Mission(long id, Plan plan, World world, String name, Optional<Instance> asChild) {
         this.id = id;
         this.plan = plan;
         this.name = name;
         this.asChild = asChild;
+        this.project = parent().map(p -> p.project).orElse(world.project);
+        this.projectVersion = parent().map(p -> p.projectVersion).orElse(world.projectVersion);
         plan.places().forEach(place -> marking.put(place.id(), new ArrayList<>()));
     }
 

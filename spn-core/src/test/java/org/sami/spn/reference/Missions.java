@@ -52,7 +52,7 @@ final class Missions {
     }
 
     private Mission make(Plan plan, String name, Optional<Instance> asChild) {
-        Mission m = new Mission(world.nextMission++, plan, name, asChild);
+        Mission m = new Mission(world.nextMission++, plan, world, name, asChild);
         world.missions.add(m);
         plan.tasks().forEach(task -> m.tasks.put(task.name(), task));
         world.effects.add(new Effect.MissionStarted(
@@ -60,7 +60,8 @@ final class Missions {
                 m.parent().map(p -> p.id).orElse(Ids.NONE),
                 asChild.map(instance -> instance.place.id()).orElse(""),
                 plan.id(),
-                name));
+                name,
+                m.projectVersion));
         return m;
     }
 
@@ -160,7 +161,7 @@ final class Missions {
     }
 
     private Mission makeChild(Instance instance) {
-        Plan plan = world.project.plan(instance.spec.plan()).orElseThrow();
+        Plan plan = instance.parent.project.plan(instance.spec.plan()).orElseThrow();
         Mission child = make(plan, plan.name(), Optional.of(instance));
         instance.spec
                 .tasks()

@@ -37,11 +37,22 @@ final class RandomInputs {
     /** What is still to be sent for the transition that was chosen last. */
     private final Deque<Input> planned = new ArrayDeque<>();
 
+    private final List<Input> loads;
     private final int boats;
     private long now;
     private int sent;
 
     RandomInputs(Project project, long seed) {
+        this(project, seed, List.of());
+    }
+
+    /**
+     * A world in which projects are loaded as well.
+     *
+     * @param loads what is loaded, any of it at any time
+     */
+    RandomInputs(Project project, long seed, List<Input> loads) {
+        this.loads = loads;
         dice = new Dice(seed * 31 + 7);
         seen = new Seen(project);
         answering = new Answering(dice);
@@ -73,6 +84,9 @@ final class RandomInputs {
     private Input input(Subject subject) {
         if (sent <= boats) {
             return join(BOATS.get(sent - 1));
+        }
+        if (!loads.isEmpty() && dice.chance(8)) {
+            return dice.pick(loads);
         }
         Map<Long, String> statuses = subject.statuses();
         boolean nothingRuns = statuses.values().stream().allMatch("HALTED"::equals);

@@ -148,6 +148,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         world.missions.forEach(m -> m.chain = 0);
         handle(input);
         emptyWorkList();
+        new Loading(world).forget();
         return List.copyOf(world.effects);
     }
 
@@ -226,7 +227,9 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
     }
 
     private void handleData(Input input) {
-        if (input instanceof Input.SetVariable set) {
+        if (input instanceof Input.LoadProject load) {
+            new Loading(world).load(load);
+        } else if (input instanceof Input.SetVariable set) {
             setVariable(set);
         } else if (input instanceof Input.AllocateTasks allocate) {
             allocating.allocate(allocate.allocation());
@@ -495,7 +498,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
             written = world.project.globals().stream()
                             .anyMatch(v -> v.name().equals(set.variable())
                                     && v.type().accepts(set.value(), world.vocabulary.types()))
-                    && variables.writeGlobal(set.variable(), set.value());
+                    && variables.writeGlobal(world.project, set.variable(), set.value());
         } else {
             Optional<Mission> m = world.mission(set.mission());
             // R-VAR-3

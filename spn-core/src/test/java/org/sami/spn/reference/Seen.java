@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Activation;
@@ -14,7 +15,9 @@ import org.sami.spn.value.TaskId;
 
 /** What the effects of a session have told so far. */
 final class Seen {
-    final Project project;
+    private final TreeMap<Integer, Project> projects = new TreeMap<>();
+    private final Map<Long, Integer> versions = new LinkedHashMap<>();
+    private boolean firstSight;
     final Map<Long, Activation> activations = new LinkedHashMap<>();
     final List<Decision> decisions = new ArrayList<>();
     final Map<Long, Plan> plans = new LinkedHashMap<>();
@@ -26,7 +29,7 @@ final class Seen {
     private final Map<String, Integer> firings = new LinkedHashMap<>();
 
     Seen(Project project) {
-        this.project = project;
+        projects.put(1, project);
     }
 
     void saw(List<Effect> effects) {
@@ -36,13 +39,35 @@ final class Seen {
                 a.activation().tasks().stream().filter(t -> !tasks.contains(t)).forEach(tasks::add);
             } else if (effect instanceof Effect.DecisionOpened d) {
                 decisions.add(d.decision());
+            } else if (effect instanceof Effect.ProjectLoaded loaded) {
+                firstSight = projects.put(loaded.version(), loaded.project()) == null;
             } else if (effect instanceof Effect.MissionStarted m) {
-                plans.put(m.mission(), project.plan(m.plan()).orElseThrow());
+                plans.put(m.mission(), planOf(m));
                 parents.put(m.mission(), m.parent());
+                versions.put(m.mission(), m.projectVersion());
             } else if (effect instanceof Effect.Fired f) {
                 firings.merge(plans.get(f.mission()).id() + " " + f.transition(), 1, Integer::sum);
             }
         }
+    }
+
+    /** A sub-mission's plan is of its parent's project, which may not be the newest. */
+    private Plan planOf(Effect.MissionStarted m) {
+        return projects.get(m.projectVersion()).plan(m.plan()).orElseThrow();
+    }
+
+    /** Whether the project that was loaded last was another than the one before. */
+    boolean isFirstSight() {
+        return firstSight;
+    }
+
+    /** The session's number for the newest project. */
+    int newest() {
+        return projects.lastKey();
+    }
+
+    int versionOf(long mission) {
+        return versions.get(mission);
     }
 
     List<Long> missions() {

@@ -1,6 +1,7 @@
 package org.sami.spn.reference;
 
 import java.util.Optional;
+import org.sami.spn.model.Project;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
@@ -26,7 +27,7 @@ final class Variables {
         }
         return m.parent()
                 .map(parent -> read(parent, variable))
-                .orElseGet(() -> Optional.ofNullable(world.globals.get(variable)));
+                .orElseGet(() -> global(m.project, variable).map(v -> world.globals.get(variable)));
     }
 
     /** Writes a variable (R-VAR-2). */
@@ -56,12 +57,11 @@ final class Variables {
         if (m.parent().isPresent()) {
             return writeWhereDeclared(m.parent().get(), variable, value);
         }
-        return writeGlobal(variable, value);
+        return writeGlobal(m.project, variable, value);
     }
 
-    boolean writeGlobal(String variable, Value value) {
-        boolean declared =
-                world.project.globals().stream().anyMatch(v -> v.name().equals(variable));
+    boolean writeGlobal(Project project, String variable, Value value) {
+        boolean declared = global(project, variable).isPresent();
         if (declared) {
             world.globals.put(variable, value);
             world.effects.add(new Effect.VariableWritten(Ids.NONE, variable, value));
@@ -85,10 +85,10 @@ final class Variables {
         if (own.isPresent()) {
             return own;
         }
-        return m.parent()
-                .map(parent -> declaration(parent, variable))
-                .orElseGet(() -> world.project.globals().stream()
-                        .filter(v -> v.name().equals(variable))
-                        .findFirst());
+        return m.parent().map(parent -> declaration(parent, variable)).orElseGet(() -> global(m.project, variable));
+    }
+
+    static Optional<VariableSpec> global(Project project, String variable) {
+        return project.globals().stream().filter(v -> v.name().equals(variable)).findFirst();
     }
 }

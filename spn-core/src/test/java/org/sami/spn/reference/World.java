@@ -44,7 +44,10 @@ final class World {
     static final class TooManyTokens extends RuntimeException {}
 
     final Vocabulary vocabulary;
-    final Project project;
+    /** The newest: missions that start now are of it. */
+    Project project;
+
+    int projectVersion = 1;
     final int livelockLimit;
     final List<String> proxies = new ArrayList<>();
     final Map<String, Value> globals = new LinkedHashMap<>();

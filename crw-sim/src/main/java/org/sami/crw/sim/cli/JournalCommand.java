@@ -1,16 +1,24 @@
 package org.sami.crw.sim.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.host.JournalEntry;
-import org.sami.spn.journal.JournalException;
 import org.sami.spn.journal.JournalPlans;
 import org.sami.spn.journal.JournalReader;
+import org.sami.spn.json.GlobalsFile;
 import org.sami.spn.json.ProtocolJson;
+import org.sami.spn.json.Reading;
+import org.sami.spn.json.ValueJson;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.Vocabulary;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -24,11 +32,21 @@ import picocli.CommandLine.Spec;
         sortOptions = false,
         description =
                 "Shows the state of a session after any entry of its journal: missions with their tokens, open decisions, "
-                        + "interrupts, and why each transition of a marked place cannot fire.",
+                        + "interrupts, and why each transition of a marked place cannot fire. Or saves the values that "
+                        + "global variables had then to a project's file.",
         exitCodeListHeading = "%nExit codes:%n",
-        exitCodeList = {"0:shown", "2:wrong usage, or there is no such file", "4:the journal cannot be read"},
+        exitCodeList = {
+            "0:shown, or saved",
+            "1:the project cannot be read, or gives a global another type; nothing was saved",
+            "2:wrong usage, or there is no such file",
+            "4:the journal cannot be read"
+        },
         footerHeading = "%nExamples:%n",
-        footer = {"  crw journal clv.journal", "  crw journal clv.journal --at 5", "  crw journal clv.journal --entries"
+        footer = {
+            "  crw journal clv.journal",
+            "  crw journal clv.journal --at 5",
+            "  crw journal clv.journal --entries",
+            "  crw journal clv.journal --save-globals lake.json"
         })
 final class JournalCommand implements Callable<Integer> {
     @Spec
@@ -46,8 +64,16 @@ final class JournalCommand implements Callable<Integer> {
     @Option(names = "--entries", description = "List the entries instead, one line each.")
     private boolean entries;
 
+    @Option(
+            names = "--save-globals",
+            paramLabel = "PROJECT",
+            description =
+                    "Make the values that global variables had after that entry the initial values in this project's file, "
+                            + "and list what changes.")
+    private Path saveGlobals;
+
     @Override
-    public Integer call() throws JournalException {
+    public Integer call() throws IOException {
         if (!Files.isRegularFile(file)) {
             throw new UsageFault("there is no journal " + file);
         }
@@ -61,13 +87,19 @@ final class JournalCommand implements Callable<Integer> {
             journal.recovery()
                     .damage()
                     .ifPresent(damage -> spec.commandLine().getErr().println("crw: " + damage));
+            if (entries && saveGlobals != null) {
+                throw new UsageFault("--entries lists, --save-globals saves: give one of them");
+            }
             if (entries) {
                 journal.entries(1, index, entry -> out.println(line(entry)));
             } else {
                 Engine engine = JournalPlans.engine(file, journal.header());
                 EngineState state = journal.stateAt(index, engine);
+                if (saveGlobals != null) {
+                    return save(engine.view(state).globals(), engine.vocabulary());
+                }
                 out.printf("entry %d of %d, after %s%n", index, last, StateText.time(state.nowMillis()));
-                new StateText(engine.project(), engine.view(state)).print(out);
+                new StateText(engine.view(state)).print(out);
             }
         }
         out.flush();
@@ -75,7 +107,34 @@ final class JournalCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
+    private int save(Map<String, Value> globals, Vocabulary vocabulary) throws IOException {
+        PrintWriter out = spec.commandLine().getOut();
+        Reading<List<GlobalsFile.Change>> saved = new GlobalsFile(vocabulary).save(globals, saveGlobals);
+        FindingsText.print(spec.commandLine().getErr(), saveGlobals.toString(), saved.findings());
+        saved.result().ifPresent(changes -> {
+            changes.forEach(change -> out.printf(
+                    "%s: %s, before %s%n",
+                    change.name(),
+                    text(change.after(), change, vocabulary),
+                    change.before()
+                            .map(before -> text(before, change, vocabulary))
+                            .orElse("without a value")));
+            out.printf("%d of %d globals changed in %s%n", changes.size(), globals.size(), saveGlobals);
+        });
+        out.flush();
+        spec.commandLine().getErr().flush();
+        return saved.result().isPresent() ? ExitCode.OK : ExitCode.FINDINGS;
+    }
+
+    private static String text(Value value, GlobalsFile.Change change, Vocabulary vocabulary) {
+        return ValueJson.write(value, change.type(), vocabulary.types()).toString();
+    }
+
+    /** The document of a loaded project is long, and named by its SHA-256 instead. */
     private static String line(JournalEntry entry) {
-        return entry.index() + "  " + StateText.time(entry.atMillis()) + "  " + ProtocolJson.inputText(entry.input());
+        String input = entry.input() instanceof Input.LoadProject load
+                ? "{\"input\":\"load-project\",\"sha256\":\"" + load.sha256() + "\"}"
+                : ProtocolJson.inputText(entry.input());
+        return entry.index() + "  " + StateText.time(entry.atMillis()) + "  " + input;
     }
 }

@@ -12,7 +12,6 @@ import org.sami.spn.engine.MissionView;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
-import org.sami.spn.model.Project;
 import org.sami.spn.model.Transition;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Ids;
@@ -20,15 +19,18 @@ import org.sami.spn.protocol.Token;
 
 /** The state of an engine in words: what stands where, what is asked, and why nothing fires. */
 final class StateText {
-    private final Project project;
     private final EngineView view;
 
-    StateText(Project project, EngineView view) {
-        this.project = project;
+    StateText(EngineView view) {
         this.view = view;
     }
 
     void print(PrintWriter out) {
+        if (view.projectVersion() > 1) {
+            out.printf(
+                    "project %d is loaded: %s%n",
+                    view.projectVersion(), view.project().id());
+        }
         out.println("robots: " + (view.proxies().isEmpty() ? "none" : String.join(", ", view.proxies())));
         List<MissionView> missions = view.missions();
         if (missions.isEmpty()) {
@@ -46,13 +48,14 @@ final class StateText {
 
     private void print(PrintWriter out, MissionView mission) {
         out.printf(
-                "%nmission %d%s: %s (plan %s), %s%n",
+                "%nmission %d%s: %s (plan %s%s), %s%n",
                 mission.id(),
                 mission.parent() == Ids.NONE ? "" : " of mission " + mission.parent(),
                 mission.name(),
                 mission.plan(),
+                view.projectVersion() > 1 ? " of project " + mission.projectVersion() : "",
                 mission.status().name().toLowerCase(Locale.ROOT));
-        project.plan(mission.plan()).ifPresent(plan -> {
+        view.planOf(mission.id()).ifPresent(plan -> {
             mission.marking()
                     .forEach((place, tokens) -> out.printf("  %s: %s%n", placeName(plan, place), words(tokens)));
             Set<String> marked = mission.marking().keySet();

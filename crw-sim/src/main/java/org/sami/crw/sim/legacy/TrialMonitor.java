@@ -146,7 +146,7 @@ final class TrialMonitor implements HostListener {
                     keep(Severity.WARNING, TrialCodes.HANDLER_FAILED, plan, noted.message());
                 }
             }
-            case REJECTED_INPUT, NO_AUTOMATIC_ANSWER ->
+            case REJECTED_INPUT, NO_AUTOMATIC_ANSWER, GLOBAL_KEPT ->
                 keep(Severity.WARNING, TrialCodes.REJECTED, plan, noted.message());
         }
     }

@@ -34,6 +34,7 @@ public final class CanonicalEncoder {
         CanonicalNumbers numbers = new CanonicalNumbers(state.missions, written);
         ProtocolEncoder out = ProtocolEncoder.canonical(numbers::mission);
         trees.forEach(tree -> tree(tree, numbers, out));
+        out.text(state.newest().sha256);
         out.texts(state.proxies);
         out.values(state.globals);
         out.values(state.memory);
@@ -52,12 +53,16 @@ public final class CanonicalEncoder {
             }
             byRoot.get(m.root).add(m);
         }
-        if (trees.size() > 1 && state.project.globals.isEmpty()) {
+        if (trees.size() > 1 && nothingDeclaresGlobals()) {
             Map<List<MissionState>, byte[]> contents = new HashMap<>();
             trees.forEach(tree -> contents.put(tree, alone(tree)));
             trees.sort((a, b) -> Arrays.compareUnsigned(contents.get(a), contents.get(b)));
         }
         return trees;
+    }
+
+    private boolean nothingDeclaresGlobals() {
+        return state.newest().globals.isEmpty() && state.running().stream().allMatch(p -> p.globals.isEmpty());
     }
 
     private byte[] alone(List<MissionState> tree) {
@@ -69,6 +74,7 @@ public final class CanonicalEncoder {
 
     private void tree(List<MissionState> tree, CanonicalNumbers numbers, ProtocolEncoder out) {
         out.integer(tree.size());
+        out.text(tree.get(0).plan.project.sha256);
         CanonicalMission mission = new CanonicalMission(numbers, out);
         tree.forEach(mission::write);
         List<RunningTimer> timers =

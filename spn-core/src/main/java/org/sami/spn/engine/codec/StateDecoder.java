@@ -42,6 +42,7 @@ public final class StateDecoder {
     private final Map<Long, Visit> visits = new HashMap<>();
     private final Map<Long, SentActivation> sent = new HashMap<>();
     private final Map<Instance, Return> returnsOfVisits = new HashMap<>();
+    private final Map<Integer, CompiledProject> projects = new HashMap<>();
     private NetState state;
     private int version;
 
@@ -49,7 +50,13 @@ public final class StateDecoder {
         this.in = new ProtocolDecoder(bytes);
     }
 
-    public NetState read(CompiledProject project) {
+    /**
+     * Reads the state.
+     *
+     * @param first the project of the engine
+     * @param loaded finds the projects that the session loaded
+     */
+    public NetState read(CompiledProject first, LoadedProjects loaded) {
         if (in.integer() != StateEncoder.MAGIC) {
             throw new IllegalArgumentException("This is not an engine's state");
         }
@@ -58,7 +65,13 @@ public final class StateDecoder {
             throw new IllegalArgumentException(
                     "The state is of version " + version + ", not of 1 to " + StateEncoder.VERSION);
         }
-        state = new NetState(project);
+        state = new NetState(first);
+        projects.put(first.version, first);
+        for (int i = version > 3 ? in.integer() : 0; i > 0; i--) {
+            CompiledProject project = loaded.compiled(state.newest(), in.integer(), in.text());
+            projects.put(project.version, project);
+            state.load(project);
+        }
         state.now = in.number();
         state.lastMission = in.number();
         state.lastActivation = in.number();
@@ -99,7 +112,8 @@ public final class StateDecoder {
     private void mission() {
         long id = in.number();
         String planId = in.text();
-        CompiledPlan plan = state.project.plan(planId);
+        CompiledProject project = projects.get(version > 3 ? in.integer() : state.first.version);
+        CompiledPlan plan = project == null ? null : project.plan(planId);
         if (plan == null) {
             throw new IllegalArgumentException("The state speaks of the plan '" + planId + "', which is not there");
         }

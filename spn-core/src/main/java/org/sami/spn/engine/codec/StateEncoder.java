@@ -3,8 +3,10 @@ package org.sami.spn.engine.codec;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import org.sami.spn.engine.net.CompiledPlace;
+import org.sami.spn.engine.net.CompiledProject;
 import org.sami.spn.engine.state.Instance;
 import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.NamedToken;
@@ -28,13 +30,21 @@ public final class StateEncoder {
     /** First bytes of every encoded state: "SPNS". */
     public static final int MAGIC = 0x53504e53;
     /** Version of the form. */
-    public static final int VERSION = 3;
+    public static final int VERSION = 4;
+
+    /** Version of the form of a state that has loaded no project: all of its plans are the engine's. */
+    private static final int WITHOUT_LOADED = 3;
 
     private final ProtocolEncoder out = new ProtocolEncoder();
+    private boolean loaded;
 
     public byte[] write(NetState s) {
         out.integer(MAGIC);
-        out.integer(VERSION);
+        loaded = s.newest().version > 1;
+        out.integer(loaded ? VERSION : WITHOUT_LOADED);
+        if (loaded) {
+            projects(s);
+        }
         for (long n : new long[] {
             s.now, s.lastMission, s.lastActivation, s.lastVisit, s.lastDecision, s.lastTimer, s.firings, s.stamp
         }) {
@@ -73,6 +83,9 @@ public final class StateEncoder {
     private void mission(MissionState m) {
         out.number(m.id);
         out.text(m.plan.plan.id());
+        if (loaded) {
+            out.integer(m.plan.project.version);
+        }
         out.text(m.name);
         out.number(m.parent == null ? Ids.NONE : m.parent.id);
         if (m.parent != null) {
@@ -92,6 +105,19 @@ public final class StateEncoder {
         visits(m);
         marking(m);
         pending(m);
+    }
+
+    /** The loaded projects of which something runs or may start, by their documents; the newest is the last. */
+    private void projects(NetState s) {
+        TreeMap<Integer, CompiledProject> projects = new TreeMap<>();
+        s.running().forEach(p -> projects.put(p.version, p));
+        projects.put(s.newest().version, s.newest());
+        projects.remove(s.first.version);
+        out.integer(projects.size());
+        for (CompiledProject p : projects.values()) {
+            out.integer(p.version);
+            out.text(p.sha256);
+        }
     }
 
     private void task(TaskState t) {

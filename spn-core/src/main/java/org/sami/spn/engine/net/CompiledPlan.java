@@ -23,6 +23,9 @@ public final class CompiledPlan {
     public record AskedField(String key, CompiledOutput output, String field, FieldSource.Asked source) {}
 
     public final Plan plan;
+    /** The project that it is a plan of: its sub-missions and globals are that project's. */
+    public final CompiledProject project;
+
     public final CompiledPlace[] places;
     public final CompiledTransition[] transitions;
     public final CompiledPlace start;
@@ -39,6 +42,7 @@ public final class CompiledPlan {
 
     public CompiledPlan(CompiledProject project, Plan plan) {
         this.plan = plan;
+        this.project = project;
         Map<String, CompiledPlace> byId = new LinkedHashMap<>();
         for (int i = 0; i < plan.places().size(); i++) {
             byId.put(

@@ -12,25 +12,55 @@ import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.Vocabulary;
 
-/** Plans of a project in index form, made once: names are resolved here, so that a step only follows references. */
+/**
+ * Plans of a project in index form, made once: names are resolved here, so that a step only follows references. A session that
+ * loads projects has one of each version that something runs of (docs/decisions 0176).
+ */
 public final class CompiledProject {
     public final Vocabulary vocabulary;
     public final Project project;
     public final int livelockLimit;
+    /** The session's number for the project; 1 for the one with which it began. */
+    public final int version;
+    /** By what its document is found again; empty text for the project with which the session began. */
+    public final String sha256;
+
     public final Map<String, VariableSpec> globals = new HashMap<>();
     private final Map<String, Integer> typeIds = new HashMap<>();
     private final List<String> typeNames = new ArrayList<>();
     private final Map<EventRole, String> inputTypeByRole = new HashMap<>();
     private final Map<String, CompiledPlan> plans = new HashMap<>();
 
+    /** The project with which a session begins. */
     public CompiledProject(Vocabulary vocabulary, Project project, int livelockLimit) {
+        this(vocabulary, project, livelockLimit, 1, "");
+        compile();
+    }
+
+    /**
+     * A project that is loaded later.
+     *
+     * @param before the version before it that the session knows: an input event type keeps its number in all versions
+     */
+    public CompiledProject(CompiledProject before, int version, Project project, String sha256) {
+        this(before.vocabulary, project, before.livelockLimit, version, sha256);
+        before.typeNames.forEach(this::typeId);
+        compile();
+    }
+
+    private CompiledProject(Vocabulary vocabulary, Project project, int livelockLimit, int version, String sha256) {
         this.vocabulary = vocabulary;
         this.project = project;
         this.livelockLimit = livelockLimit;
+        this.version = version;
+        this.sha256 = sha256;
         for (EventType type : vocabulary.events().values()) {
             inputTypeByRole.putIfAbsent(type.role(), type.name());
         }
         project.globals().forEach(v -> globals.put(v.name(), v));
+    }
+
+    private void compile() {
         for (Plan plan : project.plans()) {
             plans.putIfAbsent(plan.id(), new CompiledPlan(this, plan));
         }

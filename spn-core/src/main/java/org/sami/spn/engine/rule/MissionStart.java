@@ -110,7 +110,8 @@ public final class MissionStart {
                 m.parent == null ? Ids.NONE : m.parent.id,
                 m.instance == null ? "" : m.instance.place.place.id(),
                 m.plan.plan.id(),
-                m.name);
+                m.name,
+                m.plan.project.version);
     }
 
     /** Asks for what is to be asked, or begins. */

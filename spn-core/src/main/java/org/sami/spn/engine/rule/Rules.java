@@ -32,6 +32,7 @@ public final class Rules {
     public final SharedInstances sharedInstances;
     public final MissionStart missionStart;
     public final MissionEnd missionEnd;
+    public final ProjectLoading projectLoading;
     public final Interrupts interrupts;
     public final Variables variables;
     public final TaskAllocation allocation;
@@ -60,6 +61,7 @@ public final class Rules {
         sharedInstances = new SharedInstances(this);
         missionStart = new MissionStart(this);
         missionEnd = new MissionEnd(this);
+        projectLoading = new ProjectLoading(this);
         interrupts = new Interrupts(this);
         variables = new Variables(this);
         allocation = new TaskAllocation(this);
@@ -96,8 +98,9 @@ public final class Rules {
         }
     }
 
+    /** The project whose plans missions have that start now. */
     public CompiledProject project() {
-        return state.project;
+        return state.newest();
     }
 
     public TaskState task(TaskId id) {

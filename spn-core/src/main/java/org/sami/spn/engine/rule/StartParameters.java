@@ -49,7 +49,7 @@ final class StartParameters {
     private Optional<String> readVariable(String name, Value value) {
         VariableSpec declared = plan.variables.get(name);
         if (declared == null) {
-            declared = rules.project().globals.get(name);
+            declared = plan.project.globals.get(name);
         }
         if (declared == null) {
             return Optional.of("The plan '" + plan.plan.name() + "' knows no variable " + name);

@@ -91,7 +91,7 @@ public final class SubMissions {
     /** Makes the mission of an instance; null, with a note, where its plan cannot run. */
     public MissionState make(Instance instance, SubMissionSpec spec) {
         MissionState parent = instance.place.mission;
-        CompiledPlan plan = rules.project().plan(spec.plan());
+        CompiledPlan plan = parent.plan.project.plan(spec.plan());
         if (plan == null || plan.start == null) {
             rules.note(
                     NoteKind.HANDLER_FAILED,

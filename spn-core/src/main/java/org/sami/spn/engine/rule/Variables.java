@@ -3,6 +3,7 @@ package org.sami.spn.engine.rule;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.sami.spn.engine.net.CompiledProject;
 import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.model.VariableSpec;
@@ -41,7 +42,7 @@ public final class Variables {
                 return value;
             }
         }
-        return rules.state.globals.get(name);
+        return projectOf(mission).globals.containsKey(name) ? rules.state.globals.get(name) : null;
     }
 
     /** The declaration that a write of a mission would meet, or null. */
@@ -91,7 +92,7 @@ public final class Variables {
         for (MissionState m = mission; m != null; m = m.parent) {
             m.plan.variables.forEach(declared::putIfAbsent);
         }
-        rules.project().globals.forEach(declared::putIfAbsent);
+        projectOf(mission).globals.forEach(declared::putIfAbsent);
         return declared;
     }
 
@@ -117,8 +118,13 @@ public final class Variables {
                 return new Place(m, name, declaration);
             }
         }
-        VariableSpec global = rules.project().globals.get(name);
+        VariableSpec global = projectOf(mission).globals.get(name);
         return global != null || mission == null ? new Place(null, name, global) : new Place(own, ownName, null);
+    }
+
+    /** Whose globals a mission reads and writes: those of the project that it started with; with no mission, of the newest. */
+    private CompiledProject projectOf(MissionState mission) {
+        return mission == null ? rules.project() : mission.plan.project;
     }
 
     private static Map<String, String> mapping(MissionState m) {

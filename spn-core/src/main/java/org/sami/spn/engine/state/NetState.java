@@ -18,7 +18,9 @@ import org.sami.spn.value.Value;
  * decisions, variables. Rules change it in place; owned by one thread at a time.
  */
 public final class NetState {
-    public final CompiledProject project;
+    /** The project with which the session began: that of the engine. */
+    public final CompiledProject first;
+
     public long now;
     public long lastMission;
     public long lastActivation;
@@ -40,13 +42,43 @@ public final class NetState {
     /** How many unwanted occurrences of coalesced types were counted instead of noted. */
     public final Map<String, Long> unwanted = new LinkedHashMap<>();
 
+    private CompiledProject newest;
+
     /** Missions whose plans have an input event of a type, by number of the type; in order of their start. */
     private final List<Map<Long, MissionState>> attentive;
 
     public NetState(CompiledProject project) {
-        this.project = project;
+        this.first = project;
+        this.newest = project;
         project.project.globals().forEach(v -> v.initial().ifPresent(value -> globals.put(v.name(), value)));
         attentive = new ArrayList<>(Collections.nCopies(project.typeCount(), Map.of()));
+    }
+
+    /** The project whose plans missions have that start from now on. Knows the types of all versions before it. */
+    public CompiledProject newest() {
+        return newest;
+    }
+
+    /** Missions that start from now on have the plans of this project; globals that nothing declares any longer are gone. */
+    public void load(CompiledProject loaded) {
+        newest = loaded;
+        attentive.addAll(Collections.nCopies(loaded.typeCount() - attentive.size(), Map.of()));
+        forgetGlobals();
+    }
+
+    /** The projects whose plans missions run, in the order of these missions; without the newest where no mission runs of it. */
+    public Set<CompiledProject> running() {
+        Set<CompiledProject> running = new LinkedHashSet<>();
+        missions.values().forEach(m -> running.add(m.plan.project));
+        return running;
+    }
+
+    /** A global lives as long as the newest project or that of a running mission declares it. */
+    private void forgetGlobals() {
+        Set<CompiledProject> running = running();
+        globals.keySet()
+                .removeIf(name -> !newest.globals.containsKey(name)
+                        && running.stream().noneMatch(p -> p.globals.containsKey(name)));
     }
 
     public void add(MissionState mission) {
@@ -69,6 +101,9 @@ public final class NetState {
         }
         if (mission.parent != null) {
             mission.parent.children.remove(mission.id);
+        }
+        if (mission.plan.project != newest) {
+            forgetGlobals();
         }
     }
 

@@ -24,7 +24,10 @@ public final class StateCopy {
 
     private StateCopy(NetState from) {
         this.from = from;
-        this.to = new NetState(from.project);
+        this.to = new NetState(from.first);
+        if (from.newest() != from.first) {
+            to.load(from.newest());
+        }
     }
 
     /** An independent state that behaves in the same way for all further inputs. */
