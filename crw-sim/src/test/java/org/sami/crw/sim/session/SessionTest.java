@@ -30,6 +30,7 @@ import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Ids;
+import org.sami.spn.value.Value;
 
 /** What a window, a console and a run do with a session, on boats that are reached over TCP. */
 @Timeout(120)
@@ -198,6 +199,86 @@ class SessionTest {
         assertThat(TestSession.get(session.fleet().releaseAll())).containsExactly("anna", "bert");
         awaitMode(session, "anna", BoatMode.STOPPED);
         awaitMode(session, "bert", BoatMode.STOPPED);
+    }
+
+    /** A plan that connects to a boat's server, then asks whether all is well. */
+    private static String connecting(BoatAddress address) {
+        return """
+                {"formatVersion": 1, "id": "p", "name": "boats", "domain": "crw",
+                 "globals": [{"name": "@meeting", "type": "point", "initial": {"lat": 45.7, "lon": 10.72}}],
+                 "plans": [{"id": "p", "name": "boats",
+                 "places": [
+                  {"id": "a", "start": true, "outputs": [{"id": "o", "type": "ConnectExistingProxy",
+                   "fields": {"name": {"value": "RED SQ"}, "server": {"value": "%s"}}}]},
+                  {"id": "b", "outputs": [{"id": "q", "type": "OperatorApprove",
+                   "fields": {"question": {"value": "Is all well?"}}}]},
+                  {"id": "c", "end": true}],
+                 "transitions": [{"id": "t", "inputs": [{"id": "i", "type": "ProxyCreated"}]},
+                  {"id": "u", "inputs": [{"id": "y", "type": "YesOption"}]}],
+                 "inEdges": [{"id": "e1", "place": "a", "transition": "t",
+                   "requirements": [{"kind": "generic", "match": "at-least", "n": 1}]},
+                  {"id": "e3", "place": "b", "transition": "u",
+                   "requirements": [{"kind": "generic", "match": "at-least", "n": 1}]}],
+                 "outEdges": [{"id": "e2", "transition": "t", "place": "b",
+                   "requirements": [{"kind": "generic", "action": "take", "n": "all"},
+                    {"kind": "relevant", "action": "add", "n": "all"}]},
+                  {"id": "e4", "transition": "u", "place": "c",
+                   "requirements": [{"kind": "generic", "action": "take", "n": "all"}]}]}]}
+                """.formatted(address);
+    }
+
+    @Test
+    void planConnectsToABoatWhileTheSessionRuns() throws Exception {
+        BoatAddress anna = TestSession.address(world.boat("anna"));
+        Session session = world.opened(TestSession.project(connecting(anna)));
+        session.begin();
+
+        TestSession.get(session.start("p", "first", Map.of()));
+
+        TestSession.decision(session, "OperatorApprove");
+        List<String> joined = session.host().ask(EngineView::proxies);
+        assertThat(joined).containsExactly("anna");
+        TestSession.get(session.start("p", "second", Map.of())); // the boat is there already
+        TestSession.until("both ask", session, view -> view.decisions().size() == 2);
+    }
+
+    @Test
+    void resumedSessionHasItsMissionsBoatsAndGlobals() throws Exception {
+        BoatAddress anna = TestSession.address(world.boat("anna"));
+        Path journal = folder.resolve("session.journal");
+        Session session = world.opened(TestSession.project(connecting(anna)), journal);
+        session.begin();
+        long first = TestSession.get(session.start("p", "first", Map.of()));
+        long second = TestSession.get(session.start("p", "second", Map.of()));
+        TestSession.until("both ask", session, view -> view.decisions().size() == 2);
+        TestSession.get(session.setVariable(Ids.NONE, "@meeting", TestSession.PIER));
+        TestSession.get(session.fleet().connect(TestSession.address(world.boat("bert"))));
+        TestSession.until("bert has joined", session, view -> view.proxies().contains("bert"));
+        TestSession.get(session.drop("bert"));
+        TestSession.get(session.fleet().handOver("anna"));
+        TestSession.get(session.ask(EngineView::proxies)); // behind what the hand-over had remembered
+        session.close();
+
+        Session again = world.resumed(journal);
+        assertThat(again.reconnect()).containsExactly("anna");
+        again.begin();
+
+        assertThat(missions(again)).containsExactly(first, second);
+        Optional<Value> meeting = again.host().ask(view -> view.variable(Ids.NONE, "@meeting"));
+        assertThat(meeting).contains(TestSession.PIER);
+        Await.until(
+                "anna is watched",
+                TestSession.WITHIN_S,
+                () -> TestSession.get(again.fleet().why("anna")).text().contains("another client commands the boat"));
+        TestSession.get(again.fleet().takeCommand("anna"));
+        Await.until(
+                "anna is commanded",
+                TestSession.WITHIN_S,
+                () -> TestSession.get(again.fleet()
+                        .ask(boats -> boats.find("anna").orElseThrow().isCommanding())));
+        Decision asked = TestSession.decision(again, "OperatorApprove");
+        TestSession.get(again.answer(asked.id(), new Answer.YesNo(true), "window"));
+        assertThat(missions(again)).containsExactly(second);
     }
 
     @Test
