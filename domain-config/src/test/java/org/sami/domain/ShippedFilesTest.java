@@ -71,7 +71,8 @@ class ShippedFilesTest {
         for (Path file : jsonFiles()) {
             String path = file.toString().replace('\\', '/');
             if (!path.contains("/schemas/")) {
-                boolean project = path.contains("/plans/") || path.contains("everything");
+                boolean project =
+                        Stream.of("/plans/", "/deployments/", "everything").anyMatch(path::contains);
                 String of = path.endsWith("/legacy.json") ? "legacy-classes" : project ? "project" : "vocabulary";
                 of = path.endsWith("/components.json") ? "components" : of;
                 Schema schema = Schemas.load(of + "-1.schema.json");
