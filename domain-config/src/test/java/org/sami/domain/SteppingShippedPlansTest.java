@@ -104,7 +104,8 @@ class SteppingShippedPlansTest {
             return stepper.occur(asked.id(), oneOf(open.answers(), random).name(), robots, List.of(), Map.of());
         }
         return switch (random.nextInt(6)) {
-            case 0 -> stepper.take(new TestStep.Drop(oneOf(ROBOTS.subList(1, ROBOTS.size()), random))); // the first one stays
+            case 0 ->
+                stepper.take(new TestStep.Drop(oneOf(ROBOTS.subList(1, ROBOTS.size()), random))); // the first one stays
             case 1 -> stepper.take(new TestStep.Join("b4"));
             case 2 ->
                 possible.interrupts().isEmpty()
