@@ -4,7 +4,9 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
@@ -19,10 +21,14 @@ import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.engine.EngineView;
+import org.sami.spn.finding.Finding;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.host.Registration;
+import org.sami.spn.json.ProjectWriter;
+import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Effect;
@@ -184,6 +190,33 @@ public final class Session implements AutoCloseable {
     /** Writes a variable as a mission would; {@link Ids#NONE} writes a global one. */
     public CompletionStage<Void> setVariable(long mission, String variable, Value value) {
         return post(new Input.SetVariable(mission, variable, value));
+    }
+
+    /**
+     * Loads a project beside the missions that run: those keep the plans with which they started, missions that start from now on have
+     * these. Its plans are checked on the calling thread; one with an error is refused, and nothing changes.
+     *
+     * @return the session's number for the project: that with which it began is 1
+     */
+    public CompletionStage<Integer> load(Project project) {
+        Optional<Finding> wrong = PlanChecks.check(project, setup.vocabulary()).stream()
+                .filter(Finding::isError)
+                .findFirst();
+        if (wrong.isPresent()) {
+            return CompletableFuture.failedFuture(new RefusedException("the project is not loaded: "
+                    + wrong.get().pointer() + ": " + wrong.get().message()));
+        }
+        String document = new ProjectWriter(setup.vocabulary()).text(project);
+        return parts.posted.post(new Input.LoadProject(document), Session::loaded);
+    }
+
+    private static int loaded(List<Effect> effects) {
+        for (Effect effect : effects) {
+            if (effect instanceof Effect.ProjectLoaded project) {
+                return project.version();
+            }
+        }
+        throw new RefusedException("the project is not loaded");
     }
 
     /** Takes a boat out of one mission, which waits for it no longer; the boat goes on with what others want of it. */

@@ -282,6 +282,35 @@ class SessionTest {
     }
 
     @Test
+    void mendedPlanRunsBesideMissionsOfTheOldOneAlsoAfterAResume() throws Exception {
+        BoatAddress anna = TestSession.address(world.boat("anna"));
+        Path journal = folder.resolve("session.journal");
+        Session session = world.opened(TestSession.project(connecting(anna)), journal);
+        session.begin();
+        long old = TestSession.get(session.start("p", "old", Map.of()));
+        TestSession.decision(session, "OperatorApprove");
+
+        String mended = connecting(anna).replace("Is all well?", "Is all very well?");
+        assertThat(TestSession.get(session.load(TestSession.project(mended)))).isEqualTo(2);
+        assertThatThrownBy(() ->
+                        TestSession.get(session.load(TestSession.project(mended.replace("\"start\": true, ", "")))))
+                .hasMessageContaining("the project is not loaded");
+        TestSession.get(session.start("p", "new", Map.of()));
+        TestSession.until("both ask", session, view -> view.decisions().size() == 2);
+        session.close();
+        Session again = world.resumed(journal);
+        again.reconnect();
+        again.begin();
+        TestSession.get(again.start("p", "newer", Map.of()));
+
+        TestSession.until("all ask", again, view -> view.decisions().size() == 3);
+        List<String> prompts = again.host()
+                .ask(view -> view.decisions().stream().map(Decision::prompt).toList());
+        assertThat(prompts).containsExactly("Is all well?", "Is all very well?", "Is all very well?");
+        assertThat(missions(again)).contains(old);
+    }
+
+    @Test
     void simulatedBoatsAreReachedAsAnyOther() throws Exception {
         Session session = begun("clv");
 
