@@ -41,12 +41,12 @@ final class Attention {
             for (Transition t : inOrder(m, here.get())) {
                 for (InputEventSpec event : t.inputs()) {
                     Pending pending = new Pending(t, event, here.get());
-                    if (!isFor(m, pending)) {
+                    if (!typeFits(pending) || !someInPlaceIsMarked(m, t)) {
                         continue;
                     }
                     if (namesNobodyWhereAsked(m, pending)) {
                         askedForNames = true;
-                    } else {
+                    } else if (isFor(m, pending)) {
                         keep(m, pending);
                         wanted = true;
                     }
@@ -214,7 +214,8 @@ final class Attention {
                         .anyMatch(r -> r.kind() == TokenKind.RELEVANT);
         EventRole role = world.eventType(p.event.type()).role();
         boolean joinsWithAny = p.transition.inputs().size() > 1;
-        return p.isAnswer() && !p.occurrence.namesSomebody() && speaks && !joinsWithAny && !World.overrides(role);
+        boolean open = p.answeredVisit(world).filter(visit -> !visit.ended).isPresent();
+        return open && !p.occurrence.namesSomebody() && speaks && !joinsWithAny && !World.overrides(role);
     }
 
     /** Keeps an occurrence (R-PEND-1). */
@@ -241,16 +242,18 @@ final class Attention {
 
     private void noteUnwanted(Occurrence occurrence, boolean askedForNames) {
         Visit visit = world.visitOfActivation.get(occurrence.activation());
-        if (askedForNames) {
-            world.note(NoteKind.NAMES_NOBODY, occurrence.mission(), occurrence.type());
-        } else if (world.eventType(occurrence.type()).flags().contains(EventFlag.COALESCE)) {
+        long mission = occurrence.mission() == Ids.NONE && visit != null ? visit.mission.id : occurrence.mission();
+        if (world.eventType(occurrence.type()).flags().contains(EventFlag.COALESCE)) {
             return; // counted, not noted (R-OCC-11)
         } else if (World.isInterrupt(world.eventType(occurrence.type()).role())) {
             world.note(NoteKind.INTERRUPT_REFUSED, occurrence.mission(), occurrence.type());
-        } else if (visit != null && visit.ended) {
-            world.note(NoteKind.LATE, occurrence.mission(), occurrence.type());
+        } else if (askedForNames) {
+            world.note(NoteKind.NAMES_NOBODY, mission, occurrence.type());
+        } else if (occurrence.activation() != Ids.NONE
+                && (visit == null || visit.ended || visit.mission.status == Mission.Status.ENDED)) {
+            world.note(NoteKind.LATE, mission, occurrence.type());
         } else {
-            world.note(NoteKind.DISCARDED, occurrence.mission(), occurrence.type());
+            world.note(NoteKind.DISCARDED, mission, occurrence.type());
         }
     }
 
@@ -259,7 +262,9 @@ final class Attention {
         for (Pending p : m.pendingOf(t)) {
             if (World.overrides(world.eventType(p.event.type()).role())) {
                 m.pending.remove(p);
-                world.note(NoteKind.INTERRUPT_REFUSED, m.id, t.id());
+                if (World.isInterrupt(world.eventType(p.event.type()).role())) {
+                    world.note(NoteKind.INTERRUPT_REFUSED, m.id, t.id());
+                }
             }
         }
     }

@@ -18,7 +18,13 @@ import org.sami.spn.protocol.Priority;
 /** What must be equal after each input. */
 final class Comparison {
     private static final Set<NoteKind> NOTES = EnumSet.of(
-            NoteKind.LIVELOCK, NoteKind.NO_AUTOMATIC_ANSWER, NoteKind.HANDLER_FAILED, NoteKind.SHORT_OF_TOKENS);
+            NoteKind.LIVELOCK,
+            NoteKind.NO_AUTOMATIC_ANSWER,
+            NoteKind.HANDLER_FAILED,
+            NoteKind.SHORT_OF_TOKENS,
+            NoteKind.NOT_RETURNED,
+            NoteKind.NAMES_NOBODY,
+            NoteKind.INTERRUPT_REFUSED);
 
     private static final String FROM_ALL = "withdrawn from all";
 

@@ -250,7 +250,6 @@ final class Firing {
         moves.usedBack.forEach((instance, tokens) -> {
             if (!instance.spec.shared()) {
                 tokens.forEach(instance.back::remove);
-                reportWhoDidNotComeBack(instance, moves.removed);
             }
         });
     }
@@ -275,16 +274,6 @@ final class Firing {
             copy.visit.instances.stream()
                     .filter(i -> i.state == Instance.State.COMPLETE && !returnedBy.contains(i))
                     .forEach(i -> i.back.remove(copy.token));
-        }
-    }
-
-    /** Notes who did not come back (R-SUB-5). */
-    private void reportWhoDidNotComeBack(Instance instance, Set<Copy> removed) {
-        Visit visit = instance.visit.orElseThrow();
-        boolean someStay = visit.mission.tokensIn(visit.place).stream()
-                .anyMatch(c -> c.visit == visit && !removed.contains(c) && !instance.back.contains(c.token));
-        if (someStay) {
-            world.note(NoteKind.NOT_RETURNED, visit.mission.id, visit.place.id());
         }
     }
 

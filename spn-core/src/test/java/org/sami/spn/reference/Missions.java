@@ -293,7 +293,21 @@ final class Missions {
             returns(instance, inEndPlaces); // what stands in its end places returns
         } else {
             instance.back.addAll(inEndPlaces);
+            reportWhoDidNotComeBack(instance);
             completed(instance);
+        }
+    }
+
+    /** Notes who did not come back (R-SUB-5). */
+    private void reportWhoDidNotComeBack(Instance instance) {
+        Visit visit = instance.visit.orElseThrow();
+        List<Token> back = new ArrayList<>(instance.back);
+        boolean someStay = false;
+        for (Copy copy : visit.mission.tokensIn(visit.place)) {
+            someStay |= copy.visit == visit && !back.remove(copy.token);
+        }
+        if (someStay) {
+            world.note(NoteKind.NOT_RETURNED, visit.mission.id, visit.place.id());
         }
     }
 

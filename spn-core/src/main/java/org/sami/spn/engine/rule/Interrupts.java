@@ -48,8 +48,8 @@ public final class Interrupts {
 
     /** Removes presses that a transition could not use when it was looked at, and tells the operator. */
     public void refuseKept(TransitionState t) {
-        if (t.pending == 0) {
-            return;
+        if (t.pending == 0 || t.mission.ended) {
+            return; // with a mission end its pending occurrences
         }
         for (CompiledInput input : t.transition.inputs) {
             if (input.isPress()) {

@@ -125,7 +125,7 @@ public final class Routing {
                 && !input.isPress()
                 && t.speaksOfRelevant
                 && (single || needsTokens(o))) {
-            fate.namesNobody = true;
+            fate.namesNobody |= !sent.visit.ended; // else there is no question that stays open: it is late
             return;
         }
         TransitionState state = m.transition(t.index);
