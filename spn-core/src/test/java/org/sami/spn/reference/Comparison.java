@@ -24,7 +24,9 @@ final class Comparison {
             NoteKind.SHORT_OF_TOKENS,
             NoteKind.NOT_RETURNED,
             NoteKind.NAMES_NOBODY,
-            NoteKind.INTERRUPT_REFUSED);
+            NoteKind.INTERRUPT_REFUSED,
+            NoteKind.LATE,
+            NoteKind.DISCARDED);
 
     private static final String FROM_ALL = "withdrawn from all";
 

@@ -78,8 +78,11 @@ final class Roles {
                     }
                 });
             case GET_ALL_TOKENS ->
-                world.internal.add(() ->
-                        answer(activation, typeOf(EventRole.TOKENS_RETURNED), world.proxies, List.of(), Map.of()));
+                world.internal.add(() -> {
+                    if (m.status != Mission.Status.ENDED) { // nobody is told that the engine's own answer is late
+                        answer(activation, typeOf(EventRole.TOKENS_RETURNED), world.proxies, List.of(), Map.of());
+                    }
+                });
             case ABORT_MISSION -> world.internal.add(() -> operations.abort(m));
             case COMPLETE_MISSION -> world.internal.add(() -> operations.complete(m));
             default -> {}
