@@ -2,6 +2,7 @@ package org.sami.spn.reference;
 
 import java.util.ArrayList;
 import java.util.EnumSet;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -195,12 +196,24 @@ final class Comparison {
         return found.stream().sorted().toList();
     }
 
-    /** Kinds and missions: each of the two has its own sentences. What is unwanted they name by different kinds. */
+    /**
+     * Kinds and missions: each of the two has its own sentences. With a mission end its pending occurrences (R-END-5): which of
+     * them were discarded on the way there is not compared.
+     */
     private static List<String> notes(List<Effect> effects) {
+        Set<Long> ended = new HashSet<>();
         List<String> found = new ArrayList<>();
         for (Effect effect : effects) {
+            if (effect instanceof Effect.MissionEnded m) {
+                ended.add(m.mission());
+            }
+        }
+        for (Effect effect : effects) {
             if (effect instanceof Effect.Noted n && NOTES.contains(n.kind())) {
-                found.add(n.kind() + " of mission " + n.mission());
+                boolean onTheWayToTheEnd = n.kind() == NoteKind.DISCARDED && ended.contains(n.mission());
+                if (!onTheWayToTheEnd) {
+                    found.add(n.kind() + " of mission " + n.mission());
+                }
             }
         }
         return found.stream().sorted().toList();
