@@ -1,19 +1,31 @@
 package org.sami.architecture;
 
+import static com.tngtech.archunit.base.DescribedPredicate.not;
+import static com.tngtech.archunit.core.domain.JavaCall.Predicates.target;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.assignableTo;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.nameMatching;
+import static com.tngtech.archunit.core.domain.properties.HasOwner.Predicates.With.owner;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noMethods;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaModifier;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.sami.spn.host.EngineHost;
 
 /** What a module may not touch outside SAMI, and which words are not its own. */
 class BorderTest {
@@ -29,6 +41,40 @@ class BorderTest {
                 .dependOnClassesThat()
                 .resideInAnyPackage("java.awt..", "javax.swing..", "javax.imageio..")
                 .check(module.classes());
+    }
+
+    /** The lock rule (docs/threads.md): a window may call every public method of a model on its event thread. */
+    @Test
+    void modelsCallNothingThatWaits() {
+        JavaClasses classes = SamiModule.CRW_DOMAIN.classes();
+        assertThat(classes.that(resideInAPackage("org.sami.crw.operator..")).size())
+                .as("classes seen among the models")
+                .isGreaterThan(20);
+
+        noClasses()
+                .that()
+                .resideInAPackage("org.sami.crw.operator..")
+                .should()
+                .callMethodWhere(target(
+                                nameMatching("join|get|getNow|await.*|acquire.*|take|put|lock.*|invokeAll|invokeAny"))
+                        .and(target(owner(resideInAnyPackage("java.util.concurrent", "java.util.concurrent.locks"))))
+                        .and(not(target(owner(assignableTo(AtomicLong.class)))))
+                        .and(not(target(owner(assignableTo(Map.class)))))
+                        .as("a call of java.util.concurrent that waits"))
+                .orShould()
+                .callMethod(Thread.class, "sleep", long.class)
+                .orShould()
+                .callMethod(Object.class, "wait")
+                .orShould()
+                .callMethod(EngineHost.class, "ask", Function.class)
+                .check(classes);
+        noMethods()
+                .that()
+                .areDeclaredInClassesThat()
+                .resideInAPackage("org.sami.crw.operator..")
+                .should()
+                .haveModifier(JavaModifier.SYNCHRONIZED)
+                .check(classes);
     }
 
     @Test

@@ -6,18 +6,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
+import org.sami.spn.engine.DecisionCheck;
 import org.sami.spn.host.ListenerList;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
-import org.sami.spn.protocol.Decision;
-import org.sami.spn.protocol.Effect;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * Decisions that wait for the operator: the highest priority first, of equal ones the oldest first (thesis 5, markup Priority).
- * Owned by one thread.
  */
-public final class DecisionQueue {
+public final class DecisionQueue extends Model<List<PendingDecision>> {
     private static final Comparator<PendingDecision> ORDER = Comparator.comparing(
                     (PendingDecision pending) -> pending.decision().priority())
             .reversed()
@@ -28,44 +27,57 @@ public final class DecisionQueue {
     private final Map<Long, PendingDecision> byId = new HashMap<>();
     private final ListenerList<DecisionListener> listeners = new ListenerList<>();
 
-    /** Takes over what an effect says about decisions; others change nothing. */
-    public void apply(Effect effect, long atMillis) {
-        if (effect instanceof Effect.DecisionOpened opened) {
-            open(opened.decision(), atMillis);
-        } else if (effect instanceof Effect.DecisionClosed closed) {
-            close(closed.decision(), closed.answer(), closed.by());
-        }
+    DecisionQueue() {
+        super(List.of());
     }
 
     /** Adds a decision; one that waits already stays as it is. */
-    public void open(Decision decision, long atMillis) {
-        PendingDecision pending = new PendingDecision(decision, atMillis);
-        if (byId.putIfAbsent(decision.id(), pending) == null) {
+    void open(PendingDecision pending) {
+        if (byId.putIfAbsent(pending.decision().id(), pending) == null) {
             ordered.add(pending);
+            change();
             listeners.each(listener -> listener.opened(pending));
         }
     }
 
     /** Takes a decision away; one that does not wait changes nothing. */
-    public void close(long decision, Optional<Answer> answer, Optional<Answerer> by) {
+    void close(long decision, Optional<Answer> answer, Optional<Answerer> by) {
         PendingDecision pending = byId.remove(decision);
         if (pending != null) {
             ordered.remove(pending);
+            change();
             listeners.each(listener -> listener.closed(pending, answer, by));
         }
     }
 
-    /** The decisions that wait now, in order. */
-    public List<PendingDecision> pending() {
+    @Override
+    List<PendingDecision> take() {
         return List.copyOf(ordered);
     }
 
-    /** The decision of that id, if it waits. */
-    public Optional<PendingDecision> find(long decision) {
-        return Optional.ofNullable(byId.get(decision));
+    /** The decisions that wait now, in order. From any thread. */
+    public List<PendingDecision> pending() {
+        return snapshot();
     }
 
-    /** Adds a listener; closing the result takes it away. */
+    /** The decision of that id, if it waits. From any thread. */
+    public Optional<PendingDecision> find(long decision) {
+        return snapshot().stream()
+                .filter(pending -> pending.decision().id() == decision)
+                .findFirst();
+    }
+
+    /**
+     * Says why an answer would not be accepted now, in one sentence; empty where it would be. From any thread; what is posted may still
+     * come too late, as somebody else answers first.
+     */
+    public Optional<String> check(long decision, Answer answer, Vocabulary vocabulary) {
+        return find(decision)
+                .map(pending -> DecisionCheck.wrong(pending.decision(), answer, vocabulary))
+                .orElse(Optional.of("Decision " + decision + " waits no longer"));
+    }
+
+    /** Adds a listener that hears of each decision; closing the result takes it away. From any thread. */
     public Registration addListener(DecisionListener listener) {
         return listeners.add(listener);
     }

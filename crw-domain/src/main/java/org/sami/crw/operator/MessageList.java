@@ -2,65 +2,95 @@ package org.sami.crw.operator;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
-import org.sami.spn.host.ListenerList;
-import org.sami.spn.host.Registration;
+import java.util.function.UnaryOperator;
 
 /**
  * The messages to the operator: the highest priority first, of equal ones the newest first, so that news of little weight does
- * not displace an older critical message. A message replaces the one with the same keyword (thesis 6.3.4). When the list is
- * full the last one in order goes. Owned by one thread.
+ * not displace an older critical message. A message replaces the one with the same keyword (thesis 6.3.4), and has to be acknowledged
+ * anew. When the list is full the last one in order goes.
  */
-public final class MessageList {
-    private static final Comparator<Entry> ORDER = Comparator.comparing(
-                    (Entry entry) -> entry.message().priority())
-            .thenComparingLong(Entry::number)
+public final class MessageList extends Model<List<MessageEntry>> {
+    private static final Comparator<MessageEntry> ORDER = Comparator.comparing(
+                    (MessageEntry entry) -> entry.message().priority())
+            .thenComparingLong(MessageEntry::number)
             .reversed();
 
     private final int capacity;
-    private final TreeSet<Entry> entries = new TreeSet<>(ORDER);
-    private final ListenerList<Consumer<OperatorMessage>> listeners = new ListenerList<>();
+    private final Consumer<Runnable> inbox;
+    private final TreeSet<MessageEntry> entries = new TreeSet<>(ORDER);
+    private final Set<String> muted = new HashSet<>();
     private long told;
 
-    /** A list that keeps so many messages at most. */
-    public MessageList(int capacity) {
+    /**
+     * A list that keeps so many messages at most.
+     *
+     * @param inbox brings changes to the owner's thread
+     */
+    MessageList(int capacity, Consumer<Runnable> inbox) {
+        super(List.of());
         if (capacity < 1) {
             throw new IllegalArgumentException("A message list keeps at least one message, not " + capacity);
         }
         this.capacity = capacity;
+        this.inbox = inbox;
     }
 
-    /** Adds a message. */
-    public void add(OperatorMessage message) {
+    void add(OperatorMessage message) {
         told++;
-        if (!message.keyword().isEmpty()) {
-            entries.removeIf(entry -> entry.message().keyword().equals(message.keyword()));
+        String keyword = message.keyword();
+        if (!keyword.isEmpty()) {
+            entries.removeIf(entry -> entry.message().keyword().equals(keyword));
         }
-        entries.add(new Entry(told, message));
+        entries.add(new MessageEntry(told, message, false, muted.contains(keyword)));
         if (entries.size() > capacity) {
             entries.pollLast();
         }
-        listeners.each(listener -> listener.accept(message));
+        change();
     }
 
-    /** The messages that are kept, in order. */
+    /** The operator knows a message; one that is gone changes nothing. From any thread; done a little later. */
+    public void acknowledge(long number) {
+        inbox.accept(() -> replace(entry ->
+                entry.number() == number ? new MessageEntry(number, entry.message(), true, entry.muted()) : entry));
+    }
+
+    /** Messages with a keyword are muted from now on, or no longer; those without one cannot be. From any thread. */
+    public void mute(String keyword, boolean mute) {
+        if (keyword.isEmpty()) {
+            throw new IllegalArgumentException("Only messages with a keyword can be muted");
+        }
+        inbox.accept(() -> {
+            if (mute) {
+                muted.add(keyword);
+            } else {
+                muted.remove(keyword);
+            }
+            replace(entry -> entry.message().keyword().equals(keyword)
+                    ? new MessageEntry(entry.number(), entry.message(), entry.acknowledged(), mute)
+                    : entry);
+        });
+    }
+
+    private void replace(UnaryOperator<MessageEntry> with) {
+        List<MessageEntry> after = new ArrayList<>();
+        entries.forEach(entry -> after.add(with.apply(entry)));
+        entries.clear();
+        entries.addAll(after);
+        change();
+    }
+
+    @Override
+    List<MessageEntry> take() {
+        return List.copyOf(entries);
+    }
+
+    /** The messages that are kept, in order. From any thread. */
     public List<OperatorMessage> messages() {
-        List<OperatorMessage> messages = new ArrayList<>(entries.size());
-        entries.forEach(entry -> messages.add(entry.message()));
-        return messages;
+        return snapshot().stream().map(MessageEntry::message).toList();
     }
-
-    /** How many messages there were in all, replaced and dropped ones included. */
-    public long told() {
-        return told;
-    }
-
-    /** Adds a listener, called on the owning thread after each message; closing the result takes it away. */
-    public Registration addListener(Consumer<OperatorMessage> listener) {
-        return listeners.add(listener);
-    }
-
-    private record Entry(long number, OperatorMessage message) {}
 }

@@ -1,35 +1,90 @@
 package org.sami.crw.operator;
 
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import org.sami.crw.decision.BoatFilter;
+import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.operator.MissionModel.StartedPlan;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.task.TaskQueue;
+import org.sami.crw.task.TaskQueues;
 import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
+import org.sami.spn.model.Plan;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * What lies before the operator: decisions, messages and the count of clicks, fed by a host and by handlers. The models belong
- * to the thread of one executor; everything reaches them by one hop to it, at this border and nowhere else.
+ * What lies before the operator, fed by a host, by the fleet and by handlers. The models belong to the one thread of an executor;
+ * everything reaches them by one hop to it, at this border and nowhere else. Whoever feeds them never waits, and no public method of a
+ * model does (docs/threads.md).
+ *
+ * <p>A session makes one, adds it to its host, subscribes {@link #fleetListener} to its fleet's events, and calls {@link #look} ten times
+ * a second on the fleet's thread and {@link #refresh} a few times a second on any.
  */
 public final class OperatorModels implements HostListener, MessageSink {
     private static final int MESSAGES_KEPT = 1000;
 
-    private final Executor owner;
+    private final ModelInbox inbox;
+    private final LongSupplier nowMillis;
     private final DecisionQueue decisions = new DecisionQueue();
-    private final MessageList messages = new MessageList(MESSAGES_KEPT);
-    private final ClickCount clicks = new ClickCount();
+    private final MessageList messages;
+    private final MissionModel missions = new MissionModel();
+    private final FleetModel fleet;
+    private final CommandModel commands = new CommandModel();
+    private final InterruptModel interrupts = new InterruptModel();
+    private final AlarmModel alarms;
+    private final AllocationModel allocation = new AllocationModel();
+    private final ClickModel clicks = new ClickModel();
+    private final AtomicLong steps = new AtomicLong();
+    private final AtomicLong stepsLookedAt = new AtomicLong();
+    private final AtomicBoolean looking = new AtomicBoolean();
+    private volatile Optional<FleetSampler> sampler = Optional.empty();
 
-    /** A desk whose models belong to that executor's one thread; {@code Runnable::run} where there is only one. */
+    /** Models whose clock stands still: for parts that need no ages of boats. */
     public OperatorModels(Executor owner) {
-        this.owner = owner;
+        this(owner, () -> 0);
     }
 
-    /** Decisions that wait. Only for the owning thread, as are the other models. */
+    /**
+     * Models with nothing in them.
+     *
+     * @param owner runs what it is given on one thread, one after the other: a window's event thread, or a thread of the session's
+     * @param nowMillis the session's clock; from any thread
+     */
+    public OperatorModels(Executor owner, LongSupplier nowMillis) {
+        this.nowMillis = nowMillis;
+        inbox = new ModelInbox(owner, this::publish);
+        messages = new MessageList(MESSAGES_KEPT, inbox::post);
+        alarms = new AlarmModel(inbox::post);
+        fleet = new FleetModel(inbox::post, boat -> alarms.seen(boat, nowMillis.getAsLong()));
+    }
+
+    private void publish() {
+        List.of(decisions, messages, missions, fleet, commands, interrupts, alarms, allocation, clicks)
+                .forEach(Model::publish);
+    }
+
+    /** Decisions that wait. */
     public DecisionQueue decisions() {
         return decisions;
     }
@@ -39,48 +94,124 @@ public final class OperatorModels implements HostListener, MessageSink {
         return messages;
     }
 
+    /** Missions and sub-missions. */
+    public MissionModel missions() {
+        return missions;
+    }
+
+    /** Boats. */
+    public FleetModel fleet() {
+        return fleet;
+    }
+
+    /** What missions have boats do. */
+    public CommandModel commands() {
+        return commands;
+    }
+
+    /** Buttons of running missions. */
+    public InterruptModel interrupts() {
+        return interrupts;
+    }
+
+    /** What is wrong. */
+    public AlarmModel alarms() {
+        return alarms;
+    }
+
+    /** Who has which tasks. */
+    public AllocationModel allocation() {
+        return allocation;
+    }
+
     /** The operator's clicks. */
-    public ClickCount clicks() {
+    public ClickModel clicks() {
         return clicks;
     }
 
+    // ---- fed by the engine
+
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
-        List<Effect> interesting = new ArrayList<>();
-        for (Effect effect : effects) {
+        steps.incrementAndGet();
+        if (!effects.isEmpty() || !(input instanceof Input.Received)) {
+            EngineStep step = EngineStep.of(atMillis, input, effects, view);
+            inbox.post(() -> apply(step));
+        }
+    }
+
+    private void apply(EngineStep step) {
+        clicks.apply(step.input(), step.effects());
+        allocation.apply(step.input(), step.effects(), step.newTasks());
+        for (Effect effect : step.effects()) {
+            missions.apply(effect, step.plans(), step.atMillis());
             if (effect instanceof Effect.DecisionOpened opened) {
-                interesting.add(new Effect.DecisionOpened(BoatFilter.narrowed(opened.decision(), view)));
-            } else if (effect instanceof Effect.DecisionClosed
-                    || (effect instanceof Effect.Noted noted && concernsOperator(noted))) {
-                interesting.add(effect);
+                open(step.narrowed().get(opened.decision().id()), step.places(), step.atMillis());
+            } else if (effect instanceof Effect.DecisionClosed closed) {
+                decisions.close(closed.decision(), closed.answer(), closed.by());
+            } else if (effect instanceof Effect.Noted noted && concernsOperator(noted)) {
+                messages.add(messageOf(noted, step.atMillis()));
             }
-        }
-        if (!interesting.isEmpty() || !(input instanceof Input.Received)) {
-            owner.execute(() -> take(atMillis, input, interesting));
         }
     }
 
-    /** Lays decisions that are open already on the desk: those of a state that was restored. */
+    private void open(Decision decision, Map<Long, String> places, long atMillis) {
+        decisions.open(new PendingDecision(
+                decision,
+                atMillis,
+                missions.planOf(decision.mission()),
+                missions.nameOf(decision.mission()),
+                places.getOrDefault(decision.activation(), "")));
+    }
+
+    /** Shows what a restored state has: missions, decisions that wait, tasks. On the engine's thread or before the host works. */
     public void restore(EngineView view, long atMillis) {
-        List<Effect> opened = new ArrayList<>();
-        view.decisions()
-                .forEach(decision -> opened.add(new Effect.DecisionOpened(BoatFilter.narrowed(decision, view))));
-        owner.execute(() -> take(atMillis, new Input.TimeReached(), opened));
-    }
-
-    @Override
-    public void tell(OperatorMessage message) {
-        owner.execute(() -> messages.add(message));
-    }
-
-    private void take(long atMillis, Input input, List<Effect> effects) {
-        clicks.count(input, effects);
-        for (Effect effect : effects) {
-            decisions.apply(effect, atMillis);
-            if (effect instanceof Effect.Noted noted) {
-                messages.add(messageOf(noted, atMillis));
-            }
+        List<Effect> marking = view.markingAsEffects();
+        List<Decision> open = new ArrayList<>();
+        view.decisions().forEach(decision -> open.add(BoatFilter.narrowed(decision, view)));
+        Map<Long, String> places = new HashMap<>();
+        for (Activation activation : view.openActivations()) {
+            places.put(activation.id(), activation.place());
         }
+        Map<Long, StartedPlan> plans = new HashMap<>();
+        List<TaskId> tasks = new ArrayList<>();
+        view.missions().forEach(mission -> {
+            Optional<Plan> plan = view.plan(mission.plan());
+            plan.ifPresent(one -> plans.put(mission.id(), EngineStep.startedPlan(mission.id(), one, view)));
+            plan.ifPresent(one -> tasks.addAll(EngineStep.tasksOf(mission.id(), one, view)));
+        });
+        Set<TaskId> complete = new HashSet<>();
+        tasks.stream().filter(task -> TaskQueues.isComplete(task, view)).forEach(complete::add);
+        Map<TaskId, String> robots = view.allocation();
+        Map<String, TaskQueue> queues = TaskQueues.remembered(view);
+        inbox.post(() -> {
+            missions.restore(marking, plans, atMillis);
+            allocation.restore(tasks, robots, complete, queues);
+            open.forEach(decision -> open(decision, places, atMillis));
+        });
+    }
+
+    /**
+     * Has the engine asked what its effects do not tell: what blocks missions, what transitions keep, which buttons can be pressed. Does
+     * not wait; does nothing while an earlier question is under way, or where the engine has done nothing since the last. From any thread.
+     */
+    public void refresh(EngineHost host, Vocabulary vocabulary) {
+        long now = steps.get();
+        if (now == stepsLookedAt.get() || !looking.compareAndSet(false, true)) {
+            return;
+        }
+        CompletableFuture<EngineLook> look = host.query(view -> EngineLook.at(view, vocabulary));
+        look.whenComplete((told, fault) -> {
+                    looking.set(false);
+                    if (fault == null) {
+                        stepsLookedAt.set(now);
+                        inbox.post(() -> {
+                            missions.details(told.details());
+                            interrupts.show(told.buttons());
+                        });
+                    }
+                })
+                .exceptionally(stopped -> null); // the host takes no more questions: what was known stays
     }
 
     /** News of a boat that no plan waits for is no news to the operator either: the journal has it. */
@@ -107,5 +238,41 @@ public final class OperatorModels implements HostListener, MessageSink {
             case REJECTED_INPUT, NAMES_NOBODY, SHORT_OF_TOKENS, GLOBAL_KEPT -> Priority.MEDIUM;
             case DISCARDED, LATE -> Priority.LOW;
         };
+    }
+
+    // ---- fed by handlers and by the fleet
+
+    @Override
+    public void tell(OperatorMessage message) {
+        inbox.post(() -> messages.add(message));
+    }
+
+    /**
+     * What is to be subscribed to the fleet's events, once; called on the fleet's thread.
+     *
+     * @param boats the proxies, for the fleet's thread
+     */
+    public Consumer<FleetEvent> fleetListener(ProxyRegistry boats) {
+        FleetSampler made = new FleetSampler(boats, nowMillis, fleet::seen);
+        sampler = Optional.of(made);
+        return event -> {
+            made.happened(event);
+            if (CommandModel.concerns(event)
+                    || event instanceof FleetEvent.LinkAlarmed
+                    || event instanceof FleetEvent.Moved) {
+                long at = nowMillis.getAsLong();
+                inbox.post(() -> {
+                    if (CommandModel.concerns(event)) {
+                        commands.apply(event, at);
+                    }
+                    alarms.apply(event, at);
+                });
+            }
+        };
+    }
+
+    /** Looks at all boats, as ages and reasons change by themselves. To be called ten times a second on the fleet's thread. */
+    public void look() {
+        sampler.ifPresent(FleetSampler::look);
     }
 }

@@ -3,6 +3,7 @@ package org.sami.crw.proxy;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.function.BiConsumer;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.AskForCommand;
@@ -82,6 +83,18 @@ public final class BoatProxy {
         driver = new CommandDriver(boatId, config, link, announcements);
         tuner = new SettingsSender(boatId, link, config, announcements);
         status = BoatStatus.unknown(boatId);
+    }
+
+    /** For how many milliseconds nothing has come from the boat; empty as long as nothing ever has. */
+    public OptionalLong silentMs() {
+        return link.bootId().isEmpty()
+                ? OptionalLong.empty()
+                : OptionalLong.of(Math.max(0, nowMs - link.lastReceivedMs()));
+    }
+
+    /** Whether a person drives the boat by hand, so that its commands wait. */
+    public boolean isTakenOver() {
+        return takenOver;
     }
 
     /** Names the boat. */

@@ -15,6 +15,7 @@ import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.host.EngineHost;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /** The parts of a session, put together for its runtime. */
 final class SessionParts {
@@ -23,6 +24,8 @@ final class SessionParts {
 
     private static final long SLOW_MILLIS = 50;
     private static final long LOOK_MS = 1000;
+    private static final long SHOW_MS = 100;
+    private static final int SHOWN_BEFORE_REFRESH = 3;
 
     final Engine engine;
     final Scheduler scheduler;
@@ -43,14 +46,17 @@ final class SessionParts {
     final CrwDomain domain;
     final Optional<RememberedBoats> remembered;
 
+    private final Vocabulary vocabulary;
     private final SessionJournal journal;
     private final Optional<RealTimeLoop> loop;
     private final Optional<ServiceThreads> services;
     private final Optional<ExecutorService> ownFront;
     private final CompletableFuture<Void> ended = new CompletableFuture<>();
     private volatile boolean halted;
+    private long shown; // for the engine's thread
 
     SessionParts(SessionSetup setup) throws IOException {
+        vocabulary = setup.vocabulary();
         journal = setup.journal();
         engine = new Engine(setup.vocabulary(), setup.project());
         if (setup.runtime() instanceof SessionRuntime.RealTime real) {
@@ -82,7 +88,7 @@ final class SessionParts {
         replies = new Replies(front);
         posted = new PostedInputs(host, replies);
         telemetry = new SessionTelemetry(journal, scheduler::nowMs);
-        models = new OperatorModels(front);
+        models = new OperatorModels(front, scheduler::nowMs);
         messages = new SessionMessages(telemetry, models);
         remembered = loop.map(real -> new RememberedBoats(host));
         events = new FleetEvents(slowMillis);
@@ -103,6 +109,9 @@ final class SessionParts {
         host.addListener(operators);
         host.addListener(models);
         host.addListener(posted);
+        if (loop.isPresent()) {
+            events.subscribe(models.fleetListener(connector.boats()));
+        }
     }
 
     private static ExecutorService newFront() {
@@ -121,7 +130,19 @@ final class SessionParts {
         });
         host.resume();
         keepLookingAfterBoats();
+        if (loop.isPresent()) {
+            keepShowing();
+        }
         loop.ifPresent(this::startEngine);
+    }
+
+    /** Ages and reasons change by themselves. In a run in process nobody looks at boats but the run itself. */
+    private void keepShowing() {
+        connector.executor().execute(models::look);
+        if (++shown % SHOWN_BEFORE_REFRESH == 0) {
+            models.refresh(host, vocabulary);
+        }
+        scheduler.after(SHOW_MS, this::keepShowing);
     }
 
     private void keepLookingAfterBoats() {

@@ -55,7 +55,18 @@ public final class TaskQueues implements HostListener {
                 : Optional.empty();
     }
 
-    private static Map<String, TaskQueue> remembered(EngineView view) {
+    /** The task that an input marks as complete, or as such no longer; empty where the input is about something else. */
+    public static Optional<Map.Entry<TaskId, Boolean>> completed(Input input) {
+        return input instanceof Input.Remember remember
+                        && remember.key().startsWith(COMPLETE)
+                        && remember.value() instanceof BooleanValue is
+                ? Optional.of(Map.entry(
+                        new TaskId(remember.mission(), remember.key().substring(COMPLETE.length())), is.value()))
+                : Optional.empty();
+    }
+
+    /** The queues of a state, by boat. */
+    public static Map<String, TaskQueue> remembered(EngineView view) {
         Map<String, TaskQueue> found = new TreeMap<>();
         for (String boat : view.proxies()) {
             view.memory(Ids.NONE, QUEUE + boat).ifPresent(value -> found.put(boat, TaskQueue.of(value)));

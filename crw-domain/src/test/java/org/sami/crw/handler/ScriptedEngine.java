@@ -14,6 +14,7 @@ import org.sami.spn.engine.EnablingExplanation;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.InterruptButton;
 import org.sami.spn.engine.MissionView;
+import org.sami.spn.engine.PendingAnswer;
 import org.sami.spn.host.EngineFunction;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -87,6 +88,11 @@ final class ScriptedEngine implements EngineFunction, EngineView {
     @Override
     public List<MissionView> missions() {
         return List.copyOf(missions.values());
+    }
+
+    @Override
+    public List<PendingAnswer> pendingAnswers(long mission) {
+        return List.of();
     }
 
     @Override

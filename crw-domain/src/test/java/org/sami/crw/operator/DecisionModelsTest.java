@@ -7,13 +7,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
-import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
-import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Question;
 
@@ -22,11 +20,11 @@ class DecisionModelsTest {
     void theHighestPriorityComesFirstThenTheOldest() {
         DecisionQueue queue = new DecisionQueue();
 
-        queue.open(decision(1, Priority.MEDIUM), 100);
-        queue.open(decision(2, Priority.CRITICAL), 300);
-        queue.open(decision(3, Priority.MEDIUM), 200);
-        queue.open(decision(4, Priority.MEDIUM), 100);
-        queue.open(decision(5, Priority.CRITICAL), 400);
+        open(queue, decision(1, Priority.MEDIUM), 100);
+        open(queue, decision(2, Priority.CRITICAL), 300);
+        open(queue, decision(3, Priority.MEDIUM), 200);
+        open(queue, decision(4, Priority.MEDIUM), 100);
+        open(queue, decision(5, Priority.CRITICAL), 400);
 
         assertThat(ids(queue)).containsExactly(2L, 5L, 1L, 4L, 3L);
     }
@@ -34,11 +32,11 @@ class DecisionModelsTest {
     @Test
     void whatIsClosedWaitsNoLonger() {
         DecisionQueue queue = new DecisionQueue();
-        queue.apply(new Effect.DecisionOpened(decision(1, Priority.LOW)), 10);
-        queue.apply(new Effect.DecisionOpened(decision(2, Priority.LOW)), 20);
+        open(queue, decision(1, Priority.LOW), 10);
+        open(queue, decision(2, Priority.LOW), 20);
 
-        queue.apply(new Effect.DecisionClosed(1, Optional.empty(), Optional.empty()), 30);
-        queue.apply(new Effect.DecisionClosed(9, Optional.empty(), Optional.empty()), 30);
+        close(queue, 1);
+        close(queue, 9);
 
         assertThat(ids(queue)).containsExactly(2L);
         assertThat(queue.find(1)).isEmpty();
@@ -48,10 +46,10 @@ class DecisionModelsTest {
     @Test
     void aSnapshotDoesNotChange() {
         DecisionQueue queue = new DecisionQueue();
-        queue.open(decision(1, Priority.LOW), 10);
+        open(queue, decision(1, Priority.LOW), 10);
         List<PendingDecision> snapshot = queue.pending();
 
-        queue.close(1, Optional.empty(), Optional.empty());
+        close(queue, 1);
 
         assertThat(snapshot).hasSize(1);
         assertThat(queue.pending()).isEmpty();
@@ -72,48 +70,85 @@ class DecisionModelsTest {
         });
         Registration registration = queue.addListener(recording(heard));
 
-        queue.open(decision(1, Priority.LOW), 10);
-        queue.open(decision(1, Priority.LOW), 10);
+        open(queue, decision(1, Priority.LOW), 10);
+        open(queue, decision(1, Priority.LOW), 10);
         queue.close(1, Optional.of(new Answer.YesNo(true)), Optional.of(Answerer.AUTONOMY));
         registration.close();
-        queue.open(decision(2, Priority.LOW), 10);
+        open(queue, decision(2, Priority.LOW), 10);
 
         assertThat(heard).containsExactly("opened 1", "closed 1 by AUTONOMY");
     }
 
     @Test
     void aNewMessageOfLittleWeightDoesNotDisplaceAnOlderCriticalOne() {
-        MessageList list = new MessageList(3);
+        MessageList list = new MessageList(3, Runnable::run);
 
         list.add(message("a", Priority.CRITICAL, ""));
         list.add(message("b", Priority.LOW, ""));
         list.add(message("c", Priority.HIGH, ""));
         list.add(message("d", Priority.HIGH, ""));
+        list.publish();
 
         assertThat(list.messages()).extracting(OperatorMessage::text).containsExactly("a", "d", "c");
-        assertThat(list.told()).isEqualTo(4);
+        assertThat(list.snapshot()).extracting(MessageEntry::number).containsExactly(1L, 4L, 3L);
     }
 
     @Test
     void aMessageReplacesTheOneWithItsKeyword() {
-        MessageList list = new MessageList(10);
-        List<String> heard = new ArrayList<>();
-        Consumer<OperatorMessage> ear = message -> heard.add(message.text());
-        list.addListener(ear);
+        MessageList list = new MessageList(10, Runnable::run);
 
         list.add(message("boat 1 critical", Priority.CRITICAL, "comm-1"));
         list.add(message("boat 2 critical", Priority.CRITICAL, "comm-2"));
+        list.acknowledge(1);
         list.add(message("boat 1 nominal", Priority.LOW, "comm-1"));
+        list.publish();
 
         assertThat(list.messages())
                 .extracting(OperatorMessage::text)
                 .containsExactly("boat 2 critical", "boat 1 nominal");
+        assertThat(list.snapshot()).extracting(MessageEntry::acknowledged).containsExactly(false, false);
+    }
+
+    @Test
+    void aMessageIsAcknowledgedAndItsKeywordMutedForThoseThatCome() {
+        MessageList list = new MessageList(10, Runnable::run);
+        List<List<MessageEntry>> heard = new ArrayList<>();
+        list.addListener(heard::add);
+        list.add(message("boat 1 critical", Priority.CRITICAL, "comm-1"));
+        list.publish();
+
+        list.acknowledge(1);
+        list.mute("comm-1", true);
+        list.publish();
+        list.add(message("boat 1 still critical", Priority.CRITICAL, "comm-1"));
+        list.publish();
+
         assertThat(heard).hasSize(3);
+        assertThat(heard.get(1)).singleElement().satisfies(entry -> {
+            assertThat(entry.acknowledged()).isTrue();
+            assertThat(entry.muted()).isTrue();
+        });
+        assertThat(heard.get(2)).singleElement().satisfies(entry -> {
+            assertThat(entry.message().text()).isEqualTo("boat 1 still critical");
+            assertThat(entry.acknowledged()).isFalse();
+            assertThat(entry.muted()).isTrue();
+        });
+        assertThatThrownBy(() -> list.mute("", true)).hasMessageContaining("keyword");
     }
 
     @Test
     void aListThatKeepsNothingIsRefused() {
-        assertThatThrownBy(() -> new MessageList(0)).hasMessageContaining("0");
+        assertThatThrownBy(() -> new MessageList(0, Runnable::run)).hasMessageContaining("0");
+    }
+
+    private static void open(DecisionQueue queue, Decision decision, long atMillis) {
+        queue.open(new PendingDecision(decision, atMillis));
+        queue.publish();
+    }
+
+    private static void close(DecisionQueue queue, long decision) {
+        queue.close(decision, Optional.empty(), Optional.empty());
+        queue.publish();
     }
 
     private static DecisionListener recording(List<String> heard) {

@@ -25,13 +25,16 @@ import org.sami.spn.vocabulary.Vocabulary;
 
 /** A plan with what surrounds it, and the questions that checks ask about neighbours and places in the document. */
 final class PlanContext {
-    private final ProjectContext project;
+    private final Project project;
+    private final Vocabulary vocabulary;
     private final Plan plan;
     private final String pointer;
-    private final List<PlacedOutput> outputs;
-    private final List<PlacedInput> inputs;
-    private final Map<String, Place> places;
-    private final Map<String, Transition> transitions;
+    private final List<PlacedOutput> outputs = new ArrayList<>();
+    private final List<PlacedInput> inputs = new ArrayList<>();
+
+    private final Map<String, Place> places = new LinkedHashMap<>();
+    private final Map<String, Transition> transitions = new LinkedHashMap<>();
+    private final List<Plan> parents;
     private final Map<String, Integer> placeIndex;
     private final Map<String, Integer> transitionIndex;
     private final Map<String, Integer> edgeIndex;
@@ -40,16 +43,12 @@ final class PlanContext {
     private final Map<String, List<OutEdge>> outEdges;
     private final Map<String, List<InEdge>> edgesOutOf;
     private final Map<String, List<OutEdge>> edgesInto;
-    private final VariableScope scope;
 
-    PlanContext(ProjectContext project, Plan plan, String pointer) {
+    PlanContext(Project project, Vocabulary vocabulary, Plan plan) {
         this.project = project;
+        this.vocabulary = vocabulary;
         this.plan = plan;
-        this.pointer = pointer;
-        places = new LinkedHashMap<>();
-        transitions = new LinkedHashMap<>();
-        outputs = new ArrayList<>();
-        inputs = new ArrayList<>();
+        this.pointer = "/plans/" + indexOf(plan, project.plans());
         plan.places().forEach(p -> places.putIfAbsent(p.id(), p));
         plan.transitions().forEach(t -> transitions.putIfAbsent(t.id(), t));
         placeIndex = index(plan.places(), Place::id);
@@ -60,45 +59,21 @@ final class PlanContext {
         outEdges = plan.outEdges().stream().collect(Collectors.groupingBy(OutEdge::transition));
         edgesOutOf = plan.inEdges().stream().collect(Collectors.groupingBy(InEdge::place));
         edgesInto = plan.outEdges().stream().collect(Collectors.groupingBy(OutEdge::place));
+        parents = findParents();
         findEvents();
         inputsByTransition = inputs.stream()
                 .collect(Collectors.groupingBy(i -> i.transition().id()));
-        scope = new VariableScope(this);
     }
 
-    /** The same plan, of which everything is known, in another version of its project. */
-    private PlanContext(ProjectContext project, PlanContext known) {
-        this.project = project;
-        this.plan = known.plan;
-        this.pointer = known.pointer;
-        this.outputs = known.outputs;
-        this.inputs = known.inputs;
-        this.places = known.places;
-        this.transitions = known.transitions;
-        this.placeIndex = known.placeIndex;
-        this.transitionIndex = known.transitionIndex;
-        this.edgeIndex = known.edgeIndex;
-        this.inputsByTransition = known.inputsByTransition;
-        this.inEdges = known.inEdges;
-        this.outEdges = known.outEdges;
-        this.edgesOutOf = known.edgesOutOf;
-        this.edgesInto = known.edgesInto;
-        this.scope = known.scope.in(this);
-    }
-
-    /** This plan in another version of its project, in which it stands at the same index. */
-    PlanContext in(ProjectContext other) {
-        return new PlanContext(other, this);
-    }
-
-    /** Another plan of the project. */
-    PlanContext of(Plan other) {
-        return project.of(other);
-    }
-
-    /** Who declares, reads and writes which variable. */
-    VariableScope scope() {
-        return scope;
+    /** The plan's index, by identity: comparing whole plans would take long in a project of many alike. */
+    @SuppressWarnings("ReferenceEquality")
+    private static int indexOf(Plan plan, List<Plan> plans) {
+        for (int i = 0; i < plans.size(); i++) {
+            if (plans.get(i) == plan) {
+                return i;
+            }
+        }
+        throw new IllegalArgumentException("The project has no plan " + plan.id());
     }
 
     private static <T> Map<String, Integer> index(List<T> elements, Function<T, String> id) {
@@ -114,7 +89,7 @@ final class PlanContext {
             for (int i = 0; i < place.outputs().size(); i++) {
                 OutputEventSpec spec = place.outputs().get(i);
                 String where = at(place) + "/outputs/" + i;
-                vocabulary()
+                vocabulary
                         .event(spec.type())
                         .ifPresent(type -> outputs.add(new PlacedOutput(place, spec, type, where)));
             }
@@ -123,7 +98,7 @@ final class PlanContext {
             for (int i = 0; i < transition.inputs().size(); i++) {
                 InputEventSpec spec = transition.inputs().get(i);
                 String where = at(transition) + "/inputs/" + i;
-                vocabulary()
+                vocabulary
                         .event(spec.type())
                         .ifPresent(type -> inputs.add(new PlacedInput(transition, spec, type, where)));
             }
@@ -131,11 +106,11 @@ final class PlanContext {
     }
 
     Project project() {
-        return project.project();
+        return project;
     }
 
     Vocabulary vocabulary() {
-        return project.vocabulary();
+        return vocabulary;
     }
 
     Plan plan() {
@@ -215,7 +190,15 @@ final class PlanContext {
 
     /** Plans that run this one as a sub-mission. */
     List<Plan> parents() {
-        return project.parents(plan.id());
+        return parents;
+    }
+
+    private List<Plan> findParents() {
+        return project.plans().stream()
+                .filter(p -> p.places().stream()
+                        .flatMap(place -> place.subMissions().stream())
+                        .anyMatch(s -> s.plan().equals(plan.id())))
+                .toList();
     }
 
     String at(Place place) {

@@ -77,6 +77,9 @@ public interface EngineView {
     /** Activations whose visits have not ended, in order of id. */
     List<Activation> openActivations();
 
+    /** What the transitions of a running mission have received and keep, by transition, in order of arrival. */
+    List<PendingAnswer> pendingAnswers(long mission);
+
     /** When the next timer or deadline is due, in milliseconds on the session's clock. */
     OptionalLong nextDueMillis();
 

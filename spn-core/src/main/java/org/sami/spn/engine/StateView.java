@@ -13,10 +13,12 @@ import org.sami.spn.engine.rule.MissionStart;
 import org.sami.spn.engine.rule.Routing;
 import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.NetState;
+import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.PlaceState;
 import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.TaskState;
+import org.sami.spn.engine.state.TransitionState;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -245,6 +247,22 @@ final class StateView implements EngineView {
                 .map(s -> s.activation)
                 .sorted(java.util.Comparator.comparingLong(Activation::id))
                 .toList();
+    }
+
+    @Override
+    public List<PendingAnswer> pendingAnswers(long mission) {
+        List<PendingAnswer> kept = new ArrayList<>();
+        MissionState m = state.missions.get(mission);
+        if (m != null) {
+            for (TransitionState t : m.transitions) {
+                for (TransitionState.Queue queue : t == null ? new TransitionState.Queue[0] : t.queues) {
+                    for (PendingOccurrence p = queue.first; p != null; p = p.next) {
+                        kept.add(new PendingAnswer(t.transition.id(), p.input.spec.id(), p.occurrence));
+                    }
+                }
+            }
+        }
+        return kept;
     }
 
     @Override

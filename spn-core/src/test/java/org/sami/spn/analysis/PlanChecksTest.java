@@ -488,8 +488,7 @@ class PlanChecksTest {
 
         assertThat(findings)
                 .containsExactly(Finding.warning(
-                                "W-UNREACHABLE", "/plans/0/places/3", "Nothing leads to the place \"island\"", "island")
-                        .inPlan("plan"));
+                        "W-UNREACHABLE", "/plans/0/places/3", "Nothing leads to the place \"island\"", "island"));
     }
 
     @Test

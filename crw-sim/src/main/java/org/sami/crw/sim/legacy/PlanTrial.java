@@ -2,8 +2,8 @@ package org.sami.crw.sim.legacy;
 
 import java.util.List;
 import java.util.Objects;
+import org.sami.crw.operator.Wait;
 import org.sami.crw.sim.report.RunOutcome;
-import org.sami.crw.sim.report.Wait;
 import org.sami.spn.finding.Finding;
 
 /**

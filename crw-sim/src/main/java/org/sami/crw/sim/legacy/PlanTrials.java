@@ -6,10 +6,10 @@ import java.util.Map;
 import java.util.OptionalLong;
 import java.util.Set;
 import org.sami.crw.handler.HandledEvents;
+import org.sami.crw.operator.BlockedPlaces;
+import org.sami.crw.operator.Wait;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
-import org.sami.crw.sim.report.Wait;
-import org.sami.crw.sim.run.BlockedPlaces;
 import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.PlanInterrupts;
@@ -89,7 +89,7 @@ public final class PlanTrials {
         List<Finding> findings = new ArrayList<>(checksOf(watch.plansThatRan()));
         findings.addAll(watch.findings());
         List<Wait> waits = report.result().outcome() == RunOutcome.RUNNING
-                ? trial.ask(view -> BlockedPlaces.of(vocabulary, project, view))
+                ? trial.ask(view -> BlockedPlaces.of(vocabulary, view))
                 : List.of();
         return new PlanTrial(
                 plan.id(),

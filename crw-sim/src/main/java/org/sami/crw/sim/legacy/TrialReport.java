@@ -9,9 +9,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.sami.crw.operator.Wait;
 import org.sami.crw.sim.report.ReportText;
 import org.sami.crw.sim.report.RunOutcome;
-import org.sami.crw.sim.report.Wait;
 import org.sami.spn.finding.Finding;
 
 /**

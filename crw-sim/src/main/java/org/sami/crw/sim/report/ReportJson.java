@@ -11,6 +11,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.Optional;
+import org.sami.crw.operator.Wait;
 
 /** The report as one JSON object. Its members are described in docs/command-line.md; programs rely on them. */
 public final class ReportJson {

@@ -11,6 +11,7 @@ import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.OperatorDefaults;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.handler.CrwServices;
+import org.sami.crw.operator.BlockedPlaces;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionJournal;
@@ -146,7 +147,7 @@ public final class InProcessRun {
                         messages())
                 .withMap(map.map(results, visits.locations()))
                 .withReadings(readings.readings())
-                .withWaits(outcome.isOver() ? List.of() : ask(view -> BlockedPlaces.of(plan, view)));
+                .withWaits(outcome.isOver() ? List.of() : ask(view -> BlockedPlaces.of(plan.vocabulary(), view)));
     }
 
     private List<NoteResult> messages() {
@@ -365,7 +366,7 @@ public final class InProcessRun {
                 now(),
                 visits.visited(),
                 visits.count(),
-                recorder.openDecisions(),
+                session.models().decisions().pending().size(),
                 recorder.firingCount(),
                 least);
     }

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import org.sami.crw.operator.ClickCount;
+import org.sami.crw.operator.EngineText;
 import org.sami.crw.sim.report.DecisionResult;
 import org.sami.crw.sim.report.FiringResult;
 import org.sami.crw.sim.report.NoteResult;
@@ -233,11 +234,6 @@ public final class RunRecorder implements HostListener {
     /** How many boats the engine has got to know. */
     public int boatsJoined() {
         return boatsJoined;
-    }
-
-    /** How many questions to the operator are open. */
-    public int openDecisions() {
-        return openDecisions.size();
     }
 
     /** How many firings there were. */

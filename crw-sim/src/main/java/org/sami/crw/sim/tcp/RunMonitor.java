@@ -13,6 +13,7 @@ import org.sami.boat.server.LocalFrame;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.OperatorDefaults;
 import org.sami.crw.decision.SimulatedOperator;
+import org.sami.crw.operator.BlockedPlaces;
 import org.sami.crw.session.FleetStatus;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
@@ -23,7 +24,6 @@ import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.resume.ConnectedJournal;
-import org.sami.crw.sim.run.BlockedPlaces;
 import org.sami.crw.sim.run.BoatState;
 import org.sami.crw.sim.run.InterruptScheduler;
 import org.sami.crw.sim.run.LocationListener;
@@ -320,7 +320,7 @@ final class RunMonitor implements SessionListener {
                 now(),
                 visits.visited(),
                 visits.count(),
-                recorder.openDecisions(),
+                session.models().decisions().pending().size(),
                 recorder.firingCount(),
                 least);
     }
@@ -362,7 +362,10 @@ final class RunMonitor implements SessionListener {
                         told(atMillis))
                 .withMap(map.map(results, visits.locations()))
                 .withReadings(readings.readings())
-                .withWaits(outcome.isOver() ? List.of() : session.host().ask(view -> BlockedPlaces.of(plan, view)));
+                .withWaits(
+                        outcome.isOver()
+                                ? List.of()
+                                : session.host().ask(view -> BlockedPlaces.of(plan.vocabulary(), view)));
     }
 
     private List<NoteResult> told(long atMillis) {

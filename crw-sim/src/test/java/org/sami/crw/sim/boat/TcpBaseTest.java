@@ -87,9 +87,12 @@ class TcpBaseTest {
                 new FailingListener())) {
             base.connect(relay.address());
             Await.until(
-                    "anna is found",
+                    "anna is linked",
                     15,
-                    () -> base.query(boats -> boats.boatIds().contains("anna")).join());
+                    () -> base.query(boats -> boats.find("anna")
+                                    .filter(found -> found.status().link() == LinkState.LINKED)
+                                    .isPresent())
+                            .join());
             relay.setSwallows(true);
             Await.until("the loss of the link is told", 15, () -> link(base) == LinkState.LOST);
             relay.setSwallows(false);

@@ -7,12 +7,12 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
+import org.sami.crw.operator.Wait;
+import org.sami.crw.operator.Wait.BlockedTransition;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
-import org.sami.crw.sim.report.Wait;
-import org.sami.crw.sim.report.Wait.BlockedTransition;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.model.Project;
 

@@ -12,11 +12,11 @@ import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** Whether an answer fits its question. */
-final class AnswerCheck {
+public final class AnswerCheck {
     private AnswerCheck() {}
 
     /** Why an answer does not fit; empty where it does. */
-    static Optional<String> wrong(Question question, Answer answer, boolean mayReject, Vocabulary vocabulary) {
+    public static Optional<String> wrong(Question question, Answer answer, boolean mayReject, Vocabulary vocabulary) {
         if (question instanceof Question.Approve) {
             return expect(answer instanceof Answer.YesNo, "yes or no", answer);
         }

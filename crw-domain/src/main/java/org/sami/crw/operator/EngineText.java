@@ -1,4 +1,4 @@
-package org.sami.crw.sim.run;
+package org.sami.crw.operator;
 
 import java.util.List;
 import java.util.Locale;
@@ -28,20 +28,22 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.VariableReference;
 
-/** What the engine did, in short words for reports. Nobody reads them back. */
-final class EngineText {
+/** What the engine did, in short words for reports and consoles. Nobody reads them back. */
+public final class EngineText {
     private static final int ITEMS_SHOWN = 4;
 
     private EngineText() {}
 
-    static String transition(Plan plan, String id) {
+    /** The name of a transition, or its id where it has none. */
+    public static String transition(Plan plan, String id) {
         return plan.transition(id)
                 .map(Transition::name)
                 .filter(name -> !name.isEmpty())
                 .orElse(id);
     }
 
-    static String occurrences(List<Occurrence> used) {
+    /** Input events with whom they name. */
+    public static String occurrences(List<Occurrence> used) {
         return used.stream().map(EngineText::occurrence).collect(Collectors.joining("; "));
     }
 
@@ -52,7 +54,8 @@ final class EngineText {
         return named.isEmpty() ? occurrence.type() : occurrence.type() + " (" + named + ")";
     }
 
-    static String moves(Plan plan, List<TokenMove> moves) {
+    /** Tokens with the places that they left and entered. */
+    public static String moves(Plan plan, List<TokenMove> moves) {
         return moves.stream().map(move -> move(plan, move)).collect(Collectors.joining("; "));
     }
 
@@ -68,14 +71,16 @@ final class EngineText {
                 .orElse("-");
     }
 
-    static String token(Token token) {
+    /** Whom a token stands for. */
+    public static String token(Token token) {
         if (token instanceof Token.Proxy proxy) {
             return proxy.proxy();
         }
         return token instanceof Token.Task task ? "task " + task.task().name() : "generic";
     }
 
-    static String answer(Answer answer) {
+    /** What was answered. */
+    public static String answer(Answer answer) {
         if (answer instanceof Answer.YesNo yesNo) {
             return yesNo.yes() ? "yes" : "no";
         }
@@ -93,7 +98,8 @@ final class EngineText {
         return "none of them";
     }
 
-    static String value(Value value) {
+    /** A value; of a long one how much there is of it. */
+    public static String value(Value value) {
         if (value instanceof ListValue list) {
             return items(list.items());
         }

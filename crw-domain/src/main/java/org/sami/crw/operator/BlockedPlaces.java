@@ -1,4 +1,4 @@
-package org.sami.crw.sim.run;
+package org.sami.crw.operator;
 
 import java.util.ArrayList;
 import java.util.EnumSet;
@@ -8,8 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.sami.crw.sim.report.Wait;
-import org.sami.crw.sim.report.Wait.BlockedTransition;
+import org.sami.crw.operator.Wait.BlockedTransition;
 import org.sami.spn.engine.EnablingExplanation;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.MissionView;
@@ -17,7 +16,6 @@ import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
-import org.sami.spn.model.Project;
 import org.sami.spn.model.Transition;
 import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Token;
@@ -33,27 +31,26 @@ public final class BlockedPlaces {
     private static final Set<EventRole> ANY_TIME = EnumSet.of(EventRole.ABORT_RECEIVED, EventRole.COMPLETE_RECEIVED);
 
     private final Vocabulary vocabulary;
-    private final Project project;
     private final EngineView view;
 
-    private BlockedPlaces(Vocabulary vocabulary, Project project, EngineView view) {
+    private BlockedPlaces(Vocabulary vocabulary, EngineView view) {
         this.vocabulary = vocabulary;
-        this.project = project;
         this.view = view;
     }
 
     /** What all missions wait for, parents before their sub-missions, each by its places in the plan's order; like ones once. */
-    public static List<Wait> of(Vocabulary vocabulary, Project project, EngineView view) {
-        BlockedPlaces waits = new BlockedPlaces(vocabulary, project, view);
+    public static List<Wait> of(Vocabulary vocabulary, EngineView view) {
+        BlockedPlaces waits = new BlockedPlaces(vocabulary, view);
         List<Wait> all = new ArrayList<>();
-        view.missions()
-                .forEach(mission -> project.plan(mission.plan()).ifPresent(plan -> waits.add(mission, plan, all)));
+        view.missions().forEach(mission -> view.plan(mission.plan()).ifPresent(plan -> waits.add(mission, plan, all)));
         return merged(all);
     }
 
-    /** The same for a run's project. */
-    public static List<Wait> of(RunPlan plan, EngineView view) {
-        return of(plan.vocabulary(), plan.project(), view);
+    /** What one mission waits for, by its places in the plan's order; empty where it is not known. */
+    public static List<Wait> of(Vocabulary vocabulary, EngineView view, MissionView mission) {
+        List<Wait> all = new ArrayList<>();
+        view.plan(mission.plan()).ifPresent(plan -> new BlockedPlaces(vocabulary, view).add(mission, plan, all));
+        return all;
     }
 
     private static List<Wait> merged(List<Wait> all) {
@@ -141,13 +138,13 @@ public final class BlockedPlaces {
     private List<String> running(MissionView mission, String place) {
         return view.missions().stream()
                 .filter(child -> child.parent() == mission.id() && child.place().equals(place))
-                .map(child -> project.plan(child.plan()).map(Plan::title).orElse(child.plan()))
+                .map(child -> view.plan(child.plan()).map(Plan::title).orElse(child.plan()))
                 .toList();
     }
 
     /** Whether it is a shared instance: with nobody in it it waits for nothing, and nobody waits for it. */
     private boolean isShared(MissionView mission) {
-        return view.mission(mission.parent()).flatMap(parent -> project.plan(parent.plan())).stream()
+        return view.mission(mission.parent()).flatMap(parent -> view.plan(parent.plan())).stream()
                 .flatMap(parent -> parent.place(mission.place()).stream())
                 .flatMap(place -> place.subMissions().stream())
                 .anyMatch(spec -> spec.shared() && spec.plan().equals(mission.plan()));

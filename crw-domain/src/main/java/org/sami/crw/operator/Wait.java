@@ -1,4 +1,4 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.operator;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,0 +1,58 @@
+package org.sami.crw.operator;
+
+import java.util.Objects;
+import org.sami.spn.protocol.Priority;
+
+/**
+ * Something that is wrong with a boat and that the operator must know of.
+ *
+ * @param boat id of the boat; empty text where it is not known
+ * @param text one sentence
+ * @param sinceMillis when it began, on the session's clock
+ * @param active whether it is still so; what is over stays until it is acknowledged
+ * @param acknowledged whether the operator has said that it is known
+ * @param muted whether alarms of this kind about this boat are to make no sound
+ */
+public record Alarm(
+        Kind kind, String boat, String text, long sinceMillis, boolean active, boolean acknowledged, boolean muted) {
+
+    /** What is wrong. */
+    public enum Kind {
+        /** Nothing comes from the boat. */
+        LINK_LOST(Priority.HIGH),
+        /** The boat puts its battery into the critical class. */
+        BATTERY_CRITICAL(Priority.CRITICAL),
+        /** The boat does nothing before a person helps: its server started anew, it refuses this base, or its battery is empty. */
+        BOAT_CRITICAL(Priority.CRITICAL),
+        /** The boat is outside of the area that it must stay in, or inside one that it must not enter. */
+        FENCE(Priority.CRITICAL),
+        /** The boat should follow its path, and comes no nearer to its next point. */
+        NO_PROGRESS(Priority.HIGH),
+        /** Two boats have one id, or one boat answers at two addresses. */
+        DUPLICATE_ID(Priority.HIGH),
+        /** Something else about a link, such as a boat that speaks another version of it. */
+        LINK_FAULT(Priority.MEDIUM);
+
+        private final Priority severity;
+
+        Kind(Priority severity) {
+            this.severity = severity;
+        }
+
+        /** How bad it is. */
+        public Priority severity() {
+            return severity;
+        }
+    }
+
+    public Alarm {
+        Objects.requireNonNull(kind, "kind");
+        Objects.requireNonNull(boat, "boat");
+        Objects.requireNonNull(text, "text");
+    }
+
+    /** Whether it is to be heard: it is active, not acknowledged and not muted. */
+    public boolean sounds() {
+        return active && !acknowledged && !muted;
+    }
+}

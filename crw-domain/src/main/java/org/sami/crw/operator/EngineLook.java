@@ -1,0 +1,121 @@
+package org.sami.crw.operator;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.crw.operator.MissionSnapshot.Details;
+import org.sami.spn.engine.EnablingExplanation;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.engine.InterruptButton;
+import org.sami.spn.engine.MissionView;
+import org.sami.spn.model.FieldSource;
+import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.model.OutputEventSpec;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Transition;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.Reserved;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * What only the engine can say of its missions, asked at once: what they keep and wait for, and which buttons there are.
+ *
+ * @param details by mission
+ */
+record EngineLook(Map<Long, Details> details, List<InterruptChoice> buttons) {
+
+    /** Asks; on the thread that owns the state. */
+    static EngineLook at(EngineView view, Vocabulary vocabulary) {
+        Map<Long, Details> details = new HashMap<>();
+        List<InterruptChoice> buttons = new ArrayList<>();
+        Map<Long, Map<String, Boolean>> offered = new HashMap<>();
+        for (InterruptButton button : view.interrupts()) {
+            offered.computeIfAbsent(button.mission(), id -> new LinkedHashMap<>())
+                    .put(button.name(), button.asksForProxies());
+        }
+        for (MissionView mission : view.missions()) {
+            details.put(
+                    mission.id(),
+                    new Details(view.pendingAnswers(mission.id()), BlockedPlaces.of(vocabulary, view, mission)));
+            view.plan(mission.plan())
+                    .ifPresent(plan -> addButtons(
+                            view, vocabulary, mission, plan, offered.getOrDefault(mission.id(), Map.of()), buttons));
+        }
+        return new EngineLook(details, buttons);
+    }
+
+    private static void addButtons(
+            EngineView view,
+            Vocabulary vocabulary,
+            MissionView mission,
+            Plan plan,
+            Map<String, Boolean> offered,
+            List<InterruptChoice> buttons) {
+        offered.forEach((name, asks) -> buttons.add(
+                new InterruptChoice(mission.id(), name, asks, whyNot(view, vocabulary, mission, plan, name))));
+        for (Place place : plan.places()) {
+            for (OutputEventSpec output : place.outputs()) {
+                EventRole role = role(vocabulary, output.type());
+                Optional<String> name = name(output.fields().get(Reserved.INTERRUPT_NAME));
+                boolean isButton = role == EventRole.GENERAL_INTERRUPT || role == EventRole.PROXY_INTERRUPT;
+                if (isButton && name.isPresent() && !offered.containsKey(name.get())) {
+                    String placeName = place.name().isEmpty() ? place.id() : place.name();
+                    buttons.add(new InterruptChoice(
+                            mission.id(),
+                            name.get(),
+                            role == EventRole.PROXY_INTERRUPT,
+                            "No token stands in '" + placeName + "'"));
+                }
+            }
+        }
+    }
+
+    /** Why no transition could take a press; empty where one could, as far as it does not depend on the boats that are chosen. */
+    private static String whyNot(EngineView view, Vocabulary vocabulary, MissionView mission, Plan plan, String name) {
+        List<String> reasons = new ArrayList<>();
+        for (Transition transition : plan.transitions()) {
+            Optional<InputEventSpec> press = transition.inputs().stream()
+                    .filter(input -> isPress(role(vocabulary, input.type())) && isNamed(input, name))
+                    .findFirst();
+            if (press.isPresent()) {
+                EnablingExplanation why = view.whyNotEnabled(mission.id(), transition.id());
+                String pressed = "It waits for " + press.get().type();
+                List<String> others = why.reasons().stream()
+                        .filter(reason -> !reason.startsWith(pressed))
+                        .toList();
+                if (others.isEmpty()) {
+                    return "";
+                }
+                others.stream().filter(reason -> !reasons.contains(reason)).forEach(reasons::add);
+            }
+        }
+        return String.join(" ", reasons);
+    }
+
+    private static boolean isPress(EventRole role) {
+        return role == EventRole.INTERRUPT
+                || role == EventRole.GENERAL_INTERRUPT_RECEIVED
+                || role == EventRole.PROXY_INTERRUPT_RECEIVED;
+    }
+
+    private static boolean isNamed(InputEventSpec input, String name) {
+        return input.fields().get(Reserved.INTERRUPT_NAME) instanceof TextValue text
+                && text.value().equals(name);
+    }
+
+    private static Optional<String> name(FieldSource source) {
+        Value value = source instanceof FieldSource.Fixed fixed ? fixed.value() : null;
+        return value instanceof TextValue text ? Optional.of(text.value()) : Optional.empty();
+    }
+
+    private static EventRole role(Vocabulary vocabulary, String type) {
+        return vocabulary.event(type).map(EventType::role).orElse(EventRole.NONE);
+    }
+}

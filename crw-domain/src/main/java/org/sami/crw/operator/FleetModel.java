@@ -1,0 +1,58 @@
+package org.sami.crw.operator;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
+
+/**
+ * The boats, as they were known last: each at most ten times a second. What a slow owner's thread has not looked at yet is replaced by
+ * what is newer, so that telemetry never piles up.
+ */
+public final class FleetModel extends Model<List<BoatSnapshot>> {
+    private final Consumer<Runnable> inbox;
+    private final Consumer<BoatSnapshot> seen;
+    private final Map<String, Optional<BoatSnapshot>> waiting = new ConcurrentHashMap<>();
+    private final Map<String, BoatSnapshot> boats = new LinkedHashMap<>();
+
+    /**
+     * Knows no boat.
+     *
+     * @param seen is given each snapshot on the owner's thread
+     */
+    FleetModel(Consumer<Runnable> inbox, Consumer<BoatSnapshot> seen) {
+        super(List.of());
+        this.seen = seen;
+        this.inbox = inbox;
+    }
+
+    /** A boat is known as this now; empty where it is gone. From any thread. */
+    void seen(String boat, Optional<BoatSnapshot> snapshot) {
+        if (waiting.put(boat, snapshot) == null) {
+            inbox.accept(() -> arrived(boat));
+        }
+    }
+
+    private void arrived(String boat) {
+        Optional<BoatSnapshot> latest = waiting.remove(boat);
+        if (latest.isPresent()) {
+            boats.put(boat, latest.get());
+            seen.accept(latest.get());
+        } else {
+            boats.remove(boat);
+        }
+        change();
+    }
+
+    @Override
+    List<BoatSnapshot> take() {
+        return List.copyOf(boats.values());
+    }
+
+    /** One boat. From any thread. */
+    public Optional<BoatSnapshot> boat(String boat) {
+        return snapshot().stream().filter(one -> one.boat().equals(boat)).findFirst();
+    }
+}
