@@ -158,6 +158,32 @@ class InputEventRulesTest {
     }
 
     @Test
+    void anAnswerNamingNobodyToAVisitThatHasEndedIsLate() {
+        Session s = new Session(new NetBuilder("net")
+                .start("b")
+                .transition("begin")
+                .in("b", "begin", "proxy >= 1")
+                .out("begin", "s", "take all proxy")
+                .output("s", "Do")
+                .transition("move", "News")
+                .in("s", "move", "relevant all")
+                .out("move", "other", "take all relevant")
+                .transition("t", "Done")
+                .in("s", "t", "always")
+                .in("other", "t", "always")
+                .out("t", "x", "take all relevant")
+                .build());
+        s.join("A").start("net");
+        s.answer("Done", "s");
+        assertThat(s.notes()).containsExactly(NoteKind.NAMES_NOBODY);
+        s.news("News", "A");
+
+        s.answer("Done", "s");
+
+        assertThat(s.notes()).containsExactly(NoteKind.LATE);
+    }
+
+    @Test
     void anAnswerAboutARobotThatWentToAnotherInPlaceIsStillForTheTransition() {
         Session s = new Session(new NetBuilder("net")
                 .start("s")
