@@ -6,11 +6,17 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.TreeSet;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.spn.analysis.LiveChecks;
+import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditHistory;
 import org.sami.spn.edit.EditResult;
+import org.sami.spn.edit.EditSequence;
+import org.sami.spn.edit.Fix;
+import org.sami.spn.finding.Finding;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
@@ -55,6 +61,76 @@ class RandomEditsTest {
             history.redo();
             assertThat(history.project()).isEqualTo(versions.get(i));
         }
+    }
+
+    /** Checked edit by edit, findings are those of a full check each time, and few plans are looked at. */
+    @ParameterizedTest
+    @ValueSource(longs = {11, 12, 13, 14})
+    void liveFindingsAreThoseOfAFullCheck(long seed) {
+        RandomEdits edits = new RandomEdits(seed, LIBRARY.vocabulary());
+        EditHistory history = new EditHistory(LIBRARY.combined(), LIBRARY.vocabulary(), EDITS);
+        LiveChecks live = LiveChecks.of(history.project(), LIBRARY.vocabulary());
+        long checked = 0;
+        long plans = 0;
+        for (int made = 0; made < EDITS; ) {
+            Edit edit = edits.next(history.project());
+            if (made % 10 == 9) {
+                history.undo();
+                edit = new EditSequence("Undo", List.of());
+            }
+            if (history.apply(edit) instanceof EditResult.Done) {
+                made++;
+                live = live.after(history.project());
+                checked += live.plansChecked();
+                plans += history.project().plans().size();
+                assertThat(live.findings())
+                        .as("after %s", edit)
+                        .isEqualTo(PlanChecks.check(history.project(), LIBRARY.vocabulary()));
+            }
+        }
+        assertThat(checked).isLessThan(plans / 2);
+    }
+
+    /** In plans that random edits have spoilt, the edits that findings offer take them away and add no error. */
+    @ParameterizedTest
+    @ValueSource(longs = {21, 22, 23, 24})
+    void fixesMendWhatTheyAreOfferedFor(long seed) {
+        RandomEdits edits = new RandomEdits(seed, LIBRARY.vocabulary());
+        EditHistory history = new EditHistory(LIBRARY.combined(), LIBRARY.vocabulary(), 1);
+        Set<String> mended = new TreeSet<>();
+        for (int round = 0; round < 6; round++) {
+            for (int i = 0; i < 40; i++) {
+                history.apply(edits.next(history.project()));
+            }
+            LiveChecks before = LiveChecks.of(history.project(), LIBRARY.vocabulary());
+            for (Finding finding : before.findings()) {
+                for (Fix fix : finding.fixes()) {
+                    Project fixed = fix.edit()
+                            .apply(history.project(), LIBRARY.vocabulary())
+                            .project()
+                            .orElseThrow();
+                    assertMended(
+                            finding, fix, before.findings(), before.after(fixed).findings());
+                    mended.add(finding.code());
+                }
+            }
+        }
+        assertThat(mended).hasSizeGreaterThan(5);
+    }
+
+    private static void assertMended(Finding finding, Fix fix, List<Finding> before, List<Finding> after) {
+        assertThat(words(after)).as("after %s", fix).doesNotContain(words(finding));
+        assertThat(words(before.stream().filter(Finding::isError).toList()))
+                .as("after %s of %s", fix, finding)
+                .containsAll(words(after.stream().filter(Finding::isError).toList()));
+    }
+
+    private static List<String> words(List<Finding> findings) {
+        return findings.stream().map(RandomEditsTest::words).toList();
+    }
+
+    private static String words(Finding finding) {
+        return finding.plan() + " " + finding.code() + " " + finding.message();
     }
 
     private static void assertSaysWhatItTouched(Project before, EditResult.Done done) {

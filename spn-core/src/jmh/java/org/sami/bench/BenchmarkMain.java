@@ -52,7 +52,8 @@ public final class BenchmarkMain {
     private void keepWhatOthersMeasured(Path file) throws IOException {
         if (Files.exists(file)) {
             for (JsonNode entry : json.readTree(file.toFile())) {
-                if (!entry.path("name").asText().startsWith("engine.")) {
+                String name = entry.path("name").asText();
+                if (!name.startsWith("engine.") && !name.startsWith("edit.")) {
                     results.add(entry);
                 }
             }
@@ -86,7 +87,8 @@ public final class BenchmarkMain {
         Result<?> primary = r.getPrimaryResult();
         boolean time = primary.getScoreUnit().startsWith("us");
         double error = primary.getScoreError();
-        add("engine." + name, params, primary.getScore(), time ? "us" : "events/s", Double.isNaN(error) ? 0 : error);
+        String subject = r.getParams().getBenchmark().contains("EditBenchmarks") ? "edit." : "engine.";
+        add(subject + name, params, primary.getScore(), time ? "us" : "events/s", Double.isNaN(error) ? 0 : error);
     }
 
     private void add(String name, ObjectNode params, double value, String unit, double error) {

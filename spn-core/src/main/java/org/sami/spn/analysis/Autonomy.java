@@ -3,6 +3,7 @@ package org.sami.spn.analysis;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.edit.EventEdit;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.value.EnumValue;
@@ -17,34 +18,40 @@ final class Autonomy implements PlanCheck {
         for (PlacedOutput output : plan.outputs()) {
             for (MarkupSpec markup : output.spec().markups()) {
                 if (markup.type().equals(Reserved.MIXED_INITIATIVE_TRIGGER)) {
-                    check(output, markup, report);
+                    check(plan.plan().id(), output, markup, report);
                 }
             }
         }
     }
 
-    private static void check(PlacedOutput output, MarkupSpec markup, Consumer<Finding> report) {
+    private static void check(String plan, PlacedOutput output, MarkupSpec markup, Consumer<Finding> report) {
         Optional<Value> trigger = markup.option(Reserved.TRIGGER);
         String constant = trigger.isPresent() && trigger.get() instanceof EnumValue e ? e.constant() : Reserved.NEVER;
         if (constant.equals(Reserved.TIMER) && markup.option(Reserved.TIMEOUT).isEmpty()) {
             report.accept(Finding.error(
-                    "E-NO-TIMEOUT",
-                    output.pointer(),
-                    output.type().name() + " at the " + PlanContext.name(output.place())
-                            + " lets autonomy answer after a time, but does not say after which",
-                    output.place().id(),
-                    output.spec().id()));
+                            "E-NO-TIMEOUT",
+                            output.pointer(),
+                            output.type().name() + " at the " + PlanContext.name(output.place())
+                                    + " lets autonomy answer after a time, but does not say after which",
+                            output.place().id(),
+                            output.spec().id())
+                    .fixedBy(
+                            "Let the operator alone answer",
+                            new EventEdit.RemoveMarkup(plan, output.spec().id(), markup.type())));
         }
         boolean canAnswer = output.type().decision().isPresent()
                 && output.type().decision().get().autonomy() != AutonomyAnswer.NONE;
         if (!constant.equals(Reserved.NEVER) && !canAnswer) {
             report.accept(Finding.warning(
-                    "W-NO-AUTOMATIC-ANSWER",
-                    output.pointer(),
-                    "Autonomy has no answer to " + output.type().name() + " at the " + PlanContext.name(output.place())
-                            + ": the operator must answer",
-                    output.place().id(),
-                    output.spec().id()));
+                            "W-NO-AUTOMATIC-ANSWER",
+                            output.pointer(),
+                            "Autonomy has no answer to " + output.type().name() + " at the "
+                                    + PlanContext.name(output.place()) + ": the operator must answer",
+                            output.place().id(),
+                            output.spec().id())
+                    .fixedBy(
+                            "Let the operator alone answer",
+                            new EventEdit.RemoveMarkup(plan, output.spec().id(), markup.type())));
         }
     }
 }

@@ -35,16 +35,21 @@ final class CausesOfInputs implements PlanCheck {
                     .filter(o -> causes.contains(o.type()))
                     .anyMatch(o -> plan.inPlaces(input.transition()).contains(o.place()));
             if (!before) {
-                report.accept(Finding.error(
-                        "E-NO-CAUSE",
-                        input.pointer(),
-                        "The " + PlanContext.name(input.transition()) + " waits for "
-                                + input.type().name() + ", but no place before it has "
-                                + String.join(
-                                        " or ",
-                                        causes.stream().map(EventType::name).toList()),
-                        input.transition().id(),
-                        input.spec().id()));
+                report.accept(Fixes.removing(
+                        plan,
+                        input,
+                        Finding.error(
+                                "E-NO-CAUSE",
+                                input.pointer(),
+                                "The " + PlanContext.name(input.transition()) + " waits for "
+                                        + input.type().name() + ", but no place before it has "
+                                        + String.join(
+                                                " or ",
+                                                causes.stream()
+                                                        .map(EventType::name)
+                                                        .toList()),
+                                input.transition().id(),
+                                input.spec().id())));
             }
         }
     }

@@ -1,7 +1,9 @@
 package org.sami.spn.analysis;
 
+import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.edit.RemoveElements;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.vocabulary.EventFlag;
 
@@ -11,13 +13,21 @@ final class CommandsAtTheEnd implements PlanCheck {
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (PlacedOutput output : plan.outputs()) {
             if (output.place().end() && output.type().flags().contains(EventFlag.COMMAND)) {
-                report.accept(Finding.warning(
+                Finding finding = Finding.warning(
                         "W-COMMAND-AT-END",
                         output.pointer(),
                         output.type().name() + " at the end " + PlanContext.name(output.place())
                                 + " is sent as the mission ends: nobody waits for it",
                         output.place().id(),
-                        output.spec().id()));
+                        output.spec().id());
+                report.accept(
+                        plan.outTransitions(output.place()).isEmpty()
+                                ? finding.fixedBy(
+                                        "Remove the command",
+                                        new RemoveElements(
+                                                plan.plan().id(),
+                                                Set.of(output.spec().id())))
+                                : finding);
             }
         }
     }

@@ -3,6 +3,7 @@ package org.sami.spn.analysis;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.sami.spn.edit.VertexEdit;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
 
@@ -28,20 +29,27 @@ final class EndPlaces implements PlanCheck {
         for (Place place : plan.plan().places()) {
             if (place.endsSharedInstance() && !place.end()) {
                 report.accept(Finding.warning(
-                        "W-ENDS-NOTHING",
-                        plan.at(place),
-                        "The " + PlanContext.name(place) + " ends the shared instance, but is no end place",
-                        place.id()));
+                                "W-ENDS-NOTHING",
+                                plan.at(place),
+                                "The " + PlanContext.name(place) + " ends the shared instance, but is no end place",
+                                place.id())
+                        .fixedBy(
+                                "Do not end the shared instance there",
+                                new VertexEdit.SetEnd(plan.plan().id(), place.id(), false, false)));
             }
         }
         for (Place end : ends) {
             if (!plan.outTransitions(end).isEmpty()) {
                 report.accept(Finding.error(
-                        "E-END-GOES-ON",
-                        plan.at(end),
-                        "The end " + PlanContext.name(end) + " has a transition after it: nothing happens after an end",
-                        end.id(),
-                        plan.outTransitions(end).get(0).id()));
+                                "E-END-GOES-ON",
+                                plan.at(end),
+                                "The end " + PlanContext.name(end)
+                                        + " has a transition after it: nothing happens after an end",
+                                end.id(),
+                                plan.outTransitions(end).get(0).id())
+                        .fixedBy(
+                                "Do not end there",
+                                new VertexEdit.SetEnd(plan.plan().id(), end.id(), false, false)));
             }
         }
     }

@@ -5,11 +5,13 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedInput;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.edit.FieldEdit;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Suggestions;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.FieldType;
 
@@ -61,20 +63,32 @@ final class FieldValues implements PlanCheck {
         Optional<FieldType> field = type.field(name);
         if (field.isEmpty()) {
             report.accept(Finding.error(
-                    "E-UNKNOWN-FIELD",
-                    pointer + "/fields/" + name,
-                    type.name() + " has no field \"" + name + "\""
-                            + Suggestions.meant(
-                                    type.fields().stream().map(FieldType::name).toList(), name),
-                    id));
+                            "E-UNKNOWN-FIELD",
+                            pointer + "/fields/" + name,
+                            type.name() + " has no field \"" + name + "\""
+                                    + Suggestions.meant(
+                                            type.fields().stream()
+                                                    .map(FieldType::name)
+                                                    .toList(),
+                                            name),
+                            id)
+                    .fixedBy(
+                            "Remove the field " + name,
+                            new FieldEdit.ClearField(plan.plan().id(), id, name)));
         } else if (value.isPresent()
                 && !field.get().type().accepts(value.get(), plan.vocabulary().types())) {
-            report.accept(Finding.error(
+            Finding finding = Finding.error(
                     "E-FIELD-TYPE",
                     pointer + "/fields/" + name,
                     "The value of " + name + " in " + type.name() + " is not of its type "
                             + TypeNames.of(field.get().type()),
-                    id));
+                    id);
+            report.accept(
+                    type.direction() == Direction.OUTPUT
+                            ? Fixes.asking(plan, id, name, finding)
+                            : finding.fixedBy(
+                                    "Remove the value of " + name,
+                                    new FieldEdit.ClearField(plan.plan().id(), id, name)));
         }
     }
 }

@@ -1,6 +1,8 @@
 package org.sami.spn.analysis;
 
+import java.util.Set;
 import java.util.function.Consumer;
+import org.sami.spn.edit.RemoveElements;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.OutEdge;
@@ -16,11 +18,11 @@ final class KnownNames implements PlanCheck {
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (Place place : plan.plan().places()) {
             for (OutputEventSpec spec : place.outputs()) {
-                event(plan, spec.type(), Direction.OUTPUT, plan.at(place), place.id(), report);
+                event(plan, spec.type(), spec.id(), Direction.OUTPUT, plan.at(place), place.id(), report);
             }
         }
         for (Transition t : plan.plan().transitions()) {
-            t.inputs().forEach(i -> event(plan, i.type(), Direction.INPUT, plan.at(t), t.id(), report));
+            t.inputs().forEach(i -> event(plan, i.type(), i.id(), Direction.INPUT, plan.at(t), t.id(), report));
         }
         for (InEdge e : plan.plan().inEdges()) {
             edge(plan, e.place(), e.transition(), plan.at(e), e.id(), report);
@@ -31,15 +33,22 @@ final class KnownNames implements PlanCheck {
     }
 
     private static void event(
-            PlanContext plan, String name, Direction side, String pointer, String id, Consumer<Finding> report) {
+            PlanContext plan,
+            String name,
+            String event,
+            Direction side,
+            String pointer,
+            String id,
+            Consumer<Finding> report) {
         if (plan.vocabulary()
                 .event(name)
                 .map(EventType::direction)
                 .filter(side::equals)
                 .isEmpty()) {
             String kind = side == Direction.OUTPUT ? "output" : "input";
-            report.accept(
-                    Finding.error("E-UNKNOWN-EVENT", pointer, "There is no " + kind + " event \"" + name + "\"", id));
+            report.accept(Finding.error(
+                            "E-UNKNOWN-EVENT", pointer, "There is no " + kind + " event \"" + name + "\"", id, event)
+                    .fixedBy("Remove the event", new RemoveElements(plan.plan().id(), Set.of(event))));
         }
     }
 
@@ -47,7 +56,8 @@ final class KnownNames implements PlanCheck {
             PlanContext plan, String place, String transition, String pointer, String id, Consumer<Finding> report) {
         if (plan.plan().place(place).isEmpty()
                 || plan.plan().transition(transition).isEmpty()) {
-            report.accept(Finding.error("E-DANGLING", pointer, "The edge " + id + " hangs in the air", id));
+            report.accept(Finding.error("E-DANGLING", pointer, "The edge " + id + " hangs in the air", id)
+                    .fixedBy("Remove the edge", new RemoveElements(plan.plan().id(), Set.of(id))));
         }
     }
 }

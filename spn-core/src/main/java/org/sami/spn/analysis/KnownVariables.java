@@ -1,24 +1,32 @@
 package org.sami.spn.analysis;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
+import org.sami.spn.edit.FieldEdit;
+import org.sami.spn.edit.SetReads;
+import org.sami.spn.edit.VariableEdit;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Suggestions;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.SubMissionSpec;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.value.ValueType;
 
 /** What is read has been declared, or is written somewhere in the plan (R-VAR-1). */
 final class KnownVariables implements PlanCheck {
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
-        VariableScope scope = new VariableScope(plan);
+        VariableScope scope = plan.scope();
         for (VariableScope.Use read : scope.reads()) {
             if (!known(plan, scope, read.variable())) {
-                report(read, "reads", scope, report);
+                report(plan, read, "reads", scope, report);
             }
         }
         for (VariableScope.Use redefined : scope.redefinitions()) {
             if (scope.declared(redefined.variable()).isEmpty() && !declaredAsRead(plan, redefined.variable())) {
-                report(redefined, "asks for", scope, report);
+                report(plan, redefined, "asks for", scope, report);
             }
         }
         for (Place place : plan.plan().places()) {
@@ -42,23 +50,62 @@ final class KnownVariables implements PlanCheck {
             PlanContext plan, VariableScope scope, SubMissionSpec s, String pointer, Consumer<Finding> report) {
         s.variables().forEach((child, parent) -> {
             if (!known(plan, scope, parent)) {
-                report.accept(Finding.error(
-                        "E-VARIABLE-UNKNOWN",
-                        pointer,
-                        "The sub-mission " + s.id() + " is given " + parent
-                                + ", which the plan neither declares nor writes"
-                                + Suggestions.meant(scope.names(), parent),
-                        s.id()));
+                report.accept(expecting(
+                        plan,
+                        parent,
+                        Finding.error(
+                                "E-VARIABLE-UNKNOWN",
+                                pointer,
+                                "The sub-mission " + s.id() + " is given " + parent
+                                        + ", which the plan neither declares nor writes"
+                                        + Suggestions.meant(scope.names(), parent),
+                                s.id())));
             }
         });
     }
 
-    private static void report(VariableScope.Use use, String verb, VariableScope scope, Consumer<Finding> report) {
-        report.accept(Finding.error(
+    private static void report(
+            PlanContext plan, VariableScope.Use use, String verb, VariableScope scope, Consumer<Finding> report) {
+        Finding finding = Finding.error(
                 "E-VARIABLE-UNKNOWN",
                 use.pointer(),
                 "The event " + use.event() + " " + verb + " " + use.variable() + ", which nobody declares or writes"
                         + Suggestions.meant(scope.names(), use.variable()),
-                use.event()));
+                use.event());
+        List<String> meant = Suggestions.alike(scope.names(), use.variable()).stream()
+                .filter(name -> fits(scope, name, use))
+                .toList();
+        Finding fixed = Fixes.meant(
+                finding, meant, name -> new FieldEdit.UseVariable(plan.plan().id(), use.event(), use.variable(), name));
+        report.accept(expecting(plan, use.variable(), declaring(plan, use, scope, fixed)));
+    }
+
+    /** Whether a variable that is known has the type that a field wants; of one that is only written or expected nobody knows. */
+    private static boolean fits(VariableScope scope, String name, VariableScope.Use use) {
+        return scope.declared(name).isPresent() && scope.declared(name).equals(use.type());
+    }
+
+    /** Offers to declare a variable where all that read it want one type. */
+    private static Finding declaring(PlanContext plan, VariableScope.Use use, VariableScope scope, Finding finding) {
+        List<Optional<ValueType>> types = scope.reads().stream()
+                .filter(r -> r.variable().equals(use.variable()))
+                .map(VariableScope.Use::type)
+                .distinct()
+                .toList();
+        if (types.size() != 1 || types.get(0).isEmpty()) {
+            return finding;
+        }
+        VariableSpec variable = new VariableSpec(use.variable(), types.get(0).get(), Optional.empty());
+        return finding.fixedBy(
+                "Declare " + use.variable(),
+                new VariableEdit.AddVariable(Optional.of(plan.plan().id()), variable));
+    }
+
+    private static Finding expecting(PlanContext plan, String variable, Finding finding) {
+        List<String> reads = new ArrayList<>(plan.plan().reads());
+        reads.add(variable);
+        return finding.fixedBy(
+                "Expect " + variable + " of whoever runs the plan",
+                new SetReads(plan.plan().id(), reads));
     }
 }

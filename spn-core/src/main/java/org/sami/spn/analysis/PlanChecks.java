@@ -96,13 +96,23 @@ public final class PlanChecks {
 
     private static List<Finding> check(
             Project project, Vocabulary vocabulary, List<Plan> plans, List<PlanCheck> checks) {
+        ProjectContext context = new ProjectContext(project, vocabulary);
         List<Finding> findings = new ArrayList<>();
-        for (Plan plan : plans) {
-            PlanContext context = new PlanContext(project, vocabulary, plan);
-            checks.forEach(check -> check.check(context, findings::add));
-        }
+        plans.forEach(plan -> findings.addAll(check(context.of(plan), checks)));
         findings.sort(DocumentOrder.BY_POINTER);
         return List.copyOf(findings);
+    }
+
+    /** The findings of all checks about one plan, in the order of the checks. */
+    static List<Finding> check(PlanContext plan) {
+        return check(plan, CHECKS);
+    }
+
+    private static List<Finding> check(PlanContext plan, List<PlanCheck> checks) {
+        List<Finding> findings = new ArrayList<>();
+        checks.forEach(check -> check.check(
+                plan, finding -> findings.add(finding.inPlan(plan.plan().id()))));
+        return findings;
     }
 
     private static List<Plan> withDescendants(Project project, String planId) {

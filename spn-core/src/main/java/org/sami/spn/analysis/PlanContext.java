@@ -25,16 +25,13 @@ import org.sami.spn.vocabulary.Vocabulary;
 
 /** A plan with what surrounds it, and the questions that checks ask about neighbours and places in the document. */
 final class PlanContext {
-    private final Project project;
-    private final Vocabulary vocabulary;
+    private final ProjectContext project;
     private final Plan plan;
     private final String pointer;
-    private final List<PlacedOutput> outputs = new ArrayList<>();
-    private final List<PlacedInput> inputs = new ArrayList<>();
-
-    private final Map<String, Place> places = new LinkedHashMap<>();
-    private final Map<String, Transition> transitions = new LinkedHashMap<>();
-    private final List<Plan> parents;
+    private final List<PlacedOutput> outputs;
+    private final List<PlacedInput> inputs;
+    private final Map<String, Place> places;
+    private final Map<String, Transition> transitions;
     private final Map<String, Integer> placeIndex;
     private final Map<String, Integer> transitionIndex;
     private final Map<String, Integer> edgeIndex;
@@ -43,12 +40,16 @@ final class PlanContext {
     private final Map<String, List<OutEdge>> outEdges;
     private final Map<String, List<InEdge>> edgesOutOf;
     private final Map<String, List<OutEdge>> edgesInto;
+    private final VariableScope scope;
 
-    PlanContext(Project project, Vocabulary vocabulary, Plan plan) {
+    PlanContext(ProjectContext project, Plan plan, String pointer) {
         this.project = project;
-        this.vocabulary = vocabulary;
         this.plan = plan;
-        this.pointer = "/plans/" + indexOf(plan, project.plans());
+        this.pointer = pointer;
+        places = new LinkedHashMap<>();
+        transitions = new LinkedHashMap<>();
+        outputs = new ArrayList<>();
+        inputs = new ArrayList<>();
         plan.places().forEach(p -> places.putIfAbsent(p.id(), p));
         plan.transitions().forEach(t -> transitions.putIfAbsent(t.id(), t));
         placeIndex = index(plan.places(), Place::id);
@@ -59,21 +60,45 @@ final class PlanContext {
         outEdges = plan.outEdges().stream().collect(Collectors.groupingBy(OutEdge::transition));
         edgesOutOf = plan.inEdges().stream().collect(Collectors.groupingBy(InEdge::place));
         edgesInto = plan.outEdges().stream().collect(Collectors.groupingBy(OutEdge::place));
-        parents = findParents();
         findEvents();
         inputsByTransition = inputs.stream()
                 .collect(Collectors.groupingBy(i -> i.transition().id()));
+        scope = new VariableScope(this);
     }
 
-    /** The plan's index, by identity: comparing whole plans would take long in a project of many alike. */
-    @SuppressWarnings("ReferenceEquality")
-    private static int indexOf(Plan plan, List<Plan> plans) {
-        for (int i = 0; i < plans.size(); i++) {
-            if (plans.get(i) == plan) {
-                return i;
-            }
-        }
-        throw new IllegalArgumentException("The project has no plan " + plan.id());
+    /** The same plan, of which everything is known, in another version of its project. */
+    private PlanContext(ProjectContext project, PlanContext known) {
+        this.project = project;
+        this.plan = known.plan;
+        this.pointer = known.pointer;
+        this.outputs = known.outputs;
+        this.inputs = known.inputs;
+        this.places = known.places;
+        this.transitions = known.transitions;
+        this.placeIndex = known.placeIndex;
+        this.transitionIndex = known.transitionIndex;
+        this.edgeIndex = known.edgeIndex;
+        this.inputsByTransition = known.inputsByTransition;
+        this.inEdges = known.inEdges;
+        this.outEdges = known.outEdges;
+        this.edgesOutOf = known.edgesOutOf;
+        this.edgesInto = known.edgesInto;
+        this.scope = known.scope.in(this);
+    }
+
+    /** This plan in another version of its project, in which it stands at the same index. */
+    PlanContext in(ProjectContext other) {
+        return new PlanContext(other, this);
+    }
+
+    /** Another plan of the project. */
+    PlanContext of(Plan other) {
+        return project.of(other);
+    }
+
+    /** Who declares, reads and writes which variable. */
+    VariableScope scope() {
+        return scope;
     }
 
     private static <T> Map<String, Integer> index(List<T> elements, Function<T, String> id) {
@@ -89,7 +114,7 @@ final class PlanContext {
             for (int i = 0; i < place.outputs().size(); i++) {
                 OutputEventSpec spec = place.outputs().get(i);
                 String where = at(place) + "/outputs/" + i;
-                vocabulary
+                vocabulary()
                         .event(spec.type())
                         .ifPresent(type -> outputs.add(new PlacedOutput(place, spec, type, where)));
             }
@@ -98,7 +123,7 @@ final class PlanContext {
             for (int i = 0; i < transition.inputs().size(); i++) {
                 InputEventSpec spec = transition.inputs().get(i);
                 String where = at(transition) + "/inputs/" + i;
-                vocabulary
+                vocabulary()
                         .event(spec.type())
                         .ifPresent(type -> inputs.add(new PlacedInput(transition, spec, type, where)));
             }
@@ -106,11 +131,11 @@ final class PlanContext {
     }
 
     Project project() {
-        return project;
+        return project.project();
     }
 
     Vocabulary vocabulary() {
-        return vocabulary;
+        return project.vocabulary();
     }
 
     Plan plan() {
@@ -190,15 +215,7 @@ final class PlanContext {
 
     /** Plans that run this one as a sub-mission. */
     List<Plan> parents() {
-        return parents;
-    }
-
-    private List<Plan> findParents() {
-        return project.plans().stream()
-                .filter(p -> p.places().stream()
-                        .flatMap(place -> place.subMissions().stream())
-                        .anyMatch(s -> s.plan().equals(plan.id())))
-                .toList();
+        return project.parents(plan.id());
     }
 
     String at(Place place) {

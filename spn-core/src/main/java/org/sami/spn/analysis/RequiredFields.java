@@ -18,13 +18,17 @@ final class RequiredFields implements PlanCheck {
         for (PlacedOutput output : plan.outputs()) {
             for (FieldType field : output.type().fields()) {
                 if (field.required() && !output.spec().fields().containsKey(field.name())) {
-                    report.accept(Finding.error(
-                            "E-FIELD-MISSING",
-                            output.pointer(),
-                            output.type().name() + " at the " + PlanContext.name(output.place()) + " lacks its field "
-                                    + field.name(),
-                            output.place().id(),
-                            output.spec().id()));
+                    report.accept(Fixes.asking(
+                            plan,
+                            output.spec().id(),
+                            field.name(),
+                            Finding.error(
+                                    "E-FIELD-MISSING",
+                                    output.pointer(),
+                                    output.type().name() + " at the " + PlanContext.name(output.place())
+                                            + " lacks its field " + field.name(),
+                                    output.place().id(),
+                                    output.spec().id())));
                 }
             }
         }

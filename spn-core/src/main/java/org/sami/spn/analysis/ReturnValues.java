@@ -30,13 +30,16 @@ final class ReturnValues implements PlanCheck {
                     .flatMap(Optional::stream)
                     .toList();
             if (children.isEmpty()) {
-                report.accept(Finding.error(
-                        "E-NO-SUB-MISSION",
-                        input.pointer(),
-                        "The " + PlanContext.name(input.transition()) + " waits for "
-                                + input.type().name() + ", but no place before it has a sub-mission",
-                        input.transition().id(),
-                        input.spec().id()));
+                report.accept(Fixes.removing(
+                        plan,
+                        input,
+                        Finding.error(
+                                "E-NO-SUB-MISSION",
+                                input.pointer(),
+                                "The " + PlanContext.name(input.transition()) + " waits for "
+                                        + input.type().name() + ", but no place before it has a sub-mission",
+                                input.transition().id(),
+                                input.spec().id())));
             } else if (input.type().role() == EventRole.CHECK_RETURN) {
                 checkValue(plan, input, children, report);
             }
@@ -47,7 +50,7 @@ final class ReturnValues implements PlanCheck {
         Value wanted = input.spec().fields().get(Reserved.VALUE);
         Set<Value> fixed = new HashSet<>();
         for (Plan child : children) {
-            for (PlacedOutput output : new PlanContext(plan.project(), plan.vocabulary(), child).outputs()) {
+            for (PlacedOutput output : plan.of(child).outputs()) {
                 if (output.type().role() == EventRole.RETURN_VALUE) {
                     if (!(output.spec().fields().get(Reserved.VALUE) instanceof FieldSource.Fixed value)) {
                         return; // known only when it runs

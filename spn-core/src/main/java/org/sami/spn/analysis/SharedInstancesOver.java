@@ -48,7 +48,7 @@ final class SharedInstancesOver implements PlanCheck {
     }
 
     /** An end place that ends the shared instance, and to which something leads. */
-    private static Optional<Place> ending(Plan child) {
+    static Optional<Place> ending(Plan child) {
         return child.places().stream()
                 .filter(p -> p.end()
                         && p.endsSharedInstance()

@@ -1,7 +1,9 @@
 package org.sami.spn.analysis;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
+import org.sami.spn.edit.VertexEdit;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
 
@@ -11,26 +13,47 @@ final class StartPlace implements PlanCheck {
     public void check(PlanContext plan, Consumer<Finding> report) {
         List<Place> starts = plan.plan().places().stream().filter(Place::start).toList();
         if (starts.isEmpty()) {
-            report.accept(Finding.error(
+            Finding finding = Finding.error(
                     "E-NO-START",
                     plan.pointer(),
                     "The plan \"" + plan.plan().id() + "\" has no start place",
-                    plan.plan().id()));
+                    plan.plan().id());
+            report.accept(beginning(plan)
+                    .map(place -> finding.fixedBy(
+                            "Start at the " + PlanContext.name(place),
+                            new VertexEdit.SetStart(plan.plan().id(), place.id())))
+                    .orElse(finding));
         }
         for (Place place : starts.subList(Math.min(1, starts.size()), starts.size())) {
             report.accept(Finding.error(
-                    "E-TWO-STARTS",
-                    plan.at(place),
-                    "A second start: " + PlanContext.name(place) + " beside " + PlanContext.name(starts.get(0)),
-                    starts.get(0).id(),
-                    place.id()));
+                            "E-TWO-STARTS",
+                            plan.at(place),
+                            "A second start: " + PlanContext.name(place) + " beside " + PlanContext.name(starts.get(0)),
+                            starts.get(0).id(),
+                            place.id())
+                    .fixedBy(
+                            "Start at the " + PlanContext.name(starts.get(0)) + " alone",
+                            new VertexEdit.SetStart(
+                                    plan.plan().id(), starts.get(0).id())));
         }
         starts.stream()
                 .filter(Place::end)
                 .forEach(place -> report.accept(Finding.error(
-                        "E-START-IS-END",
-                        plan.at(place),
-                        "The start " + PlanContext.name(place) + " is also an end",
-                        place.id())));
+                                "E-START-IS-END",
+                                plan.at(place),
+                                "The start " + PlanContext.name(place) + " is also an end",
+                                place.id())
+                        .fixedBy(
+                                "Do not end there",
+                                new VertexEdit.SetEnd(plan.plan().id(), place.id(), false, false))));
+    }
+
+    /** The only place to which nothing leads and from which something goes on. */
+    private static Optional<Place> beginning(PlanContext plan) {
+        List<Place> first = plan.plan().places().stream()
+                .filter(p ->
+                        plan.edgesInto(p).isEmpty() && !plan.outTransitions(p).isEmpty() && !p.end())
+                .toList();
+        return first.size() == 1 ? Optional.of(first.get(0)) : Optional.empty();
     }
 }

@@ -5,10 +5,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.sami.spn.edit.RemoveElements;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.SubMissionSpec;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.model.Transition;
 
 /** Sub-missions exist, do not contain themselves, and can come to an end where somebody waits for it (thesis 3.1). */
 final class SubMissions implements PlanCheck {
@@ -32,11 +35,17 @@ final class SubMissions implements PlanCheck {
             PlanContext plan, Place place, SubMissionSpec s, String pointer, Consumer<Finding> report) {
         Optional<Plan> child = plan.child(s);
         if (child.isEmpty()) {
-            report.accept(Finding.error(
+            Finding finding = Finding.error(
                     "E-UNKNOWN-PLAN",
                     pointer,
                     "The " + PlanContext.name(place) + " runs the plan \"" + s.plan() + "\", which is not there",
-                    s.id()));
+                    s.id());
+            report.accept(
+                    plan.outTransitions(place).stream().anyMatch(t -> movesSubMissionTokens(plan, t))
+                            ? finding
+                            : finding.fixedBy(
+                                    "Run nothing there",
+                                    new RemoveElements(plan.plan().id(), Set.of(s.id()))));
             return;
         }
         if (contains(plan, child.get(), plan.plan().id(), new HashSet<>())) {
@@ -67,5 +76,11 @@ final class SubMissions implements PlanCheck {
                         .map(plan::child)
                         .flatMap(Optional::stream)
                         .anyMatch(grandchild -> contains(plan, grandchild, wanted, seen));
+    }
+
+    private static boolean movesSubMissionTokens(PlanContext plan, Transition t) {
+        return plan.outEdges(t).stream()
+                .flatMap(e -> e.requirements().stream())
+                .anyMatch(r -> r.kind() == TokenKind.SUB_MISSION_TOKENS);
     }
 }

@@ -16,13 +16,18 @@ final class TaskFields implements PlanCheck {
             output.spec().fields().forEach((name, source) -> {
                 Optional<ValueType> type = output.type().field(name).map(FieldType::type);
                 if (source instanceof FieldSource.FromTask && type.isPresent() && !offered(plan, name, type.get())) {
-                    report.accept(Finding.error(
-                            "E-TASK-FIELD",
-                            output.pointer() + "/fields/" + name,
-                            output.type().name() + " at the " + PlanContext.name(output.place()) + " reads the field "
-                                    + name + " from a task, but no class of tasks has it with that type",
-                            output.place().id(),
-                            output.spec().id()));
+                    report.accept(Fixes.asking(
+                            plan,
+                            output.spec().id(),
+                            name,
+                            Finding.error(
+                                    "E-TASK-FIELD",
+                                    output.pointer() + "/fields/" + name,
+                                    output.type().name() + " at the " + PlanContext.name(output.place())
+                                            + " reads the field " + name
+                                            + " from a task, but no class of tasks has it with that type",
+                                    output.place().id(),
+                                    output.spec().id())));
                 }
             });
         }

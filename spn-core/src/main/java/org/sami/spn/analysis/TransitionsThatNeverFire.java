@@ -1,6 +1,7 @@
 package org.sami.spn.analysis;
 
 import java.util.function.Consumer;
+import org.sami.spn.edit.VertexEdit;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.WaitFor;
@@ -20,10 +21,13 @@ final class TransitionsThatNeverFire implements PlanCheck {
             }
             if (t.inputs().isEmpty() && t.waitFor() == WaitFor.ALL) {
                 report.accept(Finding.warning(
-                        "W-WAITS-FOR-NOTHING",
-                        plan.at(t),
-                        "The " + PlanContext.name(t) + " waits for all, but has no input event to wait for",
-                        t.id()));
+                                "W-WAITS-FOR-NOTHING",
+                                plan.at(t),
+                                "The " + PlanContext.name(t) + " waits for all, but has no input event to wait for",
+                                t.id())
+                        .fixedBy(
+                                "Fire without waiting",
+                                new VertexEdit.SetWaitFor(plan.plan().id(), t.id(), WaitFor.EACH)));
             }
         }
     }

@@ -40,8 +40,20 @@ final class VariableScope {
         this.writes = findWrites();
     }
 
+    private VariableScope(PlanContext plan, VariableScope known) {
+        this.plan = plan;
+        this.redefinitions = known.redefinitions;
+        this.reads = known.reads;
+        this.writes = known.writes;
+    }
+
+    /** The same of a plan in another version of its project. */
+    VariableScope in(PlanContext samePlan) {
+        return new VariableScope(samePlan, this);
+    }
+
     /** One use of a variable by a field of an event. */
-    record Use(String variable, Optional<ValueType> type, String pointer, String event) {}
+    record Use(String variable, String field, Optional<ValueType> type, String pointer, String event) {}
 
     /** Fields that read a variable, in document order. */
     List<Use> reads() {
@@ -113,6 +125,7 @@ final class VariableScope {
                         .forEach((field, source) -> named(source)
                                 .forEach(variable -> uses.add(new Use(
                                         variable,
+                                        field,
                                         Optional.empty(),
                                         output.pointer() + "/fields/" + field,
                                         output.spec().id()))));
@@ -133,7 +146,7 @@ final class VariableScope {
     }
 
     private static Use use(String variable, EventType type, String field, String pointer, String event) {
-        return new Use(variable, type.field(field).map(FieldType::type), pointer, event);
+        return new Use(variable, field, type.field(field).map(FieldType::type), pointer, event);
     }
 
     /** The declared type: by the plan itself, by a plan that runs it, or by the project. */
@@ -147,7 +160,7 @@ final class VariableScope {
             return own;
         }
         for (Plan parent : plan.parents()) {
-            PlanContext context = new PlanContext(plan.project(), plan.vocabulary(), parent);
+            PlanContext context = plan.of(parent);
             for (SubMissionSpec s : subMissions(parent).toList()) {
                 if (s.plan().equals(plan.plan().id())) {
                     Optional<ValueType> inherited =
@@ -185,7 +198,7 @@ final class VariableScope {
         if (!seen.add(plan.plan().id() + " " + variable)) {
             return false;
         }
-        VariableScope scope = new VariableScope(plan);
+        VariableScope scope = plan.scope();
         return plan.plan().reads().contains(variable)
                 || scope.reads().stream().anyMatch(u -> u.variable().equals(variable))
                 || below(plan, variable).anyMatch(e -> readBelow(e.getKey(), e.getValue(), seen));
@@ -196,9 +209,27 @@ final class VariableScope {
         if (!seen.add(plan.plan().id() + " " + variable)) {
             return false;
         }
-        VariableScope scope = new VariableScope(plan);
+        VariableScope scope = plan.scope();
         return scope.writes().stream().anyMatch(u -> u.variable().equals(variable))
                 || below(plan, variable).anyMatch(e -> writtenBelow(e.getKey(), e.getValue(), seen));
+    }
+
+    /** Whether a plan that this one runs, at any depth, writes a variable or gives it on, under the name that it has there. */
+    static boolean usedByChildren(PlanContext plan, String variable) {
+        return below(plan, variable)
+                .anyMatch(e -> writtenBelow(e.getKey(), e.getValue(), new HashSet<>())
+                        || givenBelow(e.getKey(), e.getValue(), new HashSet<>()));
+    }
+
+    private static boolean givenBelow(PlanContext plan, String variable, Set<String> seen) {
+        return seen.add(plan.plan().id() + " " + variable)
+                && (gives(plan, variable)
+                        || below(plan, variable).anyMatch(e -> givenBelow(e.getKey(), e.getValue(), seen)));
+    }
+
+    /** Whether a plan gives a variable to a sub-mission. */
+    static boolean gives(PlanContext plan, String variable) {
+        return subMissions(plan.plan()).anyMatch(s -> s.variables().containsValue(variable));
     }
 
     /** Whether a plan that runs this one maps a variable of its own to this: then that one is the one to be written. */
@@ -213,7 +244,7 @@ final class VariableScope {
     private static Stream<Map.Entry<PlanContext, String>> below(PlanContext plan, String variable) {
         return subMissions(plan.plan())
                 .flatMap(s -> plan.child(s).stream().flatMap(child -> {
-                    PlanContext context = new PlanContext(plan.project(), plan.vocabulary(), child);
+                    PlanContext context = plan.of(child);
                     Stream<String> mapped = s.variables().entrySet().stream()
                             .filter(e -> e.getValue().equals(variable))
                             .map(Map.Entry::getKey);

@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.sami.spn.edit.VariableEdit;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.value.TypeNames;
@@ -13,7 +14,7 @@ import org.sami.spn.value.ValueType;
 final class VariableTypes implements PlanCheck {
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
-        VariableScope scope = new VariableScope(plan);
+        VariableScope scope = plan.scope();
         Map<String, ValueType> written = new LinkedHashMap<>();
         for (VariableScope.Use write : scope.writes()) {
             write.type().ifPresent(type -> {
@@ -32,10 +33,15 @@ final class VariableTypes implements PlanCheck {
             if (v.initial().isPresent()
                     && !v.type().accepts(v.initial().get(), plan.vocabulary().types())) {
                 report.accept(Finding.error(
-                        "E-VARIABLE-TYPE",
-                        plan.pointer() + "/variables/" + plan.plan().variables().indexOf(v),
-                        "The first value of " + v.name() + " is not of its type " + TypeNames.of(v.type()),
-                        v.name()));
+                                "E-VARIABLE-TYPE",
+                                plan.pointer() + "/variables/"
+                                        + plan.plan().variables().indexOf(v),
+                                "The first value of " + v.name() + " is not of its type " + TypeNames.of(v.type()),
+                                v.name())
+                        .fixedBy(
+                                "Begin without a value",
+                                new VariableEdit.ChangeVariable(
+                                        Optional.of(plan.plan().id()), v.withInitial(Optional.empty()))));
             }
         }
     }

@@ -1,12 +1,9 @@
 package org.sami.spn.edit;
 
-import java.util.List;
 import java.util.Objects;
-import java.util.function.UnaryOperator;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.model.OutputEventSpec;
-import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.SubMissionSpec;
 
@@ -45,7 +42,7 @@ public sealed interface EventEdit extends PlanEdit {
 
         @Override
         public Plan change(Plan before, EditContext context) throws EditRefusedException {
-            return withOutput(before, event.id(), old -> event);
+            return Events.withOutput(before, event.id(), old -> event);
         }
     }
 
@@ -82,7 +79,7 @@ public sealed interface EventEdit extends PlanEdit {
 
         @Override
         public Plan change(Plan before, EditContext context) throws EditRefusedException {
-            return withInput(before, event.id(), old -> event);
+            return Events.withInput(before, event.id(), old -> event);
         }
     }
 
@@ -128,7 +125,7 @@ public sealed interface EventEdit extends PlanEdit {
 
         @Override
         public Plan change(Plan before, EditContext context) throws EditRefusedException {
-            return withMarkups(
+            return Events.withMarkups(
                     before,
                     event,
                     markups -> Parts.with(Parts.without(markups, m -> m.type().equals(markup.type())), markup));
@@ -150,7 +147,7 @@ public sealed interface EventEdit extends PlanEdit {
 
         @Override
         public Plan change(Plan before, EditContext context) throws EditRefusedException {
-            return withMarkups(
+            return Events.withMarkups(
                     before,
                     event,
                     markups -> Parts.without(markups, m -> m.type().equals(markup)));
@@ -201,37 +198,5 @@ public sealed interface EventEdit extends PlanEdit {
                             Parts.replaced(p.subMissions(), s -> s.id().equals(subMission.id()), s -> subMission)))
                     .toList());
         }
-    }
-
-    private static Plan withOutput(Plan plan, String event, UnaryOperator<OutputEventSpec> by)
-            throws EditRefusedException {
-        Place place = Parts.found(
-                plan.places().stream()
-                        .filter(p -> p.outputs().stream().anyMatch(o -> o.id().equals(event)))
-                        .findFirst(),
-                "The plan \"" + plan.id() + "\" has no output event " + event);
-        return Parts.withPlace(
-                plan, place.id(), p -> p.withOutputs(Parts.replaced(p.outputs(), o -> o.id().equals(event), by)));
-    }
-
-    private static Plan withInput(Plan plan, String event, UnaryOperator<InputEventSpec> by)
-            throws EditRefusedException {
-        String transition = Parts.found(
-                        plan.transitions().stream()
-                                .filter(t -> t.inputs().stream().anyMatch(i -> i.id().equals(event)))
-                                .findFirst(),
-                        "The plan \"" + plan.id() + "\" has no input event " + event)
-                .id();
-        return Parts.withTransition(
-                plan, transition, t -> t.withInputs(Parts.replaced(t.inputs(), i -> i.id().equals(event), by)));
-    }
-
-    private static Plan withMarkups(Plan plan, String event, UnaryOperator<List<MarkupSpec>> by)
-            throws EditRefusedException {
-        boolean output =
-                plan.places().stream().flatMap(p -> p.outputs().stream()).anyMatch(o -> o.id().equals(event));
-        return output
-                ? withOutput(plan, event, o -> o.withMarkups(by.apply(o.markups())))
-                : withInput(plan, event, i -> i.withMarkups(by.apply(i.markups())));
     }
 }

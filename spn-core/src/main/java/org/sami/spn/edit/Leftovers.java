@@ -33,17 +33,27 @@ final class Leftovers {
     }
 
     Plan removed() {
-        Plan edges = plan.withInEdges(plan.inEdges().stream()
-                        .filter(e -> joins(e.id(), e.place(), e.transition()))
-                        .toList())
-                .withOutEdges(plan.outEdges().stream()
-                        .filter(e -> joins(e.id(), e.place(), e.transition()))
-                        .toList());
         Map<String, LayoutPoint> layout = new LinkedHashMap<>(plan.layout());
         layout.keySet().removeIf(id -> !places.contains(id) && !transitions.contains(id));
-        return edges.withLayout(layout)
-                .withPlaces(plan.places().stream().map(this::ordered).toList())
+        return plan.withInEdges(kept(
+                        plan.inEdges(),
+                        plan.inEdges().stream()
+                                .filter(e -> joins(e.id(), e.place(), e.transition()))
+                                .toList()))
+                .withOutEdges(kept(
+                        plan.outEdges(),
+                        plan.outEdges().stream()
+                                .filter(e -> joins(e.id(), e.place(), e.transition()))
+                                .toList()))
+                .withLayout(layout)
+                .withPlaces(kept(
+                        plan.places(), plan.places().stream().map(this::ordered).toList()))
                 .withTestCases(plan.testCases().stream().map(this::meaningful).toList());
+    }
+
+    /** The list as it was where nothing in it changed: who asks what an edit changed compares lists by identity. */
+    private static <T> List<T> kept(List<T> was, List<T> is) {
+        return was.equals(is) ? was : is;
     }
 
     private boolean joins(String edge, String place, String transition) {

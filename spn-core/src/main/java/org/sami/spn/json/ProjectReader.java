@@ -143,7 +143,11 @@ public final class ProjectReader {
         List<VariableSpec> globals = parts.variables(root, "globals");
         Map<String, JsonObjectReader> planMembers = files.plans(root, problems);
         Names planIds = new Names(problems);
-        planMembers.forEach((where, m) -> planIds.take(m.text("id", ""), m.at("id")));
+        planMembers.forEach((where, m) -> {
+            String planId = m.text("id", "");
+            planIds.take(planId, m.at("id"));
+            files.sources().planNamed(m.pointer(), planId);
+        });
         List<Plan> plans = new ArrayList<>();
         planMembers.forEach((where, m) -> plans.add(new PlanReader(parts, m, globals, planIds).read()));
         List<MissionTreeNode> tree = root.objects("missionTree").stream()

@@ -17,6 +17,7 @@ final class SourceTexts {
 
     private final Map<String, Source> sources = new LinkedHashMap<>();
     private final Map<String, String> planPrefixes = new LinkedHashMap<>();
+    private final Map<String, String> planIds = new LinkedHashMap<>();
 
     /** Keeps a text; the prefix of its findings is empty for the document that was asked for. */
     void add(String prefix, String file, String text) {
@@ -26,6 +27,22 @@ final class SourceTexts {
     /** The plan of an index in the project stands in the text of a prefix: pointers of checks speak of the index. */
     void planIn(int index, String prefix) {
         planPrefixes.put(PLANS + index, prefix);
+    }
+
+    /** The plan whose object stands at a pointer has an id: findings below it are about that plan. */
+    void planNamed(String pointer, String id) {
+        planIds.put(pointer, id);
+    }
+
+    private Finding withPlan(Finding f) {
+        if (!f.plan().isEmpty()) {
+            return f;
+        }
+        return planIds.entrySet().stream()
+                .filter(e -> f.pointer().equals(e.getKey()) || f.pointer().startsWith(e.getKey() + "/"))
+                .findFirst()
+                .map(e -> f.inPlan(e.getValue()))
+                .orElse(f);
     }
 
     /** The findings with their places in files and, where they name none, the element around that place. */
@@ -40,7 +57,7 @@ final class SourceTexts {
             Source source = sources.get(prefix);
             places.put(prefix, source == null ? Map.of() : JsonPlaces.find(source.text, pointers));
         });
-        return findings.stream().map(f -> located(f, places)).toList();
+        return findings.stream().map(f -> located(withPlan(f), places)).toList();
     }
 
     private Finding located(Finding f, Map<String, Map<String, JsonPlaces.Place>> places) {

@@ -488,7 +488,8 @@ class PlanChecksTest {
 
         assertThat(findings)
                 .containsExactly(Finding.warning(
-                        "W-UNREACHABLE", "/plans/0/places/3", "Nothing leads to the place \"island\"", "island"));
+                                "W-UNREACHABLE", "/plans/0/places/3", "Nothing leads to the place \"island\"", "island")
+                        .inPlan("plan"));
     }
 
     @Test

@@ -53,6 +53,9 @@ final class FindingsText {
             node.put("message", finding.message());
             ArrayNode elements = node.putArray("elements");
             finding.elements().forEach(elements::add);
+            node.put("plan", finding.plan());
+            ArrayNode fixes = node.putArray("fixes");
+            finding.fixes().forEach(fix -> fixes.add(fix.label()));
         }
         return json;
     }
