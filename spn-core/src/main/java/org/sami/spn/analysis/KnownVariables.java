@@ -80,19 +80,25 @@ final class KnownVariables implements PlanCheck {
         report.accept(expecting(plan, use.variable(), declaring(plan, use, scope, fixed)));
     }
 
-    /** Whether a variable that is known has the type that a field wants; of one that is only written or expected nobody knows. */
+    /** Whether a variable is declared with the type that every field wants by which the event reads the unknown one. */
     private static boolean fits(VariableScope scope, String name, VariableScope.Use use) {
-        return scope.declared(name).isPresent() && scope.declared(name).equals(use.type());
+        Optional<ValueType> type = scope.declared(name);
+        return type.isPresent()
+                && type.equals(use.type())
+                && scope.reads().stream()
+                        .filter(r ->
+                                r.variable().equals(use.variable()) && r.event().equals(use.event()))
+                        .allMatch(r -> r.type().equals(type));
     }
 
-    /** Offers to declare a variable where all that read it want one type. */
+    /** Offers to declare a variable where all that read it want one type, and no plan below would see it that speaks of its name. */
     private static Finding declaring(PlanContext plan, VariableScope.Use use, VariableScope scope, Finding finding) {
         List<Optional<ValueType>> types = scope.reads().stream()
                 .filter(r -> r.variable().equals(use.variable()))
                 .map(VariableScope.Use::type)
                 .distinct()
                 .toList();
-        if (types.size() != 1 || types.get(0).isEmpty()) {
+        if (types.size() != 1 || types.get(0).isEmpty() || VariableScope.usedByChildren(plan, use.variable())) {
             return finding;
         }
         VariableSpec variable = new VariableSpec(use.variable(), types.get(0).get(), Optional.empty());

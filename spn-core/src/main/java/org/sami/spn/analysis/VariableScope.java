@@ -214,10 +214,11 @@ final class VariableScope {
                 || below(plan, variable).anyMatch(e -> writtenBelow(e.getKey(), e.getValue(), seen));
     }
 
-    /** Whether a plan that this one runs, at any depth, writes a variable or gives it on, under the name that it has there. */
+    /** Whether a plan that this one runs, at any depth, reads or writes a variable or gives it on, under the name that it has there. */
     static boolean usedByChildren(PlanContext plan, String variable) {
         return below(plan, variable)
-                .anyMatch(e -> writtenBelow(e.getKey(), e.getValue(), new HashSet<>())
+                .anyMatch(e -> readBelow(e.getKey(), e.getValue(), new HashSet<>())
+                        || writtenBelow(e.getKey(), e.getValue(), new HashSet<>())
                         || givenBelow(e.getKey(), e.getValue(), new HashSet<>()));
     }
 
