@@ -28,6 +28,7 @@ import picocli.CommandLine.Spec;
             ComponentsCommand.class,
             RunCommand.class,
             ResumeCommand.class,
+            SessionCommand.class,
             JournalCommand.class,
             DemoCommand.class,
             BoatServerCommand.class,

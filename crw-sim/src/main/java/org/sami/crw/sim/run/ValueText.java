@@ -34,14 +34,15 @@ import org.sami.spn.value.VariableReference;
  * Values as people type them on a command line, read by the type that is expected: {@code 90 s}, {@code 52.1,4.3},
  * {@code boat1;boat2}. What has no short form, and what begins like JSON, is read as the JSON of files.
  */
-final class ValueText {
+public final class ValueText {
     private static final Pattern SPAN = Pattern.compile("(\\d+(?:\\.\\d+)?)\\s*(ms|s|min|h)?");
     private static final Map<String, Integer> MILLIS = Map.of("ms", 1, "s", 1000, "min", 60_000, "h", 3_600_000);
 
     private ValueText() {}
 
     /** Reads a value; empty where the text is none of that type, with reasons where JSON was read. */
-    static Optional<Value> parse(String text, ValueType type, Map<String, NamedType> types, List<Finding> findings) {
+    public static Optional<Value> parse(
+            String text, ValueType type, Map<String, NamedType> types, List<Finding> findings) {
         String trimmed = text.strip();
         if (trimmed.startsWith("{") || trimmed.startsWith("[")) {
             return json(trimmed, type, types, findings);
@@ -149,7 +150,7 @@ final class ValueText {
     }
 
     /** How a value of a type is typed, with an example. */
-    static String form(ValueType type) {
+    public static String form(ValueType type) {
         if (type instanceof ValueType.ListOf list) {
             return "a list with ';' between items, each " + form(list.element());
         }

@@ -1,0 +1,188 @@
+package org.sami.crw.sim.console;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.sami.crw.operator.Alarm;
+import org.sami.crw.operator.AllocationSnapshot;
+import org.sami.crw.operator.MessageEntry;
+import org.sami.crw.operator.PendingDecision;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.value.TaskId;
+
+/** Commands about what lies before the operator: decisions, messages, alarms, tasks. */
+final class OperatorCommands {
+    /** How this operator is called to the others. */
+    static final String NAME = "console";
+
+    private final ConsoleContext context;
+    private final AnswerText answers;
+
+    OperatorCommands(ConsoleContext context) {
+        this.context = context;
+        answers = new AnswerText(context.vocabulary().types());
+    }
+
+    List<ConsoleCommand> all() {
+        return List.of(
+                ConsoleCommand.of(
+                        "decisions", "Lists what is asked, the most urgent first, and how to answer.", this::decisions),
+                ConsoleCommand.of(
+                        "answer NUMBER ANSWER",
+                        "Answers a decision; 'answer ANSWER' the first one.",
+                        this::answer,
+                        this::answerWords),
+                ConsoleCommand.of("messages", "Lists messages that nobody acknowledged.", this::messages),
+                ConsoleCommand.of("alarms", "Lists what is wrong, the worst first.", this::alarms),
+                ConsoleCommand.of(
+                        "ack NUMBER|all", "Acknowledges a message, or all messages and alarms.", this::acknowledge),
+                ConsoleCommand.of("tasks", "Lists who has which tasks.", this::tasks));
+    }
+
+    /** A decision in words, how it can be answered included. */
+    static void describe(PendingDecision pending, AnswerText answers, Consumer<String> out) {
+        Decision decision = pending.decision();
+        String where = pending.plan().isEmpty()
+                ? ""
+                : " (" + pending.plan() + (pending.place().isEmpty() ? "" : ", " + pending.place()) + ")";
+        String rank = decision.priority().name().toLowerCase(Locale.ROOT);
+        String deadline = decision.deadlineMillis().isPresent()
+                ? ", autonomy answers at "
+                        + Numbers.clock(decision.deadlineMillis().getAsLong())
+                : "";
+        out.accept("[" + decision.id() + "] " + decision.prompt() + where + ", " + rank + deadline);
+        answers.form(decision.question()).forEach(line -> out.accept("    " + line));
+    }
+
+    private List<PendingDecision> pending() {
+        return context.models().decisions().pending();
+    }
+
+    private void decisions(Arguments arguments, Consumer<String> out) {
+        arguments.end();
+        if (pending().isEmpty()) {
+            out.accept("nothing is asked now; questions of missions appear here");
+        }
+        pending().forEach(decision -> describe(decision, answers, out));
+    }
+
+    private List<String> answerWords(List<String> words) {
+        if (words.size() <= 1) {
+            return pending().stream()
+                    .map(one -> String.valueOf(one.decision().id()))
+                    .toList();
+        }
+        return pending().stream()
+                .filter(one -> String.valueOf(one.decision().id()).equals(words.get(0)))
+                .findFirst()
+                .map(one -> answers.completions(one.decision().question()))
+                .orElse(List.of());
+    }
+
+    private void answer(Arguments arguments, Consumer<String> out) {
+        PendingDecision pending = chosen(arguments);
+        long id = pending.decision().id();
+        Answer answer = answers.read(pending.decision().question(), arguments.rest());
+        Optional<String> wrong = context.models().decisions().check(id, answer, context.vocabulary());
+        if (wrong.isPresent()) {
+            throw new ConsoleFault(wrong.get());
+        }
+        context.await(context.session().answer(id, answer, NAME));
+        out.accept("[" + id + "] is answered");
+    }
+
+    /** The decision that is named; where its number is left out, the first, if there is one. */
+    private PendingDecision chosen(Arguments arguments) {
+        List<PendingDecision> all = pending();
+        if (all.isEmpty()) {
+            throw new ConsoleFault("nothing is asked now");
+        }
+        Optional<PendingDecision> named = all.stream()
+                .filter(one -> String.valueOf(one.decision().id()).equals(arguments.peek()))
+                .findFirst();
+        if (named.isPresent()) {
+            arguments.next("number");
+            return named.get();
+        }
+        if (all.size() > 1) {
+            throw new ConsoleFault("no decision has the number '" + arguments.peek() + "'; there are "
+                    + String.join(
+                            ", ",
+                            all.stream()
+                                    .map(one -> String.valueOf(one.decision().id()))
+                                    .toList()));
+        }
+        return all.get(0);
+    }
+
+    private void messages(Arguments arguments, Consumer<String> out) {
+        arguments.end();
+        List<MessageEntry> open = context.models().messages().snapshot().stream()
+                .filter(entry -> !entry.acknowledged() && !entry.muted())
+                .toList();
+        if (open.isEmpty()) {
+            out.accept("no message waits");
+        }
+        open.forEach(entry -> out.accept(entry.number() + "  "
+                + Numbers.clock(entry.message().atMillis()) + "  "
+                + entry.message().priority().name().toLowerCase(Locale.ROOT) + "  "
+                + entry.message().text()));
+    }
+
+    private void alarms(Arguments arguments, Consumer<String> out) {
+        arguments.end();
+        List<Alarm> alarms = context.models().alarms().snapshot();
+        if (alarms.isEmpty()) {
+            out.accept("no alarm");
+        }
+        for (Alarm alarm : alarms) {
+            String state = alarm.active() ? "" : ", over";
+            out.accept(alarm.kind().severity().name().toLowerCase(Locale.ROOT) + "  " + alarm.text() + "  since "
+                    + Numbers.clock(alarm.sinceMillis()) + state + (alarm.acknowledged() ? ", acknowledged" : ""));
+        }
+    }
+
+    private void acknowledge(Arguments arguments, Consumer<String> out) {
+        if (arguments.peek().equals("all")) {
+            arguments.next("number");
+            arguments.end();
+            context.models()
+                    .messages()
+                    .snapshot()
+                    .forEach(entry -> context.models().messages().acknowledge(entry.number()));
+            context.models()
+                    .alarms()
+                    .snapshot()
+                    .forEach(alarm -> context.models().alarms().acknowledge(alarm.kind(), alarm.boat()));
+            out.accept("all messages and alarms are acknowledged");
+            return;
+        }
+        long number = arguments.number("number");
+        arguments.end();
+        if (context.models().messages().snapshot().stream().noneMatch(entry -> entry.number() == number)) {
+            throw new ConsoleFault("there is no message " + number);
+        }
+        context.models().messages().acknowledge(number);
+        out.accept("message " + number + " is acknowledged");
+    }
+
+    private void tasks(Arguments arguments, Consumer<String> out) {
+        arguments.end();
+        AllocationSnapshot allocation = context.models().allocation().snapshot();
+        if (allocation.queues().isEmpty() && allocation.unallocated().isEmpty()) {
+            out.accept("no mission has tasks");
+        }
+        allocation.queues().forEach((boat, tasks) -> out.accept(boat + ": " + words(tasks)));
+        if (!allocation.unallocated().isEmpty()) {
+            out.accept("nobody: " + words(allocation.unallocated()));
+        }
+    }
+
+    private static String words(List<TaskId> tasks) {
+        return tasks.isEmpty()
+                ? "none"
+                : String.join(", ", tasks.stream().map(TaskId::toString).toList());
+    }
+}

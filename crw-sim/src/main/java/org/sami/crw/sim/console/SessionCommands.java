@@ -1,0 +1,236 @@
+package org.sami.crw.sim.console;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.sami.crw.operator.EngineText;
+import org.sami.crw.operator.MissionSnapshot;
+import org.sami.crw.operator.MissionsSnapshot;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.sim.run.ValueText;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.json.GlobalsFile;
+import org.sami.spn.json.ProjectReader;
+import org.sami.spn.json.Reading;
+import org.sami.spn.model.Project;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.value.Value;
+
+/** Commands about the session itself: variables, waiting, help and the end. */
+final class SessionCommands {
+    private static final double STANDARD_WAIT_S = 600;
+
+    private final ConsoleContext context;
+    private final Supplier<Collection<ConsoleCommand>> commands;
+    private boolean ended;
+
+    /** @param commands all of the console, for its help */
+    SessionCommands(ConsoleContext context, Supplier<Collection<ConsoleCommand>> commands) {
+        this.context = context;
+        this.commands = commands;
+    }
+
+    List<ConsoleCommand> all() {
+        return List.of(
+                ConsoleCommand.of("globals", "Lists the variables of the project and their values now.", this::globals),
+                ConsoleCommand.of(
+                        "set @NAME VALUE",
+                        "Gives a variable of the project a value.",
+                        this::set,
+                        words -> globalNames()),
+                ConsoleCommand.of(
+                        "save FILE",
+                        "Writes the variables' values into a project's file as its initial ones.",
+                        this::save),
+                ConsoleCommand.of(
+                        "load FILE",
+                        "Loads a project beside the missions that run, which keep their plans.",
+                        this::load),
+                ConsoleCommand.of(
+                        "wait decision|ended|boats N|SECONDS [within SECONDS]",
+                        "Waits until something is asked, no mission runs, N boats are linked, or for a time.",
+                        this::await,
+                        words -> words.size() > 1 ? List.of("within") : List.of("decision", "ended", "boats")),
+                ConsoleCommand.of(
+                        "help [COMMAND]",
+                        "Lists the commands, or says more of one.",
+                        this::help,
+                        words -> commandNames()),
+                ConsoleCommand.of(
+                        "quit", "Stops the boats of all missions, as far as links stand, and ends.", this::quit));
+    }
+
+    /** Whether the operator wants the session to end. */
+    boolean hasEnded() {
+        return ended;
+    }
+
+    private List<String> globalNames() {
+        return context.project().globals().stream().map(VariableSpec::name).toList();
+    }
+
+    private List<String> commandNames() {
+        return commands.get().stream().map(ConsoleCommand::name).toList();
+    }
+
+    private void globals(Arguments arguments, Consumer<String> out) {
+        arguments.end();
+        if (globalNames().isEmpty()) {
+            out.accept("the project has no variables of its own");
+        }
+        Map<String, Value> values = context.await(context.session().ask(EngineView::globals));
+        for (String name : globalNames()) {
+            out.accept(name + " = "
+                    + Optional.ofNullable(values.get(name))
+                            .map(EngineText::value)
+                            .orElse("no value"));
+        }
+    }
+
+    private void set(Arguments arguments, Consumer<String> out) {
+        String name = arguments.next("variable");
+        VariableSpec variable = context.project().globals().stream()
+                .filter(one -> one.name().equals(name) || one.name().equals("@" + name))
+                .findFirst()
+                .orElseThrow(() -> new ConsoleFault("the project has no variable '" + name + "'"
+                        + (globalNames().isEmpty() ? "" : "; it has " + String.join(", ", globalNames()))));
+        String text = arguments.next("value");
+        arguments.end();
+        List<Finding> findings = new ArrayList<>();
+        Value value = ValueText.parse(
+                        text, variable.type(), context.vocabulary().types(), findings)
+                .orElseThrow(() -> new ConsoleFault(
+                        name + " cannot be '" + text + "': expected is " + ValueText.form(variable.type())));
+        context.await(context.session().setVariable(Ids.NONE, variable.name(), value));
+        out.accept(variable.name() + " = " + EngineText.value(value));
+    }
+
+    private void save(Arguments arguments, Consumer<String> out) {
+        Path file = file(arguments);
+        Map<String, Value> values = context.await(context.session().ask(EngineView::globals));
+        Reading<List<GlobalsFile.Change>> saved;
+        try {
+            saved = new GlobalsFile(context.vocabulary()).save(values, file);
+        } catch (IOException fault) {
+            throw new ConsoleFault(file + " cannot be written: " + fault.getMessage());
+        }
+        if (saved.result().isEmpty()) {
+            throw new ConsoleFault("nothing is saved: " + words(file, saved.findings()));
+        }
+        saved.result().get().forEach(change -> out.accept(change.name() + " = " + EngineText.value(change.after())));
+        out.accept(saved.result().get().isEmpty() ? file + " has these values already" : "saved to " + file);
+    }
+
+    private void load(Arguments arguments, Consumer<String> out) {
+        Path file = file(arguments);
+        Reading<Project> read = new ProjectReader(context.vocabulary()).read(file);
+        if (read.result().isEmpty() || read.hasErrors()) {
+            throw new ConsoleFault("nothing is loaded: " + words(file, read.findings()));
+        }
+        int version = context.await(context.session().load(read.result().get()));
+        out.accept("loaded " + file + " as project " + version + "; missions that start now have its plans: "
+                + String.join(", ", context.plans()));
+    }
+
+    private static Path file(Arguments arguments) {
+        Path file = Path.of(arguments.next("file"));
+        arguments.end();
+        if (!Files.exists(file)) {
+            throw new ConsoleFault("there is no file " + file);
+        }
+        return file;
+    }
+
+    /** The first thing that is wrong, and how much there is. */
+    private static String words(Path file, List<Finding> findings) {
+        Finding first = findings.stream().filter(Finding::isError).findFirst().orElse(findings.get(0));
+        String where = first.location().map(place -> place.toString() + ": ").orElse(file + ": ");
+        return where + first.message() + (findings.size() > 1 ? " (and " + (findings.size() - 1) + " more)" : "");
+    }
+
+    private void await(Arguments arguments, Consumer<String> out) {
+        String what = arguments.next("occasion");
+        long count = what.equals("boats") ? arguments.number("number of boats") : 0;
+        double limit = STANDARD_WAIT_S;
+        if (arguments.hasNext()) {
+            String word = arguments.next("within");
+            if (!word.equals("within")) {
+                throw new ConsoleFault("'" + word + "' is too much; a limit is given as: within SECONDS");
+            }
+            limit = arguments.real("time");
+        }
+        arguments.end();
+        BooleanSupplier wanted = switch (what) {
+            case "decision" -> () -> !context.models().decisions().pending().isEmpty();
+            case "ended" -> this::noMissionRuns;
+            case "boats" -> () -> linked() >= count;
+            default -> null;
+        };
+        if (wanted == null) {
+            context.until(() -> false, seconds(what));
+        } else if (!context.until(wanted, limit)) {
+            throw new ConsoleFault("still not after " + Numbers.short1(limit) + " s: wait " + what);
+        }
+    }
+
+    private static double seconds(String word) {
+        try {
+            double seconds = Double.parseDouble(word);
+            if (seconds >= 0 && seconds <= 86_400) {
+                return seconds;
+            }
+        } catch (NumberFormatException e) {
+            // said below
+        }
+        throw new ConsoleFault("waits for decision, ended, boats N, or 0 to 86400 seconds, not for '" + word + "'");
+    }
+
+    private boolean noMissionRuns() {
+        MissionsSnapshot missions = context.models().missions().snapshot();
+        return !missions.missions().isEmpty() && missions.missions().stream().allMatch(MissionSnapshot::hasEnded);
+    }
+
+    private long linked() {
+        return context.models().fleet().snapshot().stream()
+                .filter(boat -> boat.link() == LinkState.LINKED)
+                .count();
+    }
+
+    private void help(Arguments arguments, Consumer<String> out) {
+        if (arguments.hasNext()) {
+            String name = arguments.next("command");
+            arguments.end();
+            ConsoleCommand command = commands.get().stream()
+                    .filter(one -> one.name().equals(name))
+                    .findFirst()
+                    .orElseThrow(() -> new ConsoleFault("there is no command '" + name + "'"));
+            out.accept(command.usage());
+            out.accept("  " + command.help());
+            return;
+        }
+        int width = commands.get().stream()
+                .mapToInt(c -> c.usage().length())
+                .filter(w -> w <= 36)
+                .max()
+                .orElse(0);
+        for (ConsoleCommand command : commands.get()) {
+            out.accept(String.format(Locale.ROOT, "%-" + width + "s  %s", command.usage(), command.help()));
+        }
+    }
+
+    private void quit(Arguments arguments, Consumer<String> out) {
+        arguments.end();
+        ended = true;
+    }
+}

@@ -1,0 +1,245 @@
+package org.sami.crw.sim.console;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.crw.sim.boat.BoatOnTcp;
+import org.sami.crw.sim.boat.BoatSettings;
+import org.sami.crw.sim.cli.CommandResult;
+import org.sami.spn.value.GeoPoint;
+
+/** {@code crw session} as its user has it: a script of commands, real boats behind real sockets on the loopback address. */
+class SessionCommandTest {
+    private static final GeoPoint PIER = GeoPoint.of(45.4, 10.9);
+    private static final String NEAR = "45.40003,10.90003"; // 4 m from the pier
+
+    /** One plan that waits for an interrupt, and a global variable. */
+    private static final String LAKE = """
+            {
+              "formatVersion": 1,
+              "id": "lake",
+              "name": "Lake",
+              "domain": "crw",
+              "globals": [{"name": "@depth", "type": "real", "initial": 2.5}],
+              "plans": [
+                {
+                  "id": "wait",
+                  "name": "Wait",
+                  "places": [
+                    {"id": "here", "name": "Here", "start": true},
+                    {"id": "end", "name": "End", "end": true}
+                  ],
+                  "transitions": [
+                    {
+                      "id": "go",
+                      "name": "Go",
+                      "inputs": [
+                        {"id": "go-on", "type": "OperatorInterruptReceived", "fields": {"interruptName": "go on"}}
+                      ]
+                    }
+                  ],
+                  "inEdges": [
+                    {"id": "i", "place": "here", "transition": "go", "requirements": [{"match": "at-least", "n": 1, "kind": "generic"}]}
+                  ],
+                  "outEdges": [
+                    {"id": "o", "transition": "go", "place": "end", "requirements": [{"action": "take", "n": "all", "kind": "generic"}]}
+                  ]
+                }
+              ]
+            }
+            """;
+
+    @TempDir
+    Path folder;
+
+    private int scripts;
+
+    private BoatOnTcp boat(String name) throws IOException {
+        InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
+        return new BoatOnTcp(
+                BoatSettings.of(name, anyPort, PIER, 1), SteadyClock.ofThisMachine(), TcpServerListener.NONE);
+    }
+
+    private static String address(BoatOnTcp boat) {
+        return "127.0.0.1:" + boat.address().getPort();
+    }
+
+    private CommandResult session(List<String> options, String... commands) throws IOException {
+        Path script = Files.write(folder.resolve("script" + scripts++), List.of(commands));
+        List<String> arguments = new ArrayList<>(List.of("session", "--script", script.toString()));
+        arguments.addAll(options);
+        return CommandResult.crw(arguments.toArray(new String[0]));
+    }
+
+    @Test
+    void missionIsStartedAnsweredAndDrivenToItsEndByCommands() throws IOException {
+        try (BoatOnTcp anna = boat("anna");
+                BoatOnTcp bo = boat("bo")) {
+            CommandResult ran = session(
+                    List.of("--connect", address(anna)),
+                    "connect " + address(bo) + " # while it runs",
+                    "wait boats 2 within 30",
+                    "boats",
+                    "start clv",
+                    "wait decision within 30",
+                    "decisions",
+                    "answer all",
+                    "wait decision within 30",
+                    "answer " + NEAR,
+                    "wait decision within 30",
+                    "answer 1",
+                    "missions",
+                    "why 1",
+                    "wait ended within 90",
+                    "quit");
+
+            assertThat(ran.out())
+                    .contains("anna is linked", "bo is linked", "mission 1 of clv has begun")
+                    .containsPattern("1 or more of (anna, bo|bo, anna), or all")
+                    .contains("1  clv  runs since", "mission 1 of clv: ended");
+            assertThat(ran.out()).doesNotContain("crw: ");
+            assertThat(ran.exitCode()).isZero();
+        }
+    }
+
+    @Test
+    void commandThatCannotBeCarriedOutIsExplainedAndTheNextOneIsRead() throws IOException {
+        CommandResult ran = session(
+                List.of(),
+                "strat clv",
+                "start clvv",
+                "start clv speed",
+                "start clv @nothing=3",
+                "answer yes",
+                "why 7",
+                "why anna",
+                "abort 7",
+                "press alarm",
+                "take anna",
+                "connect nowhere",
+                "add x 100,200",
+                "drive anna 2 0",
+                "wait boats many",
+                "set @x 3",
+                "help quit extra",
+                "say 'hello",
+                "help start",
+                "quit");
+
+        assertThat(ran.out().lines().filter(line -> line.startsWith("crw: ")))
+                .hasSize(17)
+                .anyMatch(line -> line.contains("is start meant?"))
+                .anyMatch(line -> line.contains("there is no plan 'clvv'; there are "))
+                .anyMatch(line -> line.contains("'nowhere' is no HOST:PORT"))
+                .anyMatch(line -> line.contains("no mission 7 runs"))
+                .anyMatch(line -> line.contains("there is no boat 'anna'"));
+        assertThat(ran.out()).contains("start PLAN [NAME=VALUE ...]");
+        assertThat(ran.exitCode()).isEqualTo(6);
+    }
+
+    @Test
+    void sessionGoesOnFromItsJournalWithMissionsAndBoats() throws IOException {
+        String journal = folder.resolve("session.journal").toString();
+        try (BoatOnTcp anna = boat("anna")) {
+            CommandResult first = session(
+                    List.of("station-keep", "--journal", journal, "--connect", address(anna)),
+                    "wait boats 1 within 30",
+                    "start station-keep",
+                    "wait decision within 30");
+            assertThat(first.exitCode()).as(first.out() + first.err()).isZero();
+
+            CommandResult second = session(
+                    List.of("--journal", journal),
+                    "wait boats 1 within 30",
+                    "missions",
+                    "decisions",
+                    "abort 1",
+                    "wait ended within 30");
+
+            assertThat(second.out())
+                    .contains("going on with " + journal + ", with anna", "1  station-keep  runs since", "[1] ")
+                    .contains("mission 1 of station-keep: aborted");
+            assertThat(second.exitCode()).as(second.out()).isZero();
+        }
+    }
+
+    @Test
+    void boatIsDrivenByHandGivenBackStoppedAndDropped() throws IOException {
+        try (BoatOnTcp anna = boat("anna")) {
+            CommandResult ran = session(
+                    List.of("--connect", address(anna)),
+                    "wait boats 1 within 30",
+                    "drive anna 0.5 0 1",
+                    "back anna",
+                    "stop all",
+                    "release all",
+                    "stop anna",
+                    "release anna",
+                    "watch anna",
+                    "take anna",
+                    "why anna",
+                    "drop anna",
+                    "wait 0.5",
+                    "boats");
+
+            assertThat(ran.out())
+                    .contains("anna was driven for 1 s", "FLEET STOP: anna", "released: anna", "there is no boat");
+            assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
+        }
+    }
+
+    @Test
+    void mendedProjectIsLoadedBesideARunningMissionAndGlobalsAreSaved() throws IOException {
+        Path project = Files.writeString(folder.resolve("lake.json"), LAKE);
+        Path mended = Files.writeString(folder.resolve("mended.json"), LAKE.replace("\"End\"", "\"The end\""));
+        Path broken = Files.writeString(folder.resolve("broken.json"), LAKE.replace("\"plans\"", "\"plan\""));
+
+        CommandResult ran = session(
+                List.of(project.toString()),
+                "start wait",
+                "set @depth 4",
+                "load " + broken,
+                "load " + mended,
+                "start wait",
+                "globals",
+                "save " + project,
+                "save " + project,
+                "save " + folder.resolve("none.json"),
+                "abort all",
+                "wait ended within 30");
+
+        assertThat(ran.out())
+                .contains("mission 1 of wait has begun", "mission 2 of wait has begun", "as project 2; ")
+                .contains("@depth = 4", "saved to " + project, project + " has these values already")
+                .contains("crw: nothing is loaded: ", "crw: there is no file ");
+        assertThat(ran.out().lines().filter(line -> line.startsWith("crw: "))).hasSize(2);
+        assertThat(project).content().contains("\"initial\": 4");
+    }
+
+    @Test
+    void simulatedBoatsAreAdded() throws IOException {
+        CommandResult ran = session(List.of(), "add sim 45.4,10.9 2", "wait boats 2 within 30", "boats");
+
+        assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
+        assertThat(ran.out()).contains("sim").contains("is linked");
+    }
+
+    @Test
+    void wrongOptionsAreRefusedBeforeASessionIsOpened() {
+        assertThat(CommandResult.crw("session", "--connect", "nowhere").exitCode())
+                .isEqualTo(2);
+        assertThat(CommandResult.crw("session", "no-such-plan").exitCode()).isEqualTo(2);
+        assertThat(CommandResult.crw("session", "--script", "no-such-file").err())
+                .contains("no-such-file");
+    }
+}
