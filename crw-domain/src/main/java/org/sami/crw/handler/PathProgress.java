@@ -18,7 +18,8 @@ import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.Value;
 
 /**
- * How far boats are along paths, kept per mission, path and boat in the engine's journalled memory (decision 0045). A path is known by its points alone: the same points in another variable or activation are the same path.
+ * How far boats are along paths, kept per mission, path and boat in the engine's journalled memory (decision 0045). A path is known by its
+ * points alone: the same points in another variable or activation are the same path.
  */
 final class PathProgress {
     private static final int DIGEST_BYTES = 12;

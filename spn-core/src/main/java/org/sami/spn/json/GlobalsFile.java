@@ -13,6 +13,7 @@ import java.util.Optional;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.VariableSpec;
+import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -93,8 +94,8 @@ public final class GlobalsFile {
         problems.add(
                 Codes.BAD_VALUE,
                 pointer,
-                "The global " + spec.name() + " has the value " + value + ", which is no " + spec.type()
-                        + " as the file declares it; nothing was saved");
+                "The global " + spec.name() + " has the value " + TaggedValues.write(value)
+                        + ", and the file declares it as of type " + TypeNames.of(spec.type()) + "; nothing was saved");
         return Optional.empty();
     }
 
