@@ -22,6 +22,7 @@ final class CommandsAtTheEnd implements PlanCheck {
                         output.spec().id());
                 report.accept(
                         plan.outTransitions(output.place()).isEmpty()
+                                        && output.spec().writes().isEmpty()
                                 ? finding.fixedBy(
                                         "Remove the command",
                                         new RemoveElements(

@@ -24,7 +24,10 @@ final class Fixes {
                 new FieldEdit.SetField(plan.plan().id(), event, field, new FieldSource.Asked(Optional.empty(), true)));
     }
 
-    /** Offers to remove an input event, where no requirement of its transition would be left without one to name its tokens. */
+    /**
+     * Offers to remove an input event, where it writes no variable and no requirement of its transition would be left without one to name
+     * its tokens.
+     */
     static Finding removing(PlanContext plan, PlacedInput input, Finding finding) {
         Transition t = input.transition();
         boolean relevant = plan.inEdges(t).stream()
@@ -33,7 +36,8 @@ final class Fixes {
                 || plan.outEdges(t).stream()
                         .flatMap(e -> e.requirements().stream())
                         .anyMatch(r -> r.kind() == TokenKind.RELEVANT);
-        return relevant && t.inputs().size() == 1
+        boolean needed = relevant && t.inputs().size() == 1;
+        return needed || !input.spec().writes().isEmpty()
                 ? finding
                 : finding.fixedBy(
                         "Do not wait for " + input.type().name(),
