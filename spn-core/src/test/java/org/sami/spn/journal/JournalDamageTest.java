@@ -41,7 +41,7 @@ class JournalDamageTest {
     private static byte[] closedFile;
 
     private int opened;
-    private int refused;
+    private final List<String> refused = new ArrayList<>();
     private int shortened;
 
     @BeforeAll
@@ -83,7 +83,7 @@ class JournalDamageTest {
                     .isGreaterThanOrEqualTo(longest);
             longest = index;
         }
-        assertThat(refused).as("a cut log is what a crash leaves").isZero();
+        assertThat(refused).as("a cut log is what a crash leaves").isEmpty();
         assertThat(shortened).isPositive();
     }
 
@@ -91,7 +91,7 @@ class JournalDamageTest {
     void aFlippedBitInTheLogGivesAPrefix() throws IOException {
         flipEverywhere(liveLog, damaged -> open(liveFile, damaged));
 
-        assertThat(refused).isZero();
+        assertThat(refused).isEmpty();
         assertThat(shortened).isPositive();
     }
 
@@ -107,7 +107,7 @@ class JournalDamageTest {
         flipEverywhere(closedFile, damaged -> open(damaged, new byte[0]));
 
         assertThat(opened).isPositive();
-        assertThat(refused).isPositive();
+        assertThat(refused).isNotEmpty();
         assertThat(shortened).isPositive();
     }
 
@@ -147,7 +147,7 @@ class JournalDamageTest {
         } catch (JournalException named) {
             assertThat(named.file()).isEqualTo(copy);
             assertThat(named.entry()).isBetween(0L, (long) entries.size());
-            refused++;
+            refused.add(named.getMessage());
             return -1;
         }
         checkContinued(copy);

@@ -112,11 +112,11 @@ class FleetChaosTest {
         boat.proxy().fleetRelease();
         boat.proxy().release();
         for (long mission = 1; mission <= 4; mission++) {
-            boolean done = false;
-            for (int minutes = 0; minutes < 50 && !done; minutes++) {
-                done = isAtRest(boat);
+            int minutesAtRest = 0; // a boat may rest for a moment before it does what a lost message held back
+            for (int minutes = 0; minutes < 50 && minutesAtRest < 5; minutes++) {
                 boat.hull().setBatteryPercent(100);
                 clock.runUntil(clock.nowMs() + 60_000);
+                minutesAtRest = isAtRest(boat) ? minutesAtRest + 1 : 0;
             }
             assertThat(boat.proxy().currentCommand())
                     .as(boat.proxy().explain().text())
