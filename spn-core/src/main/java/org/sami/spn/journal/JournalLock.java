@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -22,15 +23,20 @@ final class JournalLock implements AutoCloseable {
     /** Behind all that SQLite locks (from 1 GiB) or ever writes. */
     private static final long FAR_BEHIND = Long.MAX_VALUE - 1;
 
-    private static final Set<Object> HELD = ConcurrentHashMap.newKeySet();
+    private static final Set<Path> HELD = ConcurrentHashMap.newKeySet();
+
+    /** The files that are held, by identity, with the names by which they are. */
+    private static final Map<Object, Path> HELD_FILES = new ConcurrentHashMap<>();
 
     private final Path key;
     private final FileChannel channel;
     private Optional<Object> identity = Optional.empty();
+    private Path heldAs;
     private Optional<FileChannel> own = Optional.empty();
 
     private JournalLock(Path key, FileChannel channel) {
         this.key = key;
+        heldAs = key;
         this.channel = channel;
     }
 
@@ -68,10 +74,11 @@ final class JournalLock implements AutoCloseable {
     void takeFile(Path journal) throws IOException {
         leaveFile();
         Optional<Object> found = identity(journal);
-        if (found.isPresent() && !HELD.add(found.get())) {
+        if (found.isPresent() && !hold(found.get(), journal)) {
             throw new JournalException(journal, 0, "is being written already, by this program under another name");
         }
         identity = found;
+        heldAs = journal;
         boolean free;
         try {
             FileChannel itself = FileChannel.open(journal, StandardOpenOption.READ, StandardOpenOption.WRITE);
@@ -83,6 +90,17 @@ final class JournalLock implements AutoCloseable {
         if (!free) {
             throw new JournalException(journal, 0, "is being written already, by another process under another name");
         }
+    }
+
+    /** Holds a file. Once a file that is held is gone, the system may give its identity to a new one, which nobody holds. */
+    private static boolean hold(Object file, Path journal) throws IOException {
+        Path holder = HELD_FILES.putIfAbsent(file, journal);
+        return holder == null || (!isHeld(file) && HELD_FILES.replace(file, holder, journal));
+    }
+
+    private static boolean isHeld(Object file) throws IOException {
+        Path holder = HELD_FILES.get(file);
+        return holder != null && Files.exists(holder) && identity(holder).equals(Optional.of(file));
     }
 
     /**
@@ -97,7 +115,7 @@ final class JournalLock implements AutoCloseable {
             if (!hasOtherNames(journal) || HELD.contains(lockFile(named(journal)))) {
                 return;
             }
-            if (found.map(HELD::contains).orElse(false)
+            if ((found.isPresent() && isHeld(found.get()))
                     || (isLocked(journal, FAR_BEHIND) && !isLocked(lockFile(journal), 0))) {
                 throw new JournalException(name, 0, "is being written under another name: read it by that name");
             }
@@ -145,7 +163,7 @@ final class JournalLock implements AutoCloseable {
             own.get().close();
         }
         own = Optional.empty();
-        identity.ifPresent(HELD::remove);
+        identity.ifPresent(file -> HELD_FILES.remove(file, heldAs));
         identity = Optional.empty();
     }
 
