@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
@@ -342,5 +343,39 @@ class InputEventRulesTest {
         assertThat(s.marking(m, "y")).isEqualTo("B");
         assertThat(s.view().nextDueMillis()).isEmpty();
         assertThat(s.last()).noneMatch(Effect.Noted.class::isInstance);
+    }
+
+    /** R-PEND-4. The aborted child had no token, so its Sub-mission Aborted names nobody. */
+    @Test
+    void anAbortedChildsAnswerThatNamesNobodyIsDiscardedWithItsVisitAndNoted() {
+        Plan child = new NetBuilder("child")
+                .start("c")
+                .end("e")
+                .transition("over", "News")
+                .in("c", "over", "always")
+                .out("over", "e", "always")
+                .build();
+        Plan parent = new NetBuilder("parent")
+                .start("s")
+                .transition("send")
+                .in("s", "send", "generic >= 1")
+                .out("send", "sub", "always")
+                .out("send", "rest", "take all generic")
+                .sub("sub", "child")
+                .transition("back", "SubMissionAborted")
+                .in("sub", "back", "always")
+                .out("back", "after", "always")
+                .transition("gated", "SubMissionAborted")
+                .in("sub", "gated", "always")
+                .in("gate", "gated", "generic >= 1")
+                .out("gated", "other", "always")
+                .build();
+        Session s = new Session(parent, child);
+        s.start("parent");
+
+        s.step(new Input.AbortMission(s.idOf("child")));
+
+        assertThat(s.fired()).containsExactly("back");
+        assertThat(s.notes()).containsExactly(NoteKind.DISCARDED);
     }
 }

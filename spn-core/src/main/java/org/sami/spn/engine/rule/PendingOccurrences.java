@@ -194,7 +194,7 @@ public final class PendingOccurrences {
                 for (PendingOccurrence p = q.first; p != null; p = p.next) {
                     if (p.names.length == 0 && p.visit() == visit) {
                         t.remove(p);
-                        if (p.answered != null) {
+                        if (p.told == null) { // a return's value goes with the return, which is told of
                             discarded(t, p);
                         }
                     }
