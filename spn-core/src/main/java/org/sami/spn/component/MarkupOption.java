@@ -6,10 +6,14 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.sami.spn.finding.Suggestions;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.value.BooleanValue;
 import org.sami.spn.value.EnumValue;
+import org.sami.spn.value.NamedType;
 import org.sami.spn.value.Value;
+import org.sami.spn.value.ValueType;
+import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.MarkupType;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -65,6 +69,41 @@ public record MarkupOption(String markup, String option, String value) {
             return constant.constant();
         }
         return value instanceof BooleanValue flag ? String.valueOf(flag.value()) : "";
+    }
+
+    /** Says in a sentence what of this a vocabulary does not have, and what may have been meant; empty where it has all. */
+    public Optional<String> unknownIn(Vocabulary vocabulary) {
+        MarkupType type = vocabulary.markups().get(markup);
+        if (type == null) {
+            return Optional.of("There is no markup " + markup
+                    + Suggestions.meant(vocabulary.markups().keySet(), markup));
+        }
+        if (option.isEmpty()) {
+            return Optional.empty();
+        }
+        Optional<FieldType> field =
+                type.options().stream().filter(one -> one.name().equals(option)).findFirst();
+        if (field.isEmpty()) {
+            List<String> names = type.options().stream().map(FieldType::name).toList();
+            return Optional.of("The markup " + markup + " has no option " + option + ", it has "
+                    + String.join(", ", names) + Suggestions.meant(names, option));
+        }
+        List<String> constants = constants(field.get().type(), vocabulary);
+        return value.isEmpty() || constants.contains(value)
+                ? Optional.empty()
+                : Optional.of("The option " + option + " of markup " + markup + " is never " + value
+                        + (constants.isEmpty() ? "" : ", it is " + String.join(" or ", constants))
+                        + Suggestions.meant(constants, value));
+    }
+
+    private static List<String> constants(ValueType type, Vocabulary vocabulary) {
+        if (type == ValueType.Simple.BOOLEAN) {
+            return List.of("true", "false");
+        }
+        return type instanceof ValueType.Named named
+                        && vocabulary.types().get(named.name()) instanceof NamedType.Enumeration enumeration
+                ? enumeration.constants()
+                : List.of();
     }
 
     /** Whether who acts on this one acts on the other one too. */

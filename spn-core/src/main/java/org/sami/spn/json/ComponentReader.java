@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.Set;
 import org.sami.spn.component.Capabilities;
 import org.sami.spn.component.ComponentLibrary;
 import org.sami.spn.component.ComponentType;
@@ -15,8 +14,6 @@ import org.sami.spn.component.TypePattern;
 import org.sami.spn.component.WidgetType;
 import org.sami.spn.value.NamedType;
 import org.sami.spn.value.ValueType;
-import org.sami.spn.vocabulary.FieldType;
-import org.sami.spn.vocabulary.MarkupType;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** Reads what components a domain's windows have, or says everything that is wrong with it (docs/components.md). */
@@ -137,47 +134,13 @@ public final class ComponentReader {
                         "A markup is written as Sort, Sort.method or Sort.method=ALPHABETICAL, not as \"" + text
                                 + "\"");
             } else {
-                unknown(option.get())
+                option.get()
+                        .unknownIn(vocabulary)
                         .ifPresentOrElse(
                                 words -> problems.add(Codes.UNKNOWN_WORD, element.pointer(), words),
                                 () -> options.add(option.get()));
             }
         }
         return options;
-    }
-
-    /** What of a choice the vocabulary does not know, in words. */
-    private Optional<String> unknown(MarkupOption wanted) {
-        Optional<MarkupType> markup = Optional.ofNullable(vocabulary.markups().get(wanted.markup()));
-        if (markup.isEmpty()) {
-            return Optional.of("There is no markup " + wanted.markup()
-                    + NearMatches.meant(vocabulary.markups().keySet(), wanted.markup()));
-        }
-        List<String> names =
-                markup.get().options().stream().map(FieldType::name).toList();
-        if (!wanted.option().isEmpty() && !names.contains(wanted.option())) {
-            return Optional.of("The markup " + wanted.markup() + " has no option " + wanted.option()
-                    + NearMatches.meant(Set.copyOf(names), wanted.option()));
-        }
-        return wanted.value().isEmpty() ? Optional.empty() : unknownValue(markup.get(), wanted);
-    }
-
-    private Optional<String> unknownValue(MarkupType markup, MarkupOption wanted) {
-        ValueType type = markup.options().stream()
-                .filter(option -> option.name().equals(wanted.option()))
-                .map(FieldType::type)
-                .findFirst()
-                .orElseThrow();
-        List<String> constants = List.of();
-        if (type == ValueType.Simple.BOOLEAN) {
-            constants = List.of("true", "false");
-        } else if (type instanceof ValueType.Named named
-                && vocabulary.types().get(named.name()) instanceof NamedType.Enumeration enumeration) {
-            constants = enumeration.constants();
-        }
-        return constants.contains(wanted.value())
-                ? Optional.empty()
-                : Optional.of("The option " + wanted.option() + " of markup " + wanted.markup() + " is never "
-                        + wanted.value() + NearMatches.meant(Set.copyOf(constants), wanted.value()));
     }
 }

@@ -112,16 +112,11 @@ final class ComponentsCommand implements Callable<Integer> {
         MarkupOption option = MarkupOption.parse(text)
                 .orElseThrow(() -> new UsageFault(
                         "--markup '" + text + "' is not such as Sort, Sort.method or Sort.method=ALPHABETICAL"));
-        MarkupType markup = vocabulary
-                .markup(option.markup())
-                .orElseThrow(() -> VocabularyText.nothing(
-                        "markup", option.markup(), NearMatches.ofMarkups(vocabulary, option.markup())));
-        if (!option.option().isEmpty()
-                && markup.options().stream().noneMatch(field -> field.name().equals(option.option()))) {
-            throw new UsageFault("the markup " + markup.name() + " has no option '" + option.option() + "'; it has "
-                    + String.join(
-                            ", ", markup.options().stream().map(f -> f.name()).toList()));
-        }
-        return new MarkupOption(markup.name(), option.option(), option.value());
+        String name = vocabulary.markup(option.markup()).map(MarkupType::name).orElse(option.markup());
+        MarkupOption named = new MarkupOption(name, option.option(), option.value());
+        named.unknownIn(vocabulary).ifPresent(words -> {
+            throw new UsageFault("--markup " + text + ": " + words);
+        });
+        return named;
     }
 }

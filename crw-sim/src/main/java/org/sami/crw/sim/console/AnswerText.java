@@ -35,6 +35,10 @@ final class AnswerText {
         if (question instanceof Question.Approve) {
             return List.of("yes or no");
         }
+        if (question instanceof Question.ChooseProxies choose
+                && choose.proxies().isEmpty()) {
+            return List.of("no boat is there to choose" + (choose.min() == 0 ? "; all stands for none" : ""));
+        }
         if (question instanceof Question.ChooseProxies choose) {
             String count = choose.max() == Integer.MAX_VALUE
                             || choose.max() >= choose.proxies().size()

@@ -107,6 +107,8 @@ class VocabularyCommandsTest {
                 "OperatorSelectBoatLst",
                 "OperatorApprove --markup Sotr",
                 "OperatorApprove --markup Sort.by",
+                "OperatorApprove --markup Sort.method=UP",
+                "OperatorApprove --markup Filter.source=anna",
                 "OperatorApprove --markup Sort..by",
                 "--type pnt",
                 "--create",

@@ -83,6 +83,8 @@ class AnswerTextTest {
     @Test
     void formSaysHowToAnswer() {
         assertThat(answers.form(BOATS)).containsExactly("1 to 2 of anna, bo, cleo, or all");
+        assertThat(answers.form(new Question.ChooseProxies(List.of(), 1, 2)))
+                .containsExactly("no boat is there to choose");
         assertThat(answers.form(OPTIONS).get(1)).startsWith("2  ").contains("far");
         assertThat(answers.form(FORM))
                 .containsExactly(
