@@ -1,0 +1,40 @@
+package org.sami.ui;
+
+import java.awt.EventQueue;
+import java.util.concurrent.Executor;
+
+/**
+ * The one border to Swing's event thread: models and links know no Swing, and hand what a view is to show to {@link #executor()}.
+ * No other class of SAMI queues an event or asks which thread it is on (an architecture test holds them to it).
+ */
+public final class EventThread {
+    private EventThread() {}
+
+    /** Runs each task on the event thread, after what is queued there; never waits. It is the owner's executor of a window's models. */
+    public static Executor executor() {
+        return EventQueue::invokeLater;
+    }
+
+    /** Runs a task on the event thread after what is queued there; never waits. */
+    public static void later(Runnable task) {
+        EventQueue.invokeLater(task);
+    }
+
+    /** Whether the caller is on the event thread. */
+    public static boolean isCurrent() {
+        return EventQueue.isDispatchThread();
+    }
+
+    /**
+     * Makes sure that the caller is on the event thread.
+     *
+     * @throws IllegalStateException if it is not
+     */
+    public static void require() {
+        if (!isCurrent()) {
+            throw new IllegalStateException(
+                    "a view was touched on the thread " + Thread.currentThread().getName()
+                            + "; views live on the event thread, hand it over with EventThread.later");
+        }
+    }
+}
