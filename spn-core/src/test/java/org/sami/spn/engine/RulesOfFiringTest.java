@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.NoteKind;
@@ -397,5 +398,23 @@ class RulesOfFiringTest {
         assertThat(s.fired()).containsExactly("t");
         assertThat(s.marking(m, "x")).isEqualTo("A");
         assertThat(s.last()).contains(new Effect.CommandsWithdrawn(m, List.of("B")));
+    }
+
+    @Test
+    void aDropOfARobotThatNobodyKnowsIsRefusedAndChangesNothing() {
+        Session s = new Session(new NetBuilder("net")
+                .start("s")
+                .transition("t", "News")
+                .in("s", "t", "relevant all")
+                .out("t", "x", "take all relevant")
+                .build());
+        long m = s.join("A").start("net");
+        s.step(new Input.ProxyDropped("A", Ids.NONE));
+
+        s.step(new Input.ProxyDropped("A", Ids.NONE));
+
+        assertThat(s.last())
+                .containsExactly(new Effect.Noted(NoteKind.REJECTED_INPUT, Ids.NONE, "No robot 'A' is known"));
+        assertThat(s.marking(m, "s")).isEqualTo("*");
     }
 }

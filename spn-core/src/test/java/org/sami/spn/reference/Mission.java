@@ -127,6 +127,10 @@ final class Mission {
         return tokensIn(place).stream().anyMatch(copy -> copy.token.equals(token));
     }
 
+    boolean stands(Token token) {
+        return plan.places().stream().anyMatch(place -> stands(token, place));
+    }
+
     boolean standsInVisit(Token token, Visit visit) {
         return tokensIn(visit.place).stream().anyMatch(copy -> copy.visit == visit && copy.token.equals(token));
     }

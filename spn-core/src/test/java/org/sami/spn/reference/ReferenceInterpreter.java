@@ -422,10 +422,13 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
     // ---- Dropped boats (R-TOK-5 to R-TOK-7)
 
     private void drop(String proxy, long root) {
-        if (root == Ids.NONE) {
-            world.proxies.remove(proxy);
-        }
         Token.Proxy boat = new Token.Proxy(proxy);
+        if (root == Ids.NONE
+                && !world.proxies.remove(proxy)
+                && world.missions.stream().noneMatch(m -> m.stands(boat))) {
+            missions.reject("No such boat: " + proxy);
+            return;
+        }
         List<Mission> concerned = world.missions.stream()
                 .filter(m -> m.status != Mission.Status.ENDED)
                 .filter(m -> root == Ids.NONE
