@@ -67,25 +67,25 @@ class ComponentsTest {
             create | Rank                  | DefaultSelection.selection=ALL                      | ChoiceList | 1
             create | point                 | DefaultLocation.location=QUAY                       | Map | 1
             create | list<point>           | RelevantArea.source=POINT RelevantInformation.source | Map+ReadingLayer | 2
-            create | area                  | RelevantProxy.proxy=ALL_PROXIES RelevantProxy.showPath=true | Map+BoatLayer+PathLayer | 2
-            create | list<proxy>           | Sort.method=ALPHABETICAL                            | BoatList | 1
+            create | area                  | RelevantProxy.proxy=ALL_PROXIES RelevantProxy.showPath=true | Map+ProxyLayer+PathLayer | 2
+            create | list<proxy>           | Sort.method=ALPHABETICAL                            | ProxyList | 1
             create | map<task,proxy>       |                                                     | AllocationTable | 0
-            create | map<proxy,text>       |                                                     | entries(BoatList TextField) | 0
+            create | map<proxy,text>       |                                                     | entries(ProxyList TextField) | 0
             create | BoatId                |                                                     | form(name:TextField color:TextField server:TextField imageStorageDirectory:TextField) | 0
             create | list<BoatId>          | Description.source                                  | each(form(name:TextField color:TextField server:TextField imageStorageDirectory:TextField)) | 1
             create | any                   |                                                     | warning: No component can ask for a value of type any | -1
-            select | list<proxy>           | Sort.method=CHRONOLOGICAL Filter.source Filter.action=INCLUDE | BoatList+FilterBar | 3
-            select | list<proxy>           | RelevantProxy.showPath=true                         | Map+BoatLayer+PathLayer | 1
-            select | list<proxy>           | RelevantProxy.showPath=true RelevantProxy.showData=true RelevantInformation.source | Map+BoatLayer+PathLayer+ReadingLayer | 3
+            select | list<proxy>           | Sort.method=CHRONOLOGICAL Filter.source Filter.action=INCLUDE | ProxyList+FilterBar | 3
+            select | list<proxy>           | RelevantProxy.showPath=true                         | Map+ProxyLayer+PathLayer | 1
+            select | list<proxy>           | RelevantProxy.showPath=true RelevantProxy.showData=true RelevantInformation.source | Map+ProxyLayer+PathLayer+ReadingLayer | 3
             select | map<proxy,path>       |                                                     | Map+PathLayer | 0
-            select | map<proxy,point>      | RelevantInformation.visualization=CONTOUR           | Map+BoatLayer+ReadingLayer | 1
+            select | map<proxy,point>      | RelevantInformation.visualization=CONTOUR           | Map+ProxyLayer+ReadingLayer | 1
             select | list<Allocation>      |                                                     | OptionPager | 0
             select | list<Allocation>      | SelectionOptions.number SelectionOptions.format=TABS | OptionTabs | 2
             select | list<Allocation>      | SelectionOptions.format=STACKED                     | OptionStack | 1
             select | list<map<proxy,path>> | SelectionOptions.format=TABS RelevantArea.source=AREA | OptionTabs+OptionPreview | 2
             select | list<text>            | Sort.method=ALPHABETICAL Filter.source              | ChoiceList+FilterBar | 2
             select | list<variable>        | Sort.method=CHRONOLOGICAL                           | VariableList | 0
-            select | map<proxy,list<text>> |                                                     | entries(BoatList ChoiceList) | 0
+            select | map<proxy,list<text>> |                                                     | entries(ProxyList ChoiceList) | 0
             """)
     void typeWithMarkupGetsItsComponentsAndScore(
             String purpose, String type, String markups, String chosen, int score) {

@@ -87,9 +87,9 @@ class VocabularyCommandsTest {
         assertThat(ran.out())
                 .startsWith("OperatorSelectBoatList: the operator sees")
                 .contains("answer  list<proxy>")
-                .contains("BoatList with FilterBar; acts on Sort.method=ALPHABETICAL, Filter")
-                .contains("2  BoatList with FilterBar")
-                .contains("0  Map with BoatLayer")
+                .contains("ProxyList with FilterBar; acts on Sort.method=ALPHABETICAL, Filter")
+                .contains("2  ProxyList with FilterBar")
+                .contains("0  Map with ProxyLayer")
                 .contains("-1  unable: TextField");
         assertThat(CommandResult.crw("components", "--type", "list<BoatId>", "--create")
                         .out())
