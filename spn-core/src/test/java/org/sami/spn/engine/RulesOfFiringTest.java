@@ -415,6 +415,6 @@ class RulesOfFiringTest {
 
         assertThat(s.last())
                 .containsExactly(new Effect.Noted(NoteKind.REJECTED_INPUT, Ids.NONE, "No robot 'A' is known"));
-        assertThat(s.marking(m, "s")).isEqualTo("*");
+        assertThat(s.marking(m, "s")).isEqualTo("generic");
     }
 }
