@@ -5,16 +5,16 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ValueJson;
 import org.sami.spn.model.Project;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
-import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.FieldType;
+import org.sami.spn.vocabulary.MarkupType;
 import org.sami.spn.vocabulary.TokenNeed;
 
 /**
@@ -29,6 +29,7 @@ final class PlanSketch {
     private ObjectNode plan;
     private Map<String, ObjectNode> places = new LinkedHashMap<>();
     private ObjectNode transition;
+    private ObjectNode event;
     private int ids;
 
     PlanSketch() {
@@ -68,7 +69,7 @@ final class PlanSketch {
 
     /** An output event on a place; fields in pairs of name and {@link Value}, or name and "@variable". */
     PlanSketch asks(String place, String output, Object... fields) {
-        ObjectNode event = place(place)
+        event = place(place)
                 .withArray("outputs")
                 .addObject()
                 .put("id", id("out"))
@@ -83,6 +84,22 @@ final class PlanSketch {
                 } else {
                     source.put("variable", (String) fields[i + 1]);
                 }
+            }
+        }
+        return this;
+    }
+
+    /** The event drawn last has a markup; options in pairs of name and {@link Value}, or name and an enumeration's constant. */
+    PlanSketch marked(String markup, Object... options) {
+        ObjectNode drawn = event.withArray("markups").addObject().put("type", markup);
+        MarkupType type = TestWorld.VOCABULARY.markup(markup).orElseThrow();
+        for (int i = 0; i < options.length; i += 2) {
+            String name = (String) options[i];
+            ObjectNode given = drawn.withObject("/options");
+            if (options[i + 1] instanceof Value value) {
+                given.set(name, json(value, typeOf(type.name(), type.options(), name)));
+            } else {
+                given.put(name, (String) options[i + 1]);
             }
         }
         return this;
@@ -111,7 +128,7 @@ final class PlanSketch {
     PlanSketch on(String from, String input, String to, String takes, Object... selecting) {
         transition = array("transitions").addObject().put("id", id("when"));
         if (!input.isEmpty()) {
-            ObjectNode event = transition
+            event = transition
                     .putArray("inputs")
                     .addObject()
                     .put("id", id("in"))
@@ -206,9 +223,14 @@ final class PlanSketch {
     }
 
     private static ValueType typeOf(String event, String field) {
-        EventType type = TestWorld.VOCABULARY.event(event).orElseThrow();
-        Optional<FieldType> found = type.field(field);
-        return found.orElseThrow(() -> new IllegalArgumentException(event + " has no field " + field))
+        return typeOf(event, TestWorld.VOCABULARY.event(event).orElseThrow().fields(), field);
+    }
+
+    private static ValueType typeOf(String of, List<FieldType> fields, String name) {
+        return fields.stream()
+                .filter(field -> field.name().equals(name))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException(of + " has no " + name))
                 .type();
     }
 
