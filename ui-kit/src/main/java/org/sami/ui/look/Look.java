@@ -1,0 +1,88 @@
+package org.sami.ui.look;
+
+import com.formdev.flatlaf.FlatLaf;
+import com.formdev.flatlaf.util.UIScale;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import javax.swing.UIManager;
+import javax.swing.UnsupportedLookAndFeelException;
+import net.miginfocom.layout.PlatformDefaults;
+
+/**
+ * The theme and the scale of all windows, which can change while they are open. On the event thread.
+ *
+ * <p>Painted components ask {@link SemanticColor}, {@link Fonts} and {@link #px} anew each time that they paint; those that keep what they
+ * asked register a listener.
+ */
+public final class Look {
+    /** The scales that a menu offers, in percent. */
+    public static final List<Integer> SCALES = List.of(80, 90, 100, 110, 125, 150, 175, 200);
+
+    private static final int LEAST = 80;
+    private static final int MOST = 200;
+    private static final List<Runnable> LISTENERS = new CopyOnWriteArrayList<>();
+    private static volatile Theme theme = Theme.LIGHT;
+    private static volatile int scalePercent = 100;
+
+    private Look() {}
+
+    /**
+     * Gives all windows a theme and a scale; those that are open change at once.
+     *
+     * @param percent 80 to 200; what lies outside is brought to the nearer end
+     */
+    public static void apply(Theme next, int percent) {
+        theme = next;
+        scalePercent = Math.min(MOST, Math.max(LEAST, percent));
+        UIManager.put("defaultFont", Fonts.base());
+        try {
+            UIManager.setLookAndFeel(next.laf());
+        } catch (UnsupportedLookAndFeelException e) {
+            throw new IllegalStateException("the look of the theme " + next.id() + " does not run here", e);
+        }
+        UIScale.setZoomFactor(scalePercent / 100f);
+        PlatformDefaults.setLogicalPixelBase(PlatformDefaults.BASE_SCALE_FACTOR);
+        PlatformDefaults.setHorizontalScaleFactor(scalePercent / 100f);
+        PlatformDefaults.setVerticalScaleFactor(scalePercent / 100f);
+        FlatLaf.updateUI();
+        LISTENERS.forEach(Runnable::run);
+    }
+
+    /** The theme in force. */
+    public static Theme theme() {
+        return theme;
+    }
+
+    /** The scale in force, in percent. */
+    public static int scalePercent() {
+        return scalePercent;
+    }
+
+    /** The next larger or smaller of {@link #SCALES}; the one in force where there is none. */
+    public static int nextScale(boolean larger) {
+        return larger
+                ? SCALES.stream()
+                        .filter(each -> each > scalePercent)
+                        .findFirst()
+                        .orElse(scalePercent)
+                : SCALES.stream()
+                        .filter(each -> each < scalePercent)
+                        .reduce((a, b) -> b)
+                        .orElse(scalePercent);
+    }
+
+    /** Logical pixels as pixels at the scale in force. */
+    public static int px(int logical) {
+        return Math.round(logical * scalePercent / 100f);
+    }
+
+    /** Is told after theme or scale have changed. */
+    public static void addListener(Runnable listener) {
+        LISTENERS.add(listener);
+    }
+
+    /** Is told no longer. */
+    public static void removeListener(Runnable listener) {
+        LISTENERS.remove(listener);
+    }
+}
