@@ -1,0 +1,143 @@
+package org.sami.ui.command;
+
+import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Supplier;
+import javax.swing.AbstractAction;
+import javax.swing.Action;
+import javax.swing.KeyStroke;
+import org.sami.ui.look.Icons;
+
+/**
+ * Something that a person can have a window do, as a Swing action: buttons, menus, keys and the command search all run the same one. On the
+ * event thread.
+ *
+ * <p>Whether it can be run is asked anew by {@link #refresh}, and when it is run; where it cannot, its tooltip says why.
+ */
+public final class Command extends AbstractAction {
+    private final String id;
+    private final String title;
+    private final Runnable run;
+    private Supplier<Optional<String>> whyNot = Optional::empty;
+    private Optional<KeyStroke> key = Optional.empty();
+    private boolean always;
+
+    /**
+     * A command that can always be run and has no key.
+     *
+     * @param id stable, in kebab case; the name of its buttons as well
+     * @param title what people call it, such as "Start mission…"
+     */
+    public Command(String id, String title, Runnable run) {
+        super(title);
+        this.id = Objects.requireNonNull(id, "id");
+        this.title = Objects.requireNonNull(title, "title");
+        this.run = Objects.requireNonNull(run, "run");
+        putValue(ACTION_COMMAND_KEY, id);
+        describe(Optional.empty());
+    }
+
+    /**
+     * Gives it a key.
+     *
+     * @param stroke as {@link KeyStroke#getKeyStroke(String)} reads it, such as {@code "ctrl shift P"} or {@code "F12"}
+     * @throws IllegalArgumentException if that is no key
+     */
+    public Command withKey(String stroke) {
+        KeyStroke read = KeyStroke.getKeyStroke(stroke);
+        if (read == null) {
+            throw new IllegalArgumentException("the command " + id + " has no key " + stroke);
+        }
+        key = Optional.of(read);
+        putValue(ACCELERATOR_KEY, read);
+        refresh();
+        return this;
+    }
+
+    /** Gives it an icon of {@link Icons}. */
+    public Command withIcon(String icon) {
+        putValue(SMALL_ICON, Icons.normal(icon));
+        return this;
+    }
+
+    /** Gives it a condition: the reason why it cannot be run now, in one sentence; empty where it can. */
+    public Command unless(Supplier<Optional<String>> reason) {
+        whyNot = Objects.requireNonNull(reason, "reason");
+        refresh();
+        return this;
+    }
+
+    /** Its key works whatever has the focus, in dialogs too: for what stops things. */
+    public Command always() {
+        always = true;
+        return this;
+    }
+
+    /** Its stable id. */
+    public String id() {
+        return id;
+    }
+
+    /** What people call it. */
+    public String title() {
+        return title;
+    }
+
+    /** The key that runs it. */
+    public Optional<KeyStroke> key() {
+        return key;
+    }
+
+    /** The key in words, such as Ctrl+Shift+P; empty text where it has none. */
+    public String keyText() {
+        return key.map(Command::text).orElse("");
+    }
+
+    boolean isAlways() {
+        return always;
+    }
+
+    /** Why it cannot be run now, in one sentence; empty where it can. */
+    public Optional<String> whyNot() {
+        return whyNot.get();
+    }
+
+    /** Asks anew whether it can be run. */
+    public void refresh() {
+        Optional<String> reason = whyNot.get();
+        setEnabled(reason.isEmpty());
+        describe(reason);
+    }
+
+    private void describe(Optional<String> reason) {
+        String keyed = key.isPresent() ? title + " (" + keyText() + ")" : title;
+        putValue(Action.SHORT_DESCRIPTION, reason.map(why -> keyed + ": " + why).orElse(keyed));
+    }
+
+    /** Runs it, where it can be run now. */
+    public void run() {
+        refresh();
+        if (isEnabled()) {
+            run.run();
+        }
+    }
+
+    @Override
+    public void actionPerformed(ActionEvent e) {
+        run();
+    }
+
+    @Override
+    protected Object clone() throws CloneNotSupportedException {
+        throw new CloneNotSupportedException("a command is one of its id");
+    }
+
+    private static String text(KeyStroke stroke) {
+        String modifiers = InputEvent.getModifiersExText(stroke.getModifiers());
+        String name = KeyEvent.getKeyText(stroke.getKeyCode());
+        return modifiers.isEmpty() ? name : modifiers + "+" + name;
+    }
+}

@@ -1,0 +1,66 @@
+package org.sami.ui.command;
+
+import java.awt.Dialog;
+import java.awt.KeyEventDispatcher;
+import java.awt.KeyEventPostProcessor;
+import java.awt.KeyboardFocusManager;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.util.Optional;
+import javax.swing.KeyStroke;
+
+/**
+ * Runs commands by their keys in all windows of the process. A component that has a use for a key comes first, but for commands that are
+ * {@linkplain Command#always always} there; while a modal dialog is open only those are. On the event thread.
+ */
+public final class CommandKeys implements AutoCloseable {
+    private final CommandRegistry commands;
+    private final KeyEventDispatcher before = this::beforeComponents;
+    private final KeyEventPostProcessor after = this::afterComponents;
+
+    private CommandKeys(CommandRegistry commands) {
+        this.commands = commands;
+    }
+
+    /** Lets keys run commands until the result is closed. */
+    public static CommandKeys install(CommandRegistry commands) {
+        CommandKeys keys = new CommandKeys(commands);
+        KeyboardFocusManager manager = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+        manager.addKeyEventDispatcher(keys.before);
+        manager.addKeyEventPostProcessor(keys.after);
+        return keys;
+    }
+
+    private boolean beforeComponents(KeyEvent event) {
+        Optional<Command> command = commandOf(event).filter(Command::isAlways);
+        command.ifPresent(Command::run);
+        return command.isPresent();
+    }
+
+    private boolean afterComponents(KeyEvent event) {
+        if (event.isConsumed()
+                || isModal(KeyboardFocusManager.getCurrentKeyboardFocusManager().getActiveWindow())) {
+            return false;
+        }
+        Optional<Command> command = commandOf(event);
+        command.ifPresent(Command::run);
+        return command.isPresent();
+    }
+
+    private Optional<Command> commandOf(KeyEvent event) {
+        return event.getID() == KeyEvent.KEY_PRESSED
+                ? commands.ofKey(KeyStroke.getKeyStrokeForEvent(event))
+                : Optional.empty();
+    }
+
+    private static boolean isModal(Window window) {
+        return window instanceof Dialog dialog && dialog.isModal();
+    }
+
+    @Override
+    public void close() {
+        KeyboardFocusManager manager = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+        manager.removeKeyEventDispatcher(before);
+        manager.removeKeyEventPostProcessor(after);
+    }
+}

@@ -1,0 +1,63 @@
+package org.sami.ui.command;
+
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import javax.swing.KeyStroke;
+
+/** The commands of a window, in order of registration. On the event thread. */
+public final class CommandRegistry {
+    private final Map<String, Command> commands = new LinkedHashMap<>();
+    private final Map<KeyStroke, Command> keys = new LinkedHashMap<>();
+
+    /**
+     * Adds a command.
+     *
+     * @return the command
+     * @throws IllegalArgumentException if another has its id or its key
+     */
+    public Command add(Command command) {
+        if (commands.containsKey(command.id())) {
+            throw new IllegalArgumentException("there are two commands " + command.id());
+        }
+        command.key().ifPresent(key -> {
+            Command other = keys.putIfAbsent(key, command);
+            if (other != null) {
+                throw new IllegalArgumentException(
+                        "the commands " + other.id() + " and " + command.id() + " have one key, " + command.keyText());
+            }
+        });
+        commands.put(command.id(), command);
+        return command;
+    }
+
+    /** All of them. */
+    public Collection<Command> all() {
+        return Collections.unmodifiableCollection(commands.values());
+    }
+
+    /** The command of an id. */
+    public Optional<Command> find(String id) {
+        return Optional.ofNullable(commands.get(id));
+    }
+
+    /** The command of an id that is known to be there.
+     *
+     * @throws IllegalArgumentException if it is not
+     */
+    public Command get(String id) {
+        return find(id).orElseThrow(() -> new IllegalArgumentException("there is no command " + id));
+    }
+
+    /** The command that a key runs. */
+    public Optional<Command> ofKey(KeyStroke key) {
+        return Optional.ofNullable(keys.get(key));
+    }
+
+    /** Asks all commands anew whether they can be run: to be called when what they depend on has changed. */
+    public void refresh() {
+        commands.values().forEach(Command::refresh);
+    }
+}

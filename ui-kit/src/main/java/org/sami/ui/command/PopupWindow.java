@@ -1,0 +1,42 @@
+package org.sami.ui.command;
+
+import java.awt.Window;
+import java.awt.event.WindowEvent;
+import java.awt.event.WindowFocusListener;
+import java.util.function.Function;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import org.sami.ui.look.Look;
+
+/** A bare window over another that closes when it loses the focus; it is never modal, so that nothing waits for it. */
+final class PopupWindow {
+    private static final int FROM_TOP = 96;
+
+    private PopupWindow() {}
+
+    /**
+     * Opens it.
+     *
+     * @param content is made with what closes the window
+     */
+    static void open(Window owner, String title, Function<Runnable, JComponent> content) {
+        JDialog dialog = new JDialog(owner, title);
+        dialog.setName("popup-window");
+        dialog.setUndecorated(true);
+        dialog.setContentPane(content.apply(dialog::dispose));
+        dialog.pack();
+        dialog.setLocation(owner.getX() + (owner.getWidth() - dialog.getWidth()) / 2, owner.getY() + Look.px(FROM_TOP));
+        dialog.addWindowFocusListener(new WindowFocusListener() {
+            @Override
+            public void windowGainedFocus(WindowEvent e) {
+                // it has it to take input
+            }
+
+            @Override
+            public void windowLostFocus(WindowEvent e) {
+                dialog.dispose();
+            }
+        });
+        dialog.setVisible(true);
+    }
+}

@@ -1,0 +1,120 @@
+package org.sami.ui.command;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.Action;
+import javax.swing.JButton;
+import javax.swing.JTable;
+import org.junit.jupiter.api.Test;
+
+class CommandTest {
+    private final List<String> ran = new ArrayList<>();
+    private final CommandRegistry commands = new CommandRegistry();
+    private Optional<String> reason = Optional.of("no mission runs");
+
+    private Command abort() {
+        return new Command("mission-abort", "Abort mission", () -> ran.add("abort"))
+                .withKey("ctrl shift X")
+                .unless(() -> reason);
+    }
+
+    @Test
+    void saysWhyItCannotBeRunAndDoesNotRun() {
+        JButton button = new CommandButton(abort());
+
+        button.doClick();
+
+        assertThat(button.isEnabled()).isFalse();
+        assertThat(button.getName()).isEqualTo("mission-abort");
+        assertThat(button.getToolTipText()).isEqualTo("Abort mission (Ctrl+Shift+X): no mission runs");
+        assertThat(ran).isEmpty();
+    }
+
+    @Test
+    void buttonsFollowWhenItCanBeRun() {
+        Command abort = commands.add(abort());
+        JButton button = new CommandButton(abort);
+
+        reason = Optional.empty();
+        commands.refresh();
+        button.doClick();
+
+        assertThat(ran).containsExactly("abort");
+        assertThat(button.getToolTipText()).isEqualTo("Abort mission (Ctrl+Shift+X)");
+    }
+
+    @Test
+    void isNotRunOnceTheReasonIsThereThoughNobodyRefreshed() {
+        reason = Optional.empty();
+        Command abort = abort();
+        reason = Optional.of("it has ended");
+
+        abort.run();
+
+        assertThat(ran).isEmpty();
+        assertThat(abort.getValue(Action.SHORT_DESCRIPTION).toString()).endsWith("it has ended");
+    }
+
+    @Test
+    void refusesASecondCommandOfAnIdOrKey() {
+        commands.add(abort());
+
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> commands.add(new Command("mission-abort", "Abort", () -> {})))
+                .withMessageContaining("mission-abort");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> commands.add(new Command("other", "Other", () -> {}).withKey("ctrl shift X")))
+                .withMessageContaining("Ctrl+Shift+X");
+        assertThat(commands.all()).hasSize(1);
+    }
+
+    @Test
+    void typingFindsTheNearestCommandFirst() {
+        Command start = commands.add(new Command("mission-start", "Start mission", () -> ran.add("start")));
+        Command abort = commands.add(abort());
+        Command theme = commands.add(new Command("theme-sun", "Theme: Sun", () -> {}));
+
+        assertThat(CommandMatches.of("", commands.all())).containsExactly(start, abort, theme);
+        assertThat(CommandMatches.of("miss", commands.all())).containsExactly(start, abort);
+        assertThat(CommandMatches.of("s", commands.all())).startsWith(start);
+        assertThat(CommandMatches.of("thsu", commands.all())).containsExactly(theme);
+        assertThat(CommandMatches.of("qqq", commands.all())).isEmpty();
+    }
+
+    @Test
+    void searchRunsTheChosenCommandAfterItHasLeft() {
+        commands.add(abort());
+        commands.add(new Command("mission-start", "Start mission", () -> ran.add("start")));
+        CommandSearch search = new CommandSearch(commands, () -> ran.add("left"));
+
+        search.type("start");
+        assertThat(search.chosen()).map(Command::id).contains("mission-start");
+        press(search, "ENTER");
+        search.type("abort");
+        press(search, "ENTER");
+
+        assertThat(ran).containsExactly("left", "start");
+    }
+
+    @Test
+    void helpListsEveryCommandWithItsKey() {
+        commands.add(new Command("mission-start", "Start mission", () -> {}));
+        commands.add(abort());
+
+        CommandKeysPanel panel = new CommandKeysPanel(commands);
+        JTable table = (JTable)
+                ((javax.swing.JScrollPane) panel.getComponent(0)).getViewport().getView();
+
+        assertThat(table.getValueAt(0, 0)).isEqualTo("Abort mission");
+        assertThat(table.getValueAt(0, 1)).isEqualTo("Ctrl+Shift+X");
+        assertThat(table.getRowCount()).isEqualTo(2);
+    }
+
+    private static void press(CommandSearch search, String key) {
+        search.getActionMap().get(key).actionPerformed(null);
+    }
+}
