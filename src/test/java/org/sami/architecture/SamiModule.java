@@ -25,12 +25,13 @@ enum SamiModule {
     BOAT_SERVER("boat-server-android/server", 32, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
     CRW_DOMAIN(
             "crw-domain",
-            300,
+            330,
             List.of(
                     "org.sami.crw.decision..",
                     "org.sami.crw.event..",
                     "org.sami.crw.fleet..",
                     "org.sami.crw.handler..",
+                    "org.sami.crw.markup..",
                     "org.sami.crw.operator..",
                     "org.sami.crw.proxy..",
                     "org.sami.crw.service..",

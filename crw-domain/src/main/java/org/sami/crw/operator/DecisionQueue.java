@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import org.sami.spn.engine.DecisionCheck;
 import org.sami.spn.host.ListenerList;
 import org.sami.spn.host.Registration;
@@ -26,9 +28,16 @@ public final class DecisionQueue extends Model<List<PendingDecision>> {
     private final TreeSet<PendingDecision> ordered = new TreeSet<>(ORDER);
     private final Map<Long, PendingDecision> byId = new HashMap<>();
     private final ListenerList<DecisionListener> listeners = new ListenerList<>();
+    private final Consumer<Runnable> inbox;
 
-    DecisionQueue() {
+    /**
+     * An empty queue.
+     *
+     * @param inbox brings changes to the owner's thread
+     */
+    DecisionQueue(Consumer<Runnable> inbox) {
         super(List.of());
+        this.inbox = inbox;
     }
 
     /** Adds a decision; one that waits already stays as it is. */
@@ -47,6 +56,26 @@ public final class DecisionQueue extends Model<List<PendingDecision>> {
             ordered.remove(pending);
             change();
             listeners.each(listener -> listener.closed(pending, answer, by));
+        }
+    }
+
+    /**
+     * The operator turns to a decision: no attention is drawn to it any longer (markup Attention, end On Click). One that waits no longer
+     * changes nothing. From any thread; done a little later.
+     */
+    public void attend(long decision) {
+        inbox.accept(() -> replace(
+                decision, pending -> new PendingDecision(pending.presentation(), pending.openedAtMillis(), true)));
+    }
+
+    private void replace(long decision, UnaryOperator<PendingDecision> with) {
+        PendingDecision before = byId.get(decision);
+        if (before != null) {
+            ordered.remove(before);
+            PendingDecision after = with.apply(before);
+            ordered.add(after);
+            byId.put(decision, after);
+            change();
         }
     }
 

@@ -6,12 +6,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.sami.crw.decision.BoatFilter;
+import org.sami.crw.decision.DecisionPresentation;
+import org.sami.crw.decision.DecisionPresenter;
 import org.sami.crw.operator.MissionModel.StartedPlan;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.model.Plan;
-import org.sami.spn.protocol.Activation;
-import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
@@ -21,8 +20,7 @@ import org.sami.spn.value.Value;
 /**
  * What one step of the engine means to the models, with all that must be asked on the engine's thread; immutable.
  *
- * @param places by activation that it made, the id of its place
- * @param narrowed decisions that it opened, as they are to be shown
+ * @param presentations decisions that it opened, as they are to be shown
  * @param plans of missions that it started
  * @param newTasks tasks that came to be with it, by the names of their owners; some may be known before
  */
@@ -30,26 +28,18 @@ record EngineStep(
         long atMillis,
         Input input,
         List<Effect> effects,
-        Map<Long, String> places,
-        Map<Long, Decision> narrowed,
+        Map<Long, DecisionPresentation> presentations,
         Map<Long, StartedPlan> plans,
         List<TaskId> newTasks) {
 
     /** On the engine's thread. */
     static EngineStep of(long atMillis, Input input, List<Effect> effects, EngineView view) {
-        Map<Long, String> places = new HashMap<>();
-        Map<Long, Decision> narrowed = new HashMap<>();
+        Map<Long, DecisionPresentation> presentations = new HashMap<>();
         Map<Long, StartedPlan> plans = new HashMap<>();
         List<TaskId> tasks = new ArrayList<>();
         for (Effect effect : effects) {
-            if (effect instanceof Effect.Activated e) {
-                places.put(e.activation().id(), e.activation().place());
-            } else if (effect instanceof Effect.DecisionOpened e) {
-                Decision decision = e.decision();
-                narrowed.put(decision.id(), BoatFilter.narrowed(decision, view));
-                if (decision.activation() != Ids.NONE && !places.containsKey(decision.activation())) {
-                    placeOf(decision.activation(), view).ifPresent(place -> places.put(decision.activation(), place));
-                }
+            if (effect instanceof Effect.DecisionOpened e) {
+                presentations.put(e.decision().id(), DecisionPresenter.of(e.decision(), view));
             } else if (effect instanceof Effect.MissionStarted e) {
                 started(e, view, plans, tasks);
             } else if (effect instanceof Effect.Fired e) {
@@ -58,14 +48,7 @@ record EngineStep(
                                 used.tasks().forEach(task -> owned(task, view).ifPresent(tasks::add)));
             }
         }
-        return new EngineStep(atMillis, input, effects, places, narrowed, plans, tasks);
-    }
-
-    private static Optional<String> placeOf(long activation, EngineView view) {
-        return view.openActivations().stream()
-                .filter(open -> open.id() == activation)
-                .map(Activation::place)
-                .findFirst();
+        return new EngineStep(atMillis, input, effects, presentations, plans, tasks);
     }
 
     private static void started(

@@ -1,9 +1,9 @@
 package org.sami.crw.operator;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.sami.crw.decision.ValueWords;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
@@ -11,27 +11,11 @@ import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.protocol.TokenMove;
-import org.sami.spn.value.BooleanValue;
-import org.sami.spn.value.DurationValue;
-import org.sami.spn.value.EnumValue;
-import org.sami.spn.value.GeoPath;
-import org.sami.spn.value.GeoPoint;
-import org.sami.spn.value.IntegerValue;
-import org.sami.spn.value.ListValue;
-import org.sami.spn.value.MapValue;
-import org.sami.spn.value.PlanReference;
-import org.sami.spn.value.ProxyValue;
-import org.sami.spn.value.RealValue;
-import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.TaskId;
-import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
-import org.sami.spn.value.VariableReference;
 
 /** What the engine did, in short words for reports and consoles. Nobody reads them back. */
 public final class EngineText {
-    private static final int ITEMS_SHOWN = 4;
-
     private EngineText() {}
 
     /** The name of a transition, or its id where it has none. */
@@ -100,66 +84,6 @@ public final class EngineText {
 
     /** A value; of a long one how much there is of it. */
     public static String value(Value value) {
-        if (value instanceof ListValue list) {
-            return items(list.items());
-        }
-        if (value instanceof GeoPath path) {
-            return items(path.points());
-        }
-        if (value instanceof MapValue map) {
-            return map.entries().entrySet().stream()
-                    .limit(ITEMS_SHOWN)
-                    .map(e -> value(e.getKey()) + ": " + value(e.getValue()))
-                    .collect(Collectors.joining(", "));
-        }
-        if (value instanceof RecordValue record) {
-            return record.type() + " " + record.fields().keySet();
-        }
-        return scalar(value);
-    }
-
-    private static String items(List<? extends Value> items) {
-        if (items.size() > ITEMS_SHOWN) {
-            return items.size() + " of " + items.get(0).getClass().getSimpleName();
-        }
-        return items.stream().map(EngineText::value).collect(Collectors.joining(", "));
-    }
-
-    private static String scalar(Value value) {
-        if (value instanceof GeoPoint point) {
-            return String.format(Locale.ROOT, "%.6f/%.6f", point.latDeg(), point.lonDeg());
-        }
-        if (value instanceof DurationValue duration) {
-            return duration.millis() / 1000.0 + " s";
-        }
-        if (value instanceof TextValue text) {
-            return text.value();
-        }
-        if (value instanceof RealValue real) {
-            return String.valueOf(real.value());
-        }
-        if (value instanceof IntegerValue integer) {
-            return String.valueOf(integer.value());
-        }
-        if (value instanceof BooleanValue truth) {
-            return String.valueOf(truth.value());
-        }
-        return named(value);
-    }
-
-    private static String named(Value value) {
-        if (value instanceof ProxyValue proxy) {
-            return proxy.proxy();
-        }
-        if (value instanceof EnumValue constant) {
-            return constant.constant();
-        }
-        if (value instanceof TaskId task) {
-            return task.name();
-        }
-        if (value instanceof VariableReference variable) {
-            return variable.variable();
-        }
-        return value instanceof PlanReference plan ? plan.plan() : value.toString();
+        return ValueWords.of(value);
     }
 }

@@ -13,7 +13,8 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
-import org.sami.crw.decision.BoatFilter;
+import org.sami.crw.decision.DecisionPresentation;
+import org.sami.crw.decision.DecisionPresenter;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.operator.MissionModel.StartedPlan;
 import org.sami.crw.proxy.ProxyRegistry;
@@ -23,8 +24,6 @@ import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.model.Plan;
-import org.sami.spn.protocol.Activation;
-import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
@@ -46,7 +45,7 @@ public final class OperatorModels implements HostListener, MessageSink {
 
     private final ModelInbox inbox;
     private final LongSupplier nowMillis;
-    private final DecisionQueue decisions = new DecisionQueue();
+    private final DecisionQueue decisions;
     private final MessageList messages;
     private final MissionModel missions = new MissionModel();
     private final FleetModel fleet;
@@ -74,6 +73,7 @@ public final class OperatorModels implements HostListener, MessageSink {
     public OperatorModels(Executor owner, LongSupplier nowMillis) {
         this.nowMillis = nowMillis;
         inbox = new ModelInbox(owner, this::publish);
+        decisions = new DecisionQueue(inbox::post);
         messages = new MessageList(MESSAGES_KEPT, inbox::post);
         alarms = new AlarmModel(inbox::post);
         fleet = new FleetModel(inbox::post, boat -> alarms.seen(boat, nowMillis.getAsLong()));
@@ -146,7 +146,7 @@ public final class OperatorModels implements HostListener, MessageSink {
         for (Effect effect : step.effects()) {
             missions.apply(effect, step.plans(), step.atMillis());
             if (effect instanceof Effect.DecisionOpened opened) {
-                open(step.narrowed().get(opened.decision().id()), step.places(), step.atMillis());
+                open(step.presentations().get(opened.decision().id()), step.atMillis());
             } else if (effect instanceof Effect.DecisionClosed closed) {
                 decisions.close(closed.decision(), closed.answer(), closed.by());
             } else if (effect instanceof Effect.Noted noted && concernsOperator(noted)) {
@@ -155,24 +155,15 @@ public final class OperatorModels implements HostListener, MessageSink {
         }
     }
 
-    private void open(Decision decision, Map<Long, String> places, long atMillis) {
-        decisions.open(new PendingDecision(
-                decision,
-                atMillis,
-                missions.planOf(decision.mission()),
-                missions.nameOf(decision.mission()),
-                places.getOrDefault(decision.activation(), "")));
+    private void open(DecisionPresentation presentation, long atMillis) {
+        decisions.open(new PendingDecision(presentation, atMillis, false));
     }
 
     /** Shows what a restored state has: missions, decisions that wait, tasks. On the engine's thread or before the host works. */
     public void restore(EngineView view, long atMillis) {
         List<Effect> marking = view.markingAsEffects();
-        List<Decision> open = new ArrayList<>();
-        view.decisions().forEach(decision -> open.add(BoatFilter.narrowed(decision, view)));
-        Map<Long, String> places = new HashMap<>();
-        for (Activation activation : view.openActivations()) {
-            places.put(activation.id(), activation.place());
-        }
+        List<DecisionPresentation> open = new ArrayList<>();
+        view.decisions().forEach(decision -> open.add(DecisionPresenter.of(decision, view)));
         Map<Long, StartedPlan> plans = new HashMap<>();
         List<TaskId> tasks = new ArrayList<>();
         view.missions().forEach(mission -> {
@@ -187,7 +178,7 @@ public final class OperatorModels implements HostListener, MessageSink {
         inbox.post(() -> {
             missions.restore(marking, plans, atMillis);
             allocation.restore(tasks, robots, complete, queues);
-            open.forEach(decision -> open(decision, places, atMillis));
+            open.forEach(presentation -> open(presentation, atMillis));
         });
     }
 

@@ -1,28 +1,52 @@
 package org.sami.crw.operator;
 
 import java.util.Objects;
+import java.util.Optional;
 import java.util.OptionalLong;
+import org.sami.crw.decision.DecisionPresentation;
+import org.sami.crw.markup.Attention;
 import org.sami.spn.protocol.Decision;
 
 /**
  * A decision that waits for the operator.
  *
+ * @param presentation how it is to be shown
  * @param openedAtMillis when it was asked, on the session's clock
- * @param plan id of the plan whose mission asks; empty text where the domain asks
- * @param mission name of the mission that asks; empty text where the domain asks
- * @param place id of the place whose output event asks; empty text where none does
+ * @param attended whether the operator has turned to it ({@link DecisionQueue#attend})
  */
-public record PendingDecision(Decision decision, long openedAtMillis, String plan, String mission, String place) {
+public record PendingDecision(DecisionPresentation presentation, long openedAtMillis, boolean attended) {
     public PendingDecision {
-        Objects.requireNonNull(decision, "decision");
-        Objects.requireNonNull(plan, "plan");
-        Objects.requireNonNull(mission, "mission");
-        Objects.requireNonNull(place, "place");
+        Objects.requireNonNull(presentation, "presentation");
     }
 
-    /** A decision of which it is not known what asks it. */
+    /** A decision to which nobody has turned, and of which it is not known what asks it. */
     public PendingDecision(Decision decision, long openedAtMillis) {
-        this(decision, openedAtMillis, "", "", "");
+        this(DecisionPresentation.plain(decision), openedAtMillis, false);
+    }
+
+    /** The decision, with its question as it is asked. */
+    public Decision decision() {
+        return presentation.decision();
+    }
+
+    /** Id of the plan whose mission asks; empty text where the domain asks. */
+    public String plan() {
+        return presentation.asker().plan();
+    }
+
+    /** Name of the mission that asks; empty text where the domain asks. */
+    public String mission() {
+        return presentation.asker().mission();
+    }
+
+    /** Id of the place whose output event asks; empty text where none does. */
+    public String place() {
+        return presentation.asker().place();
+    }
+
+    /** How attention is drawn to it now: no longer when the operator has turned to it. */
+    public Optional<Attention> attention() {
+        return attended ? Optional.empty() : presentation.attention();
     }
 
     /** For how many milliseconds it has waited. */
@@ -32,7 +56,6 @@ public record PendingDecision(Decision decision, long openedAtMillis, String pla
 
     /** After how many milliseconds autonomy answers; empty where it never does. */
     public OptionalLong autonomyInMillis(long nowMillis) {
-        OptionalLong deadline = decision.deadlineMillis();
-        return deadline.isEmpty() ? deadline : OptionalLong.of(Math.max(0, deadline.getAsLong() - nowMillis));
+        return presentation.autonomy().remainingMillis(nowMillis);
     }
 }

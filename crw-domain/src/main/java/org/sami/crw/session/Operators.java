@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import org.sami.crw.decision.BoatFilter;
+import org.sami.crw.decision.DecisionPresenter;
 import org.sami.crw.session.SessionOperator.Asked;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
@@ -79,7 +79,7 @@ final class Operators implements HostListener {
 
     private void ask(Decision decision, EngineView view, Map<Long, Long> workMillis, long atMillis) {
         Asked asked = new Asked(
-                BoatFilter.narrowed(decision, view),
+                DecisionPresenter.of(decision, view),
                 planOfMission.getOrDefault(decision.mission(), ""),
                 workMillis.getOrDefault(decision.activation(), 0L),
                 atMillis);

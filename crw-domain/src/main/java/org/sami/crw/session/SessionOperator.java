@@ -1,6 +1,7 @@
 package org.sami.crw.session;
 
 import java.util.Optional;
+import org.sami.crw.decision.DecisionPresentation;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
 
@@ -27,10 +28,15 @@ public interface SessionOperator {
     /**
      * A decision that waits.
      *
-     * @param decision offers only boats that the plan allows
+     * @param presentation how it is to be shown
      * @param plan id of the plan whose mission asks; empty text where the domain asks
      * @param workMillis how long the operator is busy with what is asked beside answering (thesis 8.1)
      * @param atMillis since when, in the session's time
      */
-    record Asked(Decision decision, String plan, long workMillis, long atMillis) {}
+    record Asked(DecisionPresentation presentation, String plan, long workMillis, long atMillis) {
+        /** The decision, with its question as it is asked. */
+        public Decision decision() {
+            return presentation.decision();
+        }
+    }
 }

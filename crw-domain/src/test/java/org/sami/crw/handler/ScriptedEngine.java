@@ -176,6 +176,13 @@ final class ScriptedEngine implements EngineFunction, EngineView {
     }
 
     @Override
+    public Optional<Activation> activation(long id) {
+        return openActivations().stream()
+                .filter(activation -> activation.id() == id)
+                .findFirst();
+    }
+
+    @Override
     public List<Activation> openActivations() {
         return List.copyOf(open);
     }

@@ -18,7 +18,7 @@ import org.sami.spn.protocol.Question;
 class DecisionModelsTest {
     @Test
     void theHighestPriorityComesFirstThenTheOldest() {
-        DecisionQueue queue = new DecisionQueue();
+        DecisionQueue queue = new DecisionQueue(Runnable::run);
 
         open(queue, decision(1, Priority.MEDIUM), 100);
         open(queue, decision(2, Priority.CRITICAL), 300);
@@ -31,7 +31,7 @@ class DecisionModelsTest {
 
     @Test
     void whatIsClosedWaitsNoLonger() {
-        DecisionQueue queue = new DecisionQueue();
+        DecisionQueue queue = new DecisionQueue(Runnable::run);
         open(queue, decision(1, Priority.LOW), 10);
         open(queue, decision(2, Priority.LOW), 20);
 
@@ -45,7 +45,7 @@ class DecisionModelsTest {
 
     @Test
     void aSnapshotDoesNotChange() {
-        DecisionQueue queue = new DecisionQueue();
+        DecisionQueue queue = new DecisionQueue(Runnable::run);
         open(queue, decision(1, Priority.LOW), 10);
         List<PendingDecision> snapshot = queue.pending();
 
@@ -57,7 +57,7 @@ class DecisionModelsTest {
 
     @Test
     void listenersHearOfEachChangeOnceAndDoNotHarmEachOther() {
-        DecisionQueue queue = new DecisionQueue();
+        DecisionQueue queue = new DecisionQueue(Runnable::run);
         List<String> heard = new ArrayList<>();
         queue.addListener(new DecisionListener() {
             @Override

@@ -11,6 +11,7 @@ import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * Questions about the state of an engine. Valid only on the thread that owns the state and until its next step; what the
@@ -44,6 +45,9 @@ public interface EngineView {
     /** The globals of the newest project that have a value, in the project's order. */
     Map<String, Value> globals();
 
+    /** The words of the session's plans. */
+    Vocabulary vocabulary();
+
     /** Open decisions, in order of creation. */
     List<Decision> decisions();
 
@@ -73,6 +77,9 @@ public interface EngineView {
 
     /** What handlers remembered for a mission, or with {@code Ids.NONE} for the session ({@code Input.Remember}). */
     Optional<Value> memory(long mission, String key);
+
+    /** The activation of an id, if its visit has not ended. */
+    Optional<Activation> activation(long id);
 
     /** Activations whose visits have not ended, in order of id. */
     List<Activation> openActivations();

@@ -31,6 +31,7 @@ import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /** Answers questions about a state. */
 final class StateView implements EngineView {
@@ -119,6 +120,11 @@ final class StateView implements EngineView {
             }
         }
         return globals;
+    }
+
+    @Override
+    public Vocabulary vocabulary() {
+        return state.first.vocabulary;
     }
 
     @Override
@@ -238,6 +244,11 @@ final class StateView implements EngineView {
         }
         MissionState m = state.missions.get(mission);
         return m == null ? Optional.empty() : Optional.ofNullable(m.memory.get(key));
+    }
+
+    @Override
+    public Optional<Activation> activation(long id) {
+        return Optional.ofNullable(state.sent.get(id)).filter(s -> s.open).map(s -> s.activation);
     }
 
     @Override

@@ -1,0 +1,132 @@
+package org.sami.crw.decision;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import org.sami.crw.markup.Attention;
+import org.sami.crw.markup.MapRelevance;
+import org.sami.crw.markup.MarkupReader;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.protocol.Question;
+import org.sami.spn.value.ProxyValue;
+
+/**
+ * A decision as it is to be shown: what its markups say of it is done (appendix .2.3). Windows, the console and the simulated operator
+ * ask by this alone (docs/decisions-model.md). Immutable; made by {@link DecisionPresenter}.
+ *
+ * @param decision with the question as it is asked
+ * @param description lines that the author added, and the names of plan, vertex and event where the markup Description shows them
+ * @param options what is offered, filtered and sorted; empty for yes or no and where values are asked for
+ * @param format how options are laid out (markup Selection Options)
+ * @param attention how attention is drawn to it; empty where it is not
+ * @param proposedLocation what is proposed where a location is asked for; empty where nothing is
+ * @param map what of the map it is about
+ */
+public record DecisionPresentation(
+        Decision decision,
+        Asker asker,
+        List<String> description,
+        List<OfferedOption> options,
+        OptionsFormat format,
+        MixedInitiative autonomy,
+        Optional<Attention> attention,
+        Optional<LocationDefault> proposedLocation,
+        MapRelevance map) {
+    /** How options are laid out. */
+    public enum OptionsFormat {
+        /** One after the other. */
+        SEQUENTIAL,
+        /** All below each other. */
+        STACKED,
+        /** Each in a tab. */
+        TABS
+    }
+
+    /** Which location is proposed. */
+    public enum LocationDefault {
+        /** Where boats are launched. */
+        QUAY,
+        /** The middle of the area of operation. */
+        AREA
+    }
+
+    public DecisionPresentation {
+        Objects.requireNonNull(decision, "decision");
+        Objects.requireNonNull(asker, "asker");
+        description = List.copyOf(description);
+        options = List.copyOf(options);
+        Objects.requireNonNull(format, "format");
+        Objects.requireNonNull(autonomy, "autonomy");
+        Objects.requireNonNull(attention, "attention");
+        Objects.requireNonNull(proposedLocation, "proposedLocation");
+        Objects.requireNonNull(map, "map");
+    }
+
+    /** Names the decision. */
+    public long id() {
+        return decision.id();
+    }
+
+    /** What is asked, in one sentence. */
+    public String title() {
+        return decision.prompt();
+    }
+
+    /** What form the answer has. */
+    public Question question() {
+        return decision.question();
+    }
+
+    /** How urgent it is. */
+    public Priority priority() {
+        return decision.priority();
+    }
+
+    /**
+     * The answer that chooses some of what is offered.
+     *
+     * @throws IllegalArgumentException if one of several options is to be chosen and it is not one, or nothing is offered
+     */
+    public Answer choosing(Collection<OfferedOption> chosen) {
+        if (question() instanceof Question.ChooseProxies) {
+            return new Answer.Proxies(chosen.stream()
+                    .map(choice -> ((ProxyValue) choice.value()).proxy())
+                    .toList());
+        }
+        if (question() instanceof Question.ChooseOption && chosen.size() == 1) {
+            return new Answer.Option(chosen.iterator().next().index());
+        }
+        throw new IllegalArgumentException("One option is to be chosen, not " + chosen.size());
+    }
+
+    /** The answer that takes what is selected when the decision opens; empty where nothing is. */
+    public Optional<Answer> selected() {
+        List<OfferedOption> preset =
+                options.stream().filter(OfferedOption::selected).toList();
+        return preset.isEmpty() ? Optional.empty() : Optional.of(choosing(preset));
+    }
+
+    /** The same, after something of the decision itself has changed, such as its deadline. */
+    public DecisionPresentation withDecision(Decision changed) {
+        return new DecisionPresentation(
+                changed,
+                asker,
+                description,
+                options,
+                format,
+                MixedInitiative.of(changed, autonomy.words()),
+                attention,
+                proposedLocation,
+                map);
+    }
+
+    /** A decision of which nothing is known but what it says itself. */
+    public static DecisionPresentation plain(Decision decision) {
+        MarkupReader markups = new MarkupReader(decision.markups());
+        List<OfferedOption> options = OfferedOptions.of(decision, markups, List.of(), boat -> "");
+        return DecisionPresenter.of(decision, Asker.UNKNOWN, markups, options, List.of(), List.of());
+    }
+}

@@ -1,0 +1,100 @@
+package org.sami.crw.decision;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.sami.crw.decision.DecisionPresentation.LocationDefault;
+import org.sami.crw.decision.DecisionPresentation.OptionsFormat;
+import org.sami.crw.markup.Attention;
+import org.sami.crw.markup.MapRelevance;
+import org.sami.crw.markup.MarkupReader;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.engine.MissionView;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.vocabulary.EventType;
+
+/** Makes {@link DecisionPresentation}s: asks the engine's state for what a decision does not say itself. */
+public final class DecisionPresenter {
+    private static final String DESCRIPTION = "Description";
+
+    private DecisionPresenter() {}
+
+    /** How a decision is to be shown that is open, or was in this step. On the engine's thread. */
+    public static DecisionPresentation of(Decision decision, EngineView view) {
+        Optional<Activation> asking = view.activation(decision.activation());
+        Decision offered = BoatFilter.narrowed(decision, view);
+        MarkupReader markups = new MarkupReader(offered.markups());
+        List<String> all = view.proxies();
+        List<OfferedOption> choices = OfferedOptions.of(
+                offered, markups, all, boat -> BoatDescriptions.of(view, boat).orElse(""));
+        return of(
+                offered,
+                asker(offered, asking, view),
+                markups,
+                choices,
+                asking.map(Activation::proxies).orElse(List.of()),
+                all);
+    }
+
+    static DecisionPresentation of(
+            Decision decision,
+            Asker asker,
+            MarkupReader markups,
+            List<OfferedOption> choices,
+            List<String> relevant,
+            List<String> all) {
+        String words = decision.automatic()
+                .map(answer -> OfferedOptions.words(answer, choices))
+                .orElse("");
+        return new DecisionPresentation(
+                decision,
+                asker,
+                description(markups, asker),
+                choices,
+                markups.constant("SelectionOptions", "format", OptionsFormat.class)
+                        .orElse(OptionsFormat.SEQUENTIAL),
+                MixedInitiative.of(decision, words),
+                Attention.of(markups),
+                markups.constant("DefaultLocation", "location", LocationDefault.class),
+                MapRelevance.of(markups, relevant, all));
+    }
+
+    private static Asker asker(Decision decision, Optional<Activation> asking, EngineView view) {
+        Optional<MissionView> mission = view.mission(decision.mission());
+        Optional<Plan> plan = view.planOf(decision.mission());
+        Optional<Place> place = asking.flatMap(a -> plan.flatMap(known -> known.place(a.place())));
+        return new Asker(
+                mission.map(MissionView::plan).orElse(""),
+                plan.map(Plan::title).orElse(""),
+                mission.map(MissionView::name).orElse(""),
+                asking.map(Activation::place).orElse(""),
+                place.map(Place::name)
+                        .filter(name -> !name.isBlank())
+                        .or(() -> asking.map(Activation::place))
+                        .orElse(""),
+                asking.map(a -> view.vocabulary()
+                                .event(a.type())
+                                .map(EventType::label)
+                                .orElse(a.type()))
+                        .orElse(""));
+    }
+
+    private static List<String> description(MarkupReader markups, Asker asker) {
+        List<String> lines = new ArrayList<>();
+        lines.add(markups.text(DESCRIPTION, "source"));
+        if (markups.flag(DESCRIPTION, "showPlanName")) {
+            lines.add("Plan: " + asker.planTitle());
+        }
+        if (markups.flag(DESCRIPTION, "showVertexName")) {
+            lines.add("Place: " + asker.placeName());
+        }
+        if (markups.flag(DESCRIPTION, "showEventName")) {
+            lines.add("Event: " + asker.event());
+        }
+        lines.removeIf(String::isBlank);
+        return lines;
+    }
+}
