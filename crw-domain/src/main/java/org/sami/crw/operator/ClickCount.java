@@ -65,13 +65,18 @@ public final class ClickCount {
             return 1L + interrupt.proxies().size();
         }
         if (input instanceof Input.AnswerDecision answered && answered.by() == Answerer.OPERATOR) {
-            return clicksOf(answered.answer(), Optional.ofNullable(open.get(answered.decision())));
+            return ofAnswer(answered.answer(), Optional.ofNullable(open.get(answered.decision())));
         }
         return 0;
     }
 
+    /** What an answer of the operator's to a question costs. */
+    public static long ofAnswer(Answer answer, Question question) {
+        return ofAnswer(answer, Optional.of(question));
+    }
+
     /** Clicks for what is chosen or marked, and one to confirm; choosing an option or yes or no confirms itself. */
-    private static long clicksOf(Answer answer, Optional<Question> question) {
+    private static long ofAnswer(Answer answer, Optional<Question> question) {
         if (answer instanceof Answer.Proxies chosen) {
             return chosen.proxies().size() + 1L;
         }

@@ -16,17 +16,16 @@ import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.ProxyRegistry;
 
 /**
- * Takes snapshots of boats: one after what happened to a boat, at most ten a second of each; the last change is caught by
+ * Takes snapshots of boats: one after what happened to a boat, at most one of each in a period; the last change is caught by
  * {@link #look}. For the fleet's thread.
  */
 final class FleetSampler {
-    private static final long PERIOD_MILLIS = 100;
-
     /** Proxies know the time by their ticks, so a silence is known within this; else a silent boat would be new at every look. */
     private static final long HEARD_TOLERANCE_MILLIS = 150;
 
     private final ProxyRegistry boats;
     private final LongSupplier nowMillis;
+    private final long periodMillis;
     private final BiConsumer<String, Optional<BoatSnapshot>> taken;
     private final Map<String, Seen> seen = new LinkedHashMap<>();
 
@@ -40,11 +39,17 @@ final class FleetSampler {
     /**
      * A sampler that has seen no boat.
      *
+     * @param periodMillis how long a boat is left alone after a snapshot of it
      * @param taken is given each snapshot that differs from the one before; empty for a boat that is gone
      */
-    FleetSampler(ProxyRegistry boats, LongSupplier nowMillis, BiConsumer<String, Optional<BoatSnapshot>> taken) {
+    FleetSampler(
+            ProxyRegistry boats,
+            LongSupplier nowMillis,
+            long periodMillis,
+            BiConsumer<String, Optional<BoatSnapshot>> taken) {
         this.boats = boats;
         this.nowMillis = nowMillis;
+        this.periodMillis = periodMillis;
         this.taken = taken;
     }
 
@@ -68,11 +73,11 @@ final class FleetSampler {
         }
     }
 
-    /** Time has passed: takes snapshots that are due. To be called ten times a second. */
+    /** Time has passed: takes snapshots that are due. To be called once a period. */
     void look() {
         boats.all().forEach(boat -> {
             Seen known = seen.computeIfAbsent(boat.boatId(), id -> new Seen());
-            known.changed |= nowMillis.getAsLong() - known.sampledAtMillis >= 10 * PERIOD_MILLIS; // words count seconds
+            known.changed |= nowMillis.getAsLong() - known.sampledAtMillis >= 10 * periodMillis; // words count seconds
             sampleIfDue(boat, known);
         });
     }
@@ -85,7 +90,7 @@ final class FleetSampler {
 
     private void sampleIfDue(BoatProxy boat, Seen known) {
         long now = nowMillis.getAsLong();
-        if (!known.changed || now - known.sampledAtMillis < PERIOD_MILLIS) {
+        if (!known.changed || now - known.sampledAtMillis < periodMillis) {
             return;
         }
         known.changed = false;

@@ -109,7 +109,7 @@ public final class MissionModel extends Model<MissionsSnapshot> {
     }
 
     private void fired(Effect.Fired e, long atMillis) {
-        firings++;
+        firings = Math.max(firings, e.firing());
         with(e.mission(), mission -> {
             mission.firings++;
             mission.lastFirings.add(new Firing(e.firing(), atMillis, e.transition(), e.used(), e.moves()));

@@ -12,7 +12,7 @@ import org.sami.spn.value.Value;
  *
  * @param missions those that go on and the latest that have ended, sub-missions included, in order of creation
  * @param globals the latest values of global variables, as far as they were written or a running plan reads them
- * @param firings how many firings there were in all
+ * @param firings how many firings there were in the session up to the last that is known here
  */
 public record MissionsSnapshot(List<MissionSnapshot> missions, Map<String, Value> globals, long firings) {
     static final MissionsSnapshot EMPTY = new MissionsSnapshot(List.of(), Map.of(), 0);

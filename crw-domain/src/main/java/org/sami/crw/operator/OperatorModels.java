@@ -1,13 +1,16 @@
 package org.sami.crw.operator;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
@@ -41,6 +44,9 @@ import org.sami.spn.vocabulary.Vocabulary;
  * a second on the fleet's thread and {@link #refresh} a few times a second on any.
  */
 public final class OperatorModels implements HostListener, MessageSink {
+    /** A boat is shown ten times a second at most. */
+    public static final long SHOW_MILLIS = 100;
+
     private static final int MESSAGES_KEPT = 1000;
 
     private final ModelInbox inbox;
@@ -54,6 +60,7 @@ public final class OperatorModels implements HostListener, MessageSink {
     private final AlarmModel alarms;
     private final AllocationModel allocation = new AllocationModel();
     private final ClickModel clicks = new ClickModel();
+    private final Queue<CompletableFuture<Void>> awaitShown = new ArrayDeque<>(); // for the owner's thread
     private final AtomicLong steps = new AtomicLong();
     private final AtomicLong stepsLookedAt = new AtomicLong();
     private final AtomicBoolean looking = new AtomicBoolean();
@@ -82,6 +89,16 @@ public final class OperatorModels implements HostListener, MessageSink {
     private void publish() {
         List.of(decisions, messages, missions, fleet, commands, interrupts, alarms, allocation, clicks)
                 .forEach(Model::publish);
+        for (CompletableFuture<Void> one = awaitShown.poll(); one != null; one = awaitShown.poll()) {
+            one.complete(null);
+        }
+    }
+
+    /** Completes, on the owner's thread, when all that was told until now is in the snapshots. From any thread. */
+    public CompletionStage<Void> shown() {
+        CompletableFuture<Void> shown = new CompletableFuture<>();
+        inbox.post(() -> awaitShown.add(shown));
+        return shown;
     }
 
     /** Decisions that wait. */
@@ -244,7 +261,16 @@ public final class OperatorModels implements HostListener, MessageSink {
      * @param boats the proxies, for the fleet's thread
      */
     public Consumer<FleetEvent> fleetListener(ProxyRegistry boats) {
-        FleetSampler made = new FleetSampler(boats, nowMillis, fleet::seen);
+        return fleetListener(boats, SHOW_MILLIS);
+    }
+
+    /**
+     * The same with another period.
+     *
+     * @param periodMillis how long a boat is left alone after a snapshot of it
+     */
+    public Consumer<FleetEvent> fleetListener(ProxyRegistry boats, long periodMillis) {
+        FleetSampler made = new FleetSampler(boats, nowMillis, periodMillis, fleet::seen);
         sampler = Optional.of(made);
         return event -> {
             made.happened(event);

@@ -16,15 +16,15 @@ final class BoatMonitor {
     /** So many looks, a second apart, are the usual time of an upload and of a boat's answers. */
     private static final int PATIENCE = 3;
 
-    private final FleetStatus status;
+    private final FleetHistory history;
     private final SessionTelemetry telemetry;
     private final SessionMessages messages;
     private final Map<String, Standstill> standstills = new HashMap<>();
 
     private record Standstill(String reason, int looks) {}
 
-    BoatMonitor(FleetStatus status, SessionTelemetry telemetry, SessionMessages messages) {
-        this.status = status;
+    BoatMonitor(FleetHistory history, SessionTelemetry telemetry, SessionMessages messages) {
+        this.history = history;
         this.telemetry = telemetry;
         this.messages = messages;
     }
@@ -36,15 +36,11 @@ final class BoatMonitor {
 
     private void look(BoatProxy boat) {
         UploadCount uploads = boat.uploads();
-        if (status.uploaded(boat.boatId(), uploads)) {
+        if (history.uploaded(boat.boatId(), uploads)) {
             telemetry.uploads(boat.boatId(), uploads);
         }
         BoatExplanation explanation = boat.explain();
-        boolean isEmpty = boat.status()
-                .battery()
-                .filter(battery -> battery.percent() <= 0)
-                .isPresent();
-        status.explained(boat.boatId(), explanation.text(), !boat.isAtRest() && !isEmpty);
+        history.explained(boat.boatId(), explanation.text());
         boolean stands = !explanation.shouldMove()
                 && !boat.isAtRest()
                 && boat.status().link() != LinkState.LOST; // that was said at once

@@ -24,7 +24,7 @@ import org.sami.spn.value.GeoPoint;
 public final class Fleet {
     private final FleetConnector connector;
     private final Replies replies;
-    private final FleetStatus status;
+    private final FleetHistory history;
     private final Optional<RememberedBoats> remembered; // empty where a session is resumed by running its world again
     private final Runnable beforeTheFirst;
     private boolean stopped; // for the fleet's thread
@@ -33,12 +33,12 @@ public final class Fleet {
             FleetConnector connector,
             FleetListener listener,
             Replies replies,
-            FleetStatus status,
+            FleetHistory history,
             Optional<RememberedBoats> remembered,
             Runnable beforeTheFirst) {
         this.connector = connector;
         this.replies = replies;
-        this.status = status;
+        this.history = history;
         this.remembered = remembered;
         this.beforeTheFirst = beforeTheFirst;
         listener.onEachBoat(this::found);
@@ -140,8 +140,8 @@ public final class Fleet {
     }
 
     /** What is known of the boats over all processes of the session; from any thread, at once. */
-    public FleetStatus status() {
-        return status;
+    public FleetHistory history() {
+        return history;
     }
 
     /** Asks the proxies something on the fleet's thread; what is asked must be quick. */

@@ -28,7 +28,7 @@ import org.sami.spn.value.GeoPoint;
  */
 final class FleetListener implements BaseListener {
     private final FleetEvents events;
-    private final FleetStatus status;
+    private final FleetHistory history;
     private final SessionTelemetry telemetry;
     private final SessionMessages messages;
     private final Optional<RememberedBoats> remembered;
@@ -39,13 +39,13 @@ final class FleetListener implements BaseListener {
 
     FleetListener(
             FleetEvents events,
-            FleetStatus status,
+            FleetHistory history,
             SessionTelemetry telemetry,
             SessionMessages messages,
             Optional<RememberedBoats> remembered,
             LongSupplier nowMillis) {
         this.events = events;
-        this.status = status;
+        this.history = history;
         this.telemetry = telemetry;
         this.messages = messages;
         this.remembered = remembered;
@@ -80,7 +80,7 @@ final class FleetListener implements BaseListener {
     public void onReached(String boatId, InetSocketAddress at) {
         BoatAddress address = new BoatAddress(at.getHostString(), at.getPort());
         remembered.ifPresent(memory -> memory.reachedAt(boatId, address));
-        if (status.isAt(boatId, address.toString())) {
+        if (history.isAt(boatId, address.toString())) {
             telemetry.address(boatId, address.toString());
         }
     }
@@ -134,9 +134,9 @@ final class FleetListener implements BaseListener {
 
     private void told(BoatStatus boat) {
         boat.pose()
-                .ifPresent(pose -> status.told(
+                .ifPresent(pose -> history.told(
                         boat.boatId(),
-                        new FleetStatus.Told(
+                        new FleetHistory.Told(
                                 pose.position(),
                                 pose.headingRad(),
                                 pose.speedMps(),
@@ -146,10 +146,10 @@ final class FleetListener implements BaseListener {
 
     private void linkChanged(BoatStatus boat) {
         if (boat.link() == LinkState.LINKED) {
-            status.linked(boat.boatId(), boat.bootId());
+            history.linked(boat.boatId(), boat.bootId());
             telemetry.linked(boat.boatId(), boat.bootId());
         } else if (boat.link() == LinkState.LOST) {
-            status.lost(boat.boatId());
+            history.lost(boat.boatId());
             telemetry.lost(boat.boatId());
         }
     }

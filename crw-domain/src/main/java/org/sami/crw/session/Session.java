@@ -60,7 +60,8 @@ public final class Session implements AutoCloseable {
     private Session(SessionSetup setup) throws IOException {
         this.setup = setup;
         parts = new SessionParts(setup);
-        fleet = new Fleet(parts.connector, parts.boats, parts.replies, parts.status, parts.remembered, this::noteBegin);
+        fleet = new Fleet(
+                parts.connector, parts.boats, parts.replies, parts.history, parts.remembered, this::noteBegin);
     }
 
     /**
@@ -76,7 +77,7 @@ public final class Session implements AutoCloseable {
     private void noteBegin() {
         if (boatsWanted.compareAndSet(false, true)) {
             parts.telemetry.begun();
-            parts.status.begunAnew();
+            parts.history.begunAnew();
         }
     }
 
@@ -107,15 +108,12 @@ public final class Session implements AutoCloseable {
     }
 
     /**
-     * Lets a listener, and after it the operators, hear what happened in earlier processes; before {@link #begin}, on the calling thread.
+     * Lets a listener, and after it the models and the operators, hear what happened in earlier processes; before {@link #begin}, on the calling thread.
      *
      * @throws IOException if the journal cannot be read
      */
     public void replay(HostListener listener) throws IOException {
-        setup.journal().replay(parts.engine, (index, atMillis, input, effects, view) -> {
-            listener.onStep(index, atMillis, input, effects, view);
-            parts.operators.onStep(index, atMillis, input, effects, view);
-        });
+        parts.replay(listener);
     }
 
     // ---- missions
@@ -281,11 +279,11 @@ public final class Session implements AutoCloseable {
     }
 
     /**
-     * Looks after all boats, and then has something done on the engine's thread: what was asked of boats before has reached their
-     * proxies by then.
+     * Says on the engine's thread, a little later, of which boats missions want something, now or when nothing keeps them any longer. What
+     * was asked of boats before has reached their proxies by then.
      */
-    public void lookAfterBoats(Runnable then) {
-        parts.lookAfterBoats(then);
+    public void whoIsWanted(Consumer<Set<String>> then) {
+        parts.whoIsWanted(then);
     }
 
     /** What the session notes beside the engine's inputs. */

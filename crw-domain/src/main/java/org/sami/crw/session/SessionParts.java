@@ -2,19 +2,24 @@ package org.sami.crw.session;
 
 import java.io.IOException;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.sami.crw.fleet.FleetEvents;
 import org.sami.crw.handler.CrwDomain;
 import org.sami.crw.handler.ServiceThreads;
 import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.HostListener;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** The parts of a session, put together for its runtime. */
@@ -24,8 +29,10 @@ final class SessionParts {
 
     private static final long SLOW_MILLIS = 50;
     private static final long LOOK_MS = 1000;
-    private static final long SHOW_MS = 100;
     private static final int SHOWN_BEFORE_REFRESH = 3;
+
+    /** In simulated time ten looks a second would take longer than all else, and nobody watches that closely. */
+    private static final long ONE_THREAD_SHOW_MS = 10_000;
 
     final Engine engine;
     final Scheduler scheduler;
@@ -34,7 +41,7 @@ final class SessionParts {
     final Replies replies;
     final EngineHost host;
     final FleetConnector connector;
-    final FleetStatus status = new FleetStatus();
+    final FleetHistory history = new FleetHistory();
     final SessionTelemetry telemetry;
     final OperatorModels models;
     final SessionMessages messages;
@@ -51,8 +58,10 @@ final class SessionParts {
     private final Optional<RealTimeLoop> loop;
     private final Optional<ServiceThreads> services;
     private final Optional<ExecutorService> ownFront;
+    private final long showMillis;
     private final CompletableFuture<Void> ended = new CompletableFuture<>();
     private volatile boolean halted;
+    private boolean replayed; // before it begins
     private long shown; // for the engine's thread
 
     SessionParts(SessionSetup setup) throws IOException {
@@ -77,6 +86,7 @@ final class SessionParts {
             ownFront = Optional.empty();
             front = one.executor();
         }
+        showMillis = loop.isPresent() ? OperatorModels.SHOW_MILLIS : ONE_THREAD_SHOW_MS;
         long slowMillis = loop.isPresent() ? SLOW_MILLIS : NEVER_SLOW_MILLIS;
         ScheduledHostClock clock = new ScheduledHostClock(scheduler);
         host = EngineHost.builder(engine, journal.restore(engine))
@@ -92,8 +102,8 @@ final class SessionParts {
         messages = new SessionMessages(telemetry, models);
         remembered = loop.map(real -> new RememberedBoats(host));
         events = new FleetEvents(slowMillis);
-        boats = new FleetListener(events, status, telemetry, messages, remembered, scheduler::nowMs);
-        monitor = new BoatMonitor(status, telemetry, messages);
+        boats = new FleetListener(events, history, telemetry, messages, remembered, scheduler::nowMs);
+        monitor = new BoatMonitor(history, telemetry, messages);
         connector.open(boats);
         domain = services.map(threads -> CrwDomain.installInRealTime(
                         host,
@@ -109,9 +119,7 @@ final class SessionParts {
         host.addListener(operators);
         host.addListener(models);
         host.addListener(posted);
-        if (loop.isPresent()) {
-            events.subscribe(models.fleetListener(connector.boats()));
-        }
+        events.subscribe(models.fleetListener(connector.boats(), showMillis));
     }
 
     private static ExecutorService newFront() {
@@ -125,24 +133,34 @@ final class SessionParts {
     void begin() {
         host.ask(view -> {
             operators.restore(view, scheduler.nowMs());
-            models.restore(view, scheduler.nowMs());
+            if (!replayed) { // else the models have heard it
+                models.restore(view, scheduler.nowMs());
+            }
             return null;
         });
         host.resume();
         keepLookingAfterBoats();
-        if (loop.isPresent()) {
-            keepShowing();
-        }
+        keepShowing();
         loop.ifPresent(this::startEngine);
     }
 
-    /** Ages and reasons change by themselves. In a run in process nobody looks at boats but the run itself. */
+    /** Lets a listener, the models and after them the operators hear of the past. */
+    void replay(HostListener listener) throws IOException {
+        replayed = true;
+        journal.replay(engine, (index, atMillis, input, effects, view) -> {
+            listener.onStep(index, atMillis, input, effects, view);
+            models.onStep(index, atMillis, input, effects, view);
+            operators.onStep(index, atMillis, input, effects, view);
+        });
+    }
+
+    /** Ages and reasons change by themselves. */
     private void keepShowing() {
         connector.executor().execute(models::look);
         if (++shown % SHOWN_BEFORE_REFRESH == 0) {
             models.refresh(host, vocabulary);
         }
-        scheduler.after(SHOW_MS, this::keepShowing);
+        scheduler.after(showMillis, this::keepShowing);
     }
 
     private void keepLookingAfterBoats() {
@@ -150,10 +168,13 @@ final class SessionParts {
         scheduler.after(LOOK_MS, this::keepLookingAfterBoats);
     }
 
-    void lookAfterBoats(Runnable then) {
+    void whoIsWanted(Consumer<Set<String>> then) {
         connector.executor().execute(() -> {
-            monitor.look(connector.boats());
-            executor.execute(then);
+            Set<String> wanted = connector.boats().all().stream()
+                    .filter(boat -> !boat.isAtRest())
+                    .map(BoatProxy::boatId)
+                    .collect(Collectors.toSet());
+            executor.execute(() -> then.accept(wanted));
         });
     }
 

@@ -50,7 +50,7 @@ public final class SessionTelemetry {
     }
 
     /** Notes where a boat was, and how far it had come. */
-    public void pose(long atMillis, String boat, FleetStatus.Told told, double distanceM) {
+    public void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {
         ObjectNode json = point(told.position());
         json.put("headingRad", told.headingRad())
                 .put("speedMps", told.speedMps())
@@ -158,7 +158,7 @@ public final class SessionTelemetry {
     public interface Reader {
         void begun();
 
-        void pose(long atMillis, String boat, FleetStatus.Told told, double distanceM);
+        void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM);
 
         void visited(long atMillis, String boat, GeoPoint location);
 
@@ -246,8 +246,8 @@ public final class SessionTelemetry {
                 GeoPoint.of(json.path("latDeg").asDouble(), json.path("lonDeg").asDouble()));
     }
 
-    private static FleetStatus.Told told(JsonNode json) {
-        return new FleetStatus.Told(
+    private static FleetHistory.Told told(JsonNode json) {
+        return new FleetHistory.Told(
                 point(json),
                 json.required("headingRad").asDouble(),
                 json.required("speedMps").asDouble(),

@@ -17,7 +17,7 @@ import org.sami.spn.value.GeoPoint;
 class BoatMonitorTest {
     private static final String WHY = "anna does not move: the boat has not answered yet; one command waits";
 
-    private final FleetStatus status = new FleetStatus();
+    private final FleetHistory status = new FleetHistory();
     private final SessionTelemetry telemetry = new SessionTelemetry(SessionJournal.none(), () -> 0);
     private final SessionMessages messages = new SessionMessages(telemetry, message -> {});
     private final List<String> notices = new ArrayList<>();
@@ -52,18 +52,5 @@ class BoatMonitorTest {
         look(5);
         assertThat(notices).hasSize(1);
         assertThat(status.link("anna").why()).isEqualTo(WHY);
-    }
-
-    @Test
-    void sessionIsNotStuckAsLongAsAMissionWantsSomethingOfABoat() {
-        assertThat(status.someoneIsWanted()).isFalse();
-        anna.submit(FollowPath.of("m1-a1-anna", 1, 1, List.of(GeoPoint.of(45, 10)), Priority.MEDIUM));
-        look(1);
-        assertThat(status.someoneIsWanted()).isTrue();
-
-        anna.withdraw(1);
-        look(1);
-
-        assertThat(status.someoneIsWanted()).isFalse();
     }
 }

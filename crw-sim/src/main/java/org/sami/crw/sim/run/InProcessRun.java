@@ -2,7 +2,6 @@ package org.sami.crw.sim.run;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -11,26 +10,20 @@ import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.OperatorDefaults;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.handler.CrwServices;
-import org.sami.crw.operator.BlockedPlaces;
+import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionJournal;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.sim.clock.VirtualClock;
-import org.sami.crw.sim.fleet.SimulatedBoat;
-import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.LinkResult;
 import org.sami.crw.sim.report.LinkResult.Uploads;
-import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
-import org.sami.spn.host.HostStatus;
-import org.sami.spn.protocol.Input;
-import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.Value;
 
 /**
@@ -46,25 +39,15 @@ public final class InProcessRun {
     private static final long MARK_ENTRIES = 10;
     private static final long JOIN_MILLIS = 30_000;
 
-    private final RunPlan plan;
     private final RunSettings settings;
-    private final Map<String, Value> parameters;
     private final RunJournal journal;
     private final LoopExecutor executor = new LoopExecutor();
     private final VirtualClock clock = new VirtualClock();
     private final SimulatedWater water;
     private final SimulatedOperatorDriver operator;
-    private final InterruptScheduler interrupts;
     private final Session session;
-    private final RunNotes notes = new RunNotes(line -> {});
-    private final ReadingRecorder readings = new ReadingRecorder();
-    private final RunRecorder recorder;
-    private final VisitRecorder visits = new VisitRecorder();
-    private final TrackRecorder tracks = new TrackRecorder();
-    private final PlanMap map;
-    private final StallDetector stall;
-    private Optional<String> fault = Optional.empty();
-    private boolean started;
+    private final RunRecords records;
+    private final RunLifecycle lifecycle;
     private boolean catchingUp = true;
     private long markedIndex;
     private boolean endsWhenStuck = true;
@@ -76,15 +59,15 @@ public final class InProcessRun {
      * @throws IllegalArgumentException naming the parameter or the interrupt, if a given one does not fit the plan
      */
     public InProcessRun(RunPlan plan, RunSettings settings, AnswersFile answers, RunJournal journal) {
-        this.plan = plan;
         this.settings = settings;
         this.journal = journal;
-        parameters = new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
+        Map<String, Value> parameters =
+                new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
         RunSettings.Fleet fleet = settings.fleet();
         SimulatedBoatConnector connector = new SimulatedBoatConnector(executor);
         session = open(plan, journal, new SessionRuntime.OneThread(clock, executor, connector));
+        RunNotes notes = new RunNotes(line -> {});
         session.addListener(notes);
-        session.addListener(readings);
         water = new SimulatedWater(clock, fleet, connector::listenerOf);
         connector.launch(water);
         OperatorDefaults defaults = new OperatorDefaults(
@@ -96,20 +79,16 @@ public final class InProcessRun {
                 fleet.boatNames());
         operator = new SimulatedOperatorDriver(
                 new SimulatedOperator(plan.vocabulary(), defaults, answers), clock, settings.answerAfterMillis());
-        interrupts = new InterruptScheduler(
+        InterruptScheduler interrupts = new InterruptScheduler(
                 new PlanInterrupts(plan.vocabulary(), plan.project(), plan.plan())
                         .read(settings.interrupts(), fleet.boatNames()),
                 clock);
-        recorder = new RunRecorder(plan.project());
-        session.addListener(recorder);
+        records = new RunRecords(plan, settings, session, water.plane(), notes, operator, interrupts);
+        records.listeners().forEach(session::addListener);
         session.addOperator(operator);
-        session.addListener(new LocationListener(visits, water.plane()));
-        session.addListener(interrupts);
-        map = new PlanMap(water.plane());
-        session.addListener(map);
         operator.connect(session);
         interrupts.connect(session.host());
-        stall = new StallDetector(session.host(), plan, operator, interrupts, recorder);
+        lifecycle = new RunLifecycle(plan, settings, parameters, session, records);
     }
 
     private static Session open(RunPlan plan, RunJournal journal, SessionRuntime world) {
@@ -135,31 +114,9 @@ public final class InProcessRun {
         begin(observer);
         RunOutcome outcome = loop(pacer, observer);
         double wallSeconds = (System.nanoTime() - wallStart) / 1e9;
-        List<BoatState> boats = water.boats();
-        List<BoatResult> results = tracks.results(now(), boats, this::link);
-        return new ReportBuilder(plan, settings, recorder, journal.resumedFrom(), water.plane())
-                .build(
-                        new ReportBuilder.End(outcome, fault.orElse(""), now(), wallSeconds),
-                        boats,
-                        results,
-                        visits.locations(),
-                        interrupts.results(),
-                        messages())
-                .withMap(map.map(results, visits.locations()))
-                .withReadings(readings.readings())
-                .withWaits(outcome.isOver() ? List.of() : ask(view -> BlockedPlaces.of(plan.vocabulary(), view)));
-    }
-
-    private List<NoteResult> messages() {
-        List<NoteResult> all = new ArrayList<>(notes.all());
-        all.addAll(readings.notes(now()));
-        all.addAll(operator.notes());
-        all.addAll(tracks.notes(now()));
-        return all;
-    }
-
-    private boolean isWanted(String boat) {
-        return !proxy(boat).isAtRest();
+        executor.drain(); // what the models are still to show
+        ReportBuilder.End end = new ReportBuilder.End(outcome, lifecycle.fault().orElse(""), now(), wallSeconds);
+        return records.report(end, water.boats(), this::link, journal.resumedFrom());
     }
 
     private BoatProxy proxy(String boat) {
@@ -207,6 +164,11 @@ public final class InProcessRun {
         return session.host();
     }
 
+    /** What lies before the operator of this run, for tests. */
+    OperatorModels models() {
+        return session.models();
+    }
+
     /** Lets the world go on without the mission: what boats do when nobody wants anything of them any more. */
     void coast(long millis) {
         long until = now() + millis;
@@ -220,15 +182,13 @@ public final class InProcessRun {
     private void begin(RunObserver observer) {
         session.begin();
         repeat(LOOK_MILLIS, () -> {
-            visits.look(now(), water.boats());
-            observer.progress().accept(progress());
+            records.visits().look(now(), water.boats());
+            observer.progress().accept(records.progress(catchingUp ? "catching up" : "running"));
         });
-        repeat(TRACK_MILLIS, () -> tracks.look(now(), water.boats()));
+        repeat(TRACK_MILLIS, () -> records.tracks().look(now(), water.boats()));
         repeat(MARK_MILLIS, this::mark);
         if (endsWhenStuck) {
-            repeat(
-                    STALL_MILLIS,
-                    () -> stall.look(now(), water.boats(), this::isWanted).ifPresent(this::fail));
+            repeat(STALL_MILLIS, () -> lifecycle.lookForStall(water::boats));
         }
         water.fleet().start();
     }
@@ -265,9 +225,9 @@ public final class InProcessRun {
         try {
             journal.stopped(now());
         } catch (IOException e) {
-            fail(e.getMessage());
+            lifecycle.fail(e.getMessage());
         }
-        return fault.isEmpty() ? RunOutcome.RUNNING : RunOutcome.FAILED;
+        return lifecycle.fault().isEmpty() ? RunOutcome.RUNNING : RunOutcome.FAILED;
     }
 
     private void pace(Pacer pacer, long nextMillis) {
@@ -283,12 +243,16 @@ public final class InProcessRun {
     }
 
     private void startWhenAllAreThere() {
-        if (!started && recorder.boatsJoined() == settings.fleet().boats() && positionsAreKnown()) {
-            started = true;
-            session.host().post(new Input.StartMission(plan.plan().id(), settings.mission(), parameters));
+        if (lifecycle.hasStarted()) {
+            return;
+        }
+        if (positionsAreKnown()) {
+            lifecycle.startWhenAllHaveJoined();
             executor.drain();
-        } else if (!started && now() > JOIN_MILLIS) {
-            fail("only " + recorder.boatsJoined() + " of " + settings.fleet().boats() + " boats answered");
+        }
+        if (!lifecycle.hasStarted() && now() > JOIN_MILLIS) {
+            lifecycle.fail("only " + records.recorder().boatsJoined() + " of "
+                    + settings.fleet().boats() + " boats answered");
         }
     }
 
@@ -299,38 +263,17 @@ public final class InProcessRun {
     }
 
     private Optional<RunOutcome> outcome() {
-        HostStatus status = session.host().status();
-        if (status.kind() == HostStatus.Kind.FAILED) {
-            fail(status.reason());
-        }
-        recorder.failure().ifPresent(this::fail);
-        if (fault.isEmpty() && recorder.outcome().isPresent()) {
-            return recorder.outcome().map(this::over);
-        }
-        return fault.map(reason -> RunOutcome.FAILED);
-    }
-
-    private RunOutcome over(Outcome outcome) {
-        try {
-            journal.over();
-        } catch (IOException e) {
-            fail(e.getMessage());
-            return RunOutcome.FAILED;
-        }
-        return switch (outcome) {
-            case ENDED, COMPLETED -> RunOutcome.ENDED;
-            case ABORTED -> RunOutcome.ABORTED;
-            case HALTED -> {
-                fail("the mission was halted: it fired without end (livelock)");
-                yield RunOutcome.FAILED;
+        boolean failedBefore = lifecycle.fault().isPresent();
+        Optional<RunOutcome> outcome = lifecycle.outcome();
+        if (!failedBefore && records.recorder().outcome().isPresent()) {
+            try {
+                journal.over();
+            } catch (IOException e) {
+                lifecycle.fail(e.getMessage());
+                return Optional.of(RunOutcome.FAILED);
             }
-        };
-    }
-
-    private void fail(String reason) {
-        if (fault.isEmpty()) {
-            fault = Optional.of(reason);
         }
+        return outcome;
     }
 
     private void markAfterEntries() {
@@ -341,33 +284,18 @@ public final class InProcessRun {
 
     private void mark() {
         long index = journal.inputs().lastIndex();
-        if (index == 0 || fault.isPresent()) {
+        if (index == 0 || lifecycle.fault().isPresent()) {
             return;
         }
         markedIndex = index;
         try {
             journal.mark(now(), water.fingerprint());
         } catch (IOException e) {
-            fail(e.getMessage());
+            lifecycle.fail(e.getMessage());
         }
     }
 
     private long now() {
         return clock.nowMs();
-    }
-
-    private RunProgress progress() {
-        double least = water.fleet().boats().stream()
-                .mapToDouble(SimulatedBoat::batteryPercent)
-                .min()
-                .orElse(100);
-        return new RunProgress(
-                catchingUp ? "catching up" : "running",
-                now(),
-                visits.visited(),
-                visits.count(),
-                session.models().decisions().pending().size(),
-                recorder.firingCount(),
-                least);
     }
 }

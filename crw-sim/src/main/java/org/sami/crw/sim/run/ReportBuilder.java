@@ -51,11 +51,13 @@ public final class ReportBuilder {
     /**
      * The report.
      *
+     * @param clicks that the operator made
      * @param boats as they are at the end
      * @param messages what the operator was told, oldest first
      */
     public RunReport build(
             End end,
+            long clicks,
             List<BoatState> boats,
             List<BoatResult> results,
             List<LocationResult> locations,
@@ -76,7 +78,7 @@ public final class ReportBuilder {
                                 end.reason(),
                                 end.atMillis(),
                                 end.wallSeconds(),
-                                recorder.clicks(),
+                                (int) clicks,
                                 recorder.firingCount(),
                                 resumedFrom,
                                 recorder.hash().with(boats)),

@@ -3,13 +3,11 @@ package org.sami.crw.sim.run;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
-import java.util.Set;
 import org.sami.crw.operator.ClickCount;
 import org.sami.crw.operator.EngineText;
 import org.sami.crw.sim.report.DecisionResult;
@@ -22,12 +20,14 @@ import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
+import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Outcome;
+import org.sami.spn.protocol.Question;
 
 /** Notes down what the engine does, for the report and for the hash of the run. One root mission is the run's. */
 public final class RunRecorder implements HostListener {
@@ -35,7 +35,7 @@ public final class RunRecorder implements HostListener {
     private final RunHash hash = new RunHash();
     private final Map<Long, String> planOfMission = new LinkedHashMap<>();
     private final SpooledList<FiringResult> firings = new SpooledList<>(RowFormats.FIRING);
-    private final Set<Long> openDecisions = new LinkedHashSet<>();
+    private final Map<Long, Question> openDecisions = new LinkedHashMap<>();
     private final SpooledList<DecisionResult> settled = new SpooledList<>(RowFormats.DECISION);
     private final Map<Long, DecisionResult> decisions = new LinkedHashMap<>(); // from the first that is open
     private final List<NoteResult> notes = new ArrayList<>();
@@ -44,8 +44,6 @@ public final class RunRecorder implements HostListener {
     private Optional<Outcome> outcome = Optional.empty();
     private OptionalLong endedAtMillis = OptionalLong.empty();
     private Optional<String> failure = Optional.empty();
-    private final ClickCount clicks = new ClickCount();
-    private long costOfInput;
     private int boatsJoined;
     private long lastInputMillis;
 
@@ -61,9 +59,6 @@ public final class RunRecorder implements HostListener {
         tasks.onStep(atMillis, input, effects, view);
         boatsJoined += input instanceof Input.ProxyJoined ? 1 : 0;
         hash.add(atMillis, effects);
-        long before = clicks.clicks();
-        clicks.count(input, effects);
-        costOfInput = clicks.clicks() - before;
         for (Effect effect : effects) {
             take(index, atMillis, input, effect);
         }
@@ -129,7 +124,7 @@ public final class RunRecorder implements HostListener {
     }
 
     private void opened(long atMillis, Decision decision) {
-        openDecisions.add(decision.id());
+        openDecisions.put(decision.id(), decision.question());
         decisions.put(
                 decision.id(),
                 new DecisionResult(
@@ -145,9 +140,9 @@ public final class RunRecorder implements HostListener {
     }
 
     private void closed(long atMillis, Effect.DecisionClosed closed) {
-        boolean wasOpen = openDecisions.remove(closed.decision());
+        Question question = openDecisions.remove(closed.decision());
         DecisionResult open = decisions.get(closed.decision());
-        if (!wasOpen || open == null) {
+        if (question == null || open == null) {
             return;
         }
         decisions.put(
@@ -163,7 +158,11 @@ public final class RunRecorder implements HostListener {
                                 .map(who -> who.name().toLowerCase(Locale.ROOT))
                                 .orElse(""),
                         closed.answer().map(EngineText::answer).orElse(""),
-                        closed.answer().isPresent() ? (int) costOfInput : 0));
+                        closed.by().equals(Optional.of(Answerer.OPERATOR))
+                                ? closed.answer()
+                                        .map(answer -> (int) ClickCount.ofAnswer(answer, question))
+                                        .orElse(0)
+                                : 0));
         settle();
     }
 
@@ -220,10 +219,6 @@ public final class RunRecorder implements HostListener {
 
     RunHash hash() {
         return hash;
-    }
-
-    int clicks() {
-        return (int) clicks.clicks();
     }
 
     /** When the engine last took something in. */

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import org.sami.crw.decision.SimulatedOperator;
+import org.sami.crw.operator.PendingDecision;
 import org.sami.crw.session.Scheduler;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionOperator;
@@ -17,9 +18,15 @@ import org.sami.spn.json.Reading;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
 
-/** Lets the simulated operator answer a session's decisions, each a while after it was asked. For the engine's thread. */
+/**
+ * Lets the simulated operator answer a session's decisions, each a while after it was asked, as they lie in the operator's models then.
+ * For the engine's thread.
+ */
 public final class SimulatedOperatorDriver implements SessionOperator {
     private static final String NAME = "simulated operator";
+
+    /** A decision that is asked and not shown yet is shown within this. */
+    private static final long NOT_SHOWN_MILLIS = 20;
 
     private final SimulatedOperator operator;
     private final Scheduler clock;
@@ -71,17 +78,29 @@ public final class SimulatedOperatorDriver implements SessionOperator {
     private void think(Asked asked) {
         long decision = asked.decision().id();
         thinkingOf.add(decision);
-        clock.after(answerAfterMillis + asked.workMillis(), () -> {
-            thinkingOf.remove(decision);
-            if (open.containsKey(decision)) {
-                answer(asked);
-            }
-        });
+        clock.after(answerAfterMillis + asked.workMillis(), () -> answerIfShown(asked));
     }
 
-    private void answer(Asked asked) {
-        Decision decision = asked.decision();
-        Reading<Answer> answer = operator.answer(decision, asked.plan());
+    private void answerIfShown(Asked asked) {
+        long decision = asked.decision().id();
+        if (!open.containsKey(decision)) {
+            thinkingOf.remove(decision);
+        } else if (session.isEmpty()) {
+            thinkingOf.remove(decision);
+            answer(asked.decision(), asked.plan());
+        } else {
+            Optional<PendingDecision> shown = session.get().models().decisions().find(decision);
+            if (shown.isEmpty()) {
+                clock.after(NOT_SHOWN_MILLIS, () -> answerIfShown(asked));
+            } else {
+                thinkingOf.remove(decision);
+                answer(shown.get().decision(), shown.get().plan());
+            }
+        }
+    }
+
+    private void answer(Decision decision, String plan) {
+        Reading<Answer> answer = operator.answer(decision, plan);
         for (Finding finding : answer.findings()) {
             String text = finding.pointer().isEmpty()
                     ? finding.message()
@@ -94,11 +113,6 @@ public final class SimulatedOperatorDriver implements SessionOperator {
     /** Whether an answer will be given without anything else happening. */
     public boolean isThinking() {
         return !thinkingOf.isEmpty();
-    }
-
-    /** Questions that nobody has answered yet, in order. */
-    public List<Decision> open() {
-        return open.values().stream().map(Asked::decision).toList();
     }
 
     /** What the operator could not answer, in words, oldest first. */

@@ -4,15 +4,17 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import org.sami.crw.operator.DecisionQueue;
+import org.sami.crw.operator.PendingDecision;
+import org.sami.crw.session.Session;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
-import org.sami.spn.protocol.Decision;
 
 /**
  * Finds out that nothing can happen any longer: no timer runs, no answer is on its way, no interrupt is to be pressed, and no boat does
  * anything for a mission. Boats that nobody wants may drift. Without it a mission that is stuck would only end with the run's time.
  */
-public final class StallDetector {
+final class StallDetector {
     /** After so long without an input nothing comes of what was asked of services and sensors either. */
     private static final long QUIET_MILLIS = 300_000;
 
@@ -22,23 +24,20 @@ public final class StallDetector {
     private static final double STILL_MPS = 0.05;
 
     private final EngineHost host;
+    private final DecisionQueue decisions;
     private final AwaitedNews news;
     private final SimulatedOperatorDriver operator;
     private final InterruptScheduler interrupts;
     private final RunRecorder recorder;
 
     /** A watch over one run. */
-    public StallDetector(
-            EngineHost host,
-            RunPlan plan,
-            SimulatedOperatorDriver operator,
-            InterruptScheduler interrupts,
-            RunRecorder recorder) {
-        this.host = host;
+    StallDetector(Session session, RunPlan plan, RunRecords records) {
+        host = session.host();
+        decisions = session.models().decisions();
         news = new AwaitedNews(plan.vocabulary(), plan.project());
-        this.operator = operator;
-        this.interrupts = interrupts;
-        this.recorder = recorder;
+        operator = records.operator();
+        interrupts = records.interrupts();
+        recorder = records.recorder();
     }
 
     /**
@@ -46,7 +45,7 @@ public final class StallDetector {
      *
      * @param isWanted whether a mission wants something of a boat, by its name
      */
-    public Optional<String> look(long nowMillis, List<BoatState> boats, Predicate<String> isWanted) {
+    Optional<String> look(long nowMillis, List<BoatState> boats, Predicate<String> isWanted) {
         long quietMillis = nowMillis - recorder.lastInputMillis();
         if (recorder.root().isEmpty()
                 || quietMillis <= SETTLED_MILLIS
@@ -63,10 +62,10 @@ public final class StallDetector {
     }
 
     private String reason(List<BoatState> boats) {
-        List<Decision> open = operator.open();
+        List<PendingDecision> open = decisions.pending();
         if (!open.isEmpty()) {
             return "nobody answers: "
-                    + open.stream().map(Decision::prompt).collect(Collectors.joining("; "))
+                    + open.stream().map(pending -> pending.decision().prompt()).collect(Collectors.joining("; "))
                     + operator.troubles().stream().map(t -> " (" + t + ")").collect(Collectors.joining());
         }
         String empty = boats.stream()

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.sami.crw.proxy.UploadCount;
-import org.sami.crw.session.FleetStatus;
+import org.sami.crw.session.FleetHistory;
 import org.sami.crw.session.SensorValue;
 import org.sami.crw.session.SessionNote;
 import org.sami.crw.session.SessionTelemetry;
@@ -23,7 +23,7 @@ import org.sami.spn.value.GeoPoint;
  * when the area and its locations are known ({@link #takeUp}).
  */
 final class EarlierRun implements SessionTelemetry.Reader {
-    private final FleetStatus status;
+    private final FleetHistory status;
     private final RunNotes notices;
     private final List<Pose> poses = new ArrayList<>();
     private final List<Visit> visits = new ArrayList<>();
@@ -31,11 +31,11 @@ final class EarlierRun implements SessionTelemetry.Reader {
     private final List<String> leftOut;
     private Optional<RunArea> area = Optional.empty();
 
-    private record Pose(long atMillis, String boat, FleetStatus.Told told, double distanceM) {}
+    private record Pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {}
 
     private record Visit(long atMillis, String boat, GeoPoint location) {}
 
-    EarlierRun(List<TelemetryRow> rows, FleetStatus status, RunNotes notices) {
+    EarlierRun(List<TelemetryRow> rows, FleetHistory status, RunNotes notices) {
         this.status = status;
         this.notices = notices;
         leftOut = SessionTelemetry.read(rows, this);
@@ -104,7 +104,7 @@ final class EarlierRun implements SessionTelemetry.Reader {
     }
 
     @Override
-    public void pose(long atMillis, String boat, FleetStatus.Told told, double distanceM) {
+    public void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {
         poses.add(new Pose(atMillis, boat, told, distanceM));
     }
 
@@ -135,7 +135,7 @@ final class EarlierRun implements SessionTelemetry.Reader {
 
     @Override
     public void why(String boat, String text) {
-        status.explained(boat, text, false);
+        status.explained(boat, text);
     }
 
     @Override

@@ -3,13 +3,13 @@ package org.sami.crw.sim.tcp;
 import java.util.List;
 import java.util.Optional;
 import org.sami.boat.server.LocalFrame;
-import org.sami.crw.session.FleetStatus;
+import org.sami.crw.session.FleetHistory;
 import org.sami.crw.sim.report.LinkResult;
 import org.sami.crw.sim.run.BoatState;
 
 /** The boats of a session as a run's report has them. Safe for use by several threads. */
 final class RunBoats {
-    private final FleetStatus status;
+    private final FleetHistory status;
     private final LocalFrame plane;
 
     /**
@@ -17,7 +17,7 @@ final class RunBoats {
      *
      * @param plane around the area's centre
      */
-    RunBoats(FleetStatus status, LocalFrame plane) {
+    RunBoats(FleetHistory status, LocalFrame plane) {
         this.status = status;
         this.plane = plane;
     }
@@ -32,7 +32,7 @@ final class RunBoats {
         return status.boat(boat).map(this::state);
     }
 
-    private BoatState state(FleetStatus.Boat boat) {
+    private BoatState state(FleetHistory.Boat boat) {
         double latDeg = boat.told().position().latDeg();
         double lonDeg = boat.told().position().lonDeg();
         return new BoatState(
@@ -49,7 +49,7 @@ final class RunBoats {
 
     /** How a boat's link went. */
     LinkResult link(String boat) {
-        FleetStatus.Link link = status.link(boat);
+        FleetHistory.Link link = status.link(boat);
         return new LinkResult(
                 ("tcp " + link.address()).strip(),
                 link.bootId(),

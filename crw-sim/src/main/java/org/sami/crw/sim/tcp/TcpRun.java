@@ -79,7 +79,7 @@ public final class TcpRun {
         try (Session session = Session.open(setup())) {
             session.addListener(notes);
             EarlierRun earlier =
-                    new EarlierRun(journal.session().earlier(), session.fleet().status(), notes);
+                    new EarlierRun(journal.session().earlier(), session.fleet().history(), notes);
             earlier.leftOut().ifPresent(lines);
             Optional<List<String>> startedWith = journal.startedWith();
             findArea(session, earlier, startedWith);
@@ -172,7 +172,7 @@ public final class TcpRun {
 
     /** The area as it is found when the boats have answered. It stays there, whatever becomes of the run. */
     private RunArea found(Session session, List<String> boats, boolean ready) {
-        RunArea area = area(session.fleet().status().positions(), boats);
+        RunArea area = area(session.fleet().history().positions(), boats);
         if (ready) {
             lines.accept("centre " + Site.words(area.centre()));
             area.note(session.telemetry(), session.scheduler().nowMs());

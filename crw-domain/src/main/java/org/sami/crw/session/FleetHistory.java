@@ -10,10 +10,10 @@ import org.sami.crw.proxy.UploadCount;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * What a session knows of its boats over all its processes, by what they told and by how their links went. Safe for use by several
- * threads.
+ * What a session knows of its boats over all its processes: how far they came, how often they were recharged, how their links went, and
+ * what each told last. How they are now is said by {@link org.sami.crw.operator.FleetModel}. Safe for use by several threads.
  */
-public final class FleetStatus {
+public final class FleetHistory {
     /** A charge that rises by more than this, in percent of full, did not do so by itself. */
     private static final double RECHARGED_PERCENT = 10;
 
@@ -61,7 +61,6 @@ public final class FleetStatus {
         private UploadCount earlierUploads = UploadCount.NONE;
         private UploadCount uploads = UploadCount.NONE;
         private String why = "";
-        private boolean isWanted;
     }
 
     private Known of(String boat) {
@@ -144,19 +143,9 @@ public final class FleetStatus {
         return news;
     }
 
-    /**
-     * Why a boat moves or does not.
-     *
-     * @param isWanted whether a mission wants something of it that it can do, now or when nothing keeps it any longer
-     */
-    public synchronized void explained(String boat, String why, boolean isWanted) {
+    /** Why a boat moves or does not. */
+    public synchronized void explained(String boat, String why) {
         of(boat).why = why;
-        of(boat).isWanted = isWanted;
-    }
-
-    /** Whether a mission wants something of any boat that it can do, now or when nothing keeps it any longer. */
-    public synchronized boolean someoneIsWanted() {
-        return boats.values().stream().anyMatch(known -> known.isWanted);
     }
 
     /** How a boat's link went. */

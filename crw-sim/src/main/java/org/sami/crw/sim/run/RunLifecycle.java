@@ -1,0 +1,123 @@
+package org.sami.crw.sim.run;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Supplier;
+import org.sami.crw.session.Session;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.spn.host.HostStatus;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Outcome;
+import org.sami.spn.value.Value;
+
+/**
+ * Starts the mission of a run when its boats are there, and says whether and how the run is over: by its mission, by a fault, or since
+ * nothing can happen any longer. For the engine's thread.
+ */
+public final class RunLifecycle {
+    private final RunPlan plan;
+    private final RunSettings settings;
+    private final Map<String, Value> parameters;
+    private final Session session;
+    private final RunRecorder recorder;
+    private final StallDetector stall;
+    private Optional<String> fault = Optional.empty();
+    private boolean started;
+
+    /**
+     * For one run, which has not begun.
+     *
+     * @param parameters values for what the plan asks at its start
+     */
+    public RunLifecycle(
+            RunPlan plan, RunSettings settings, Map<String, Value> parameters, Session session, RunRecords records) {
+        this.plan = plan;
+        this.settings = settings;
+        this.parameters = parameters;
+        this.session = session;
+        recorder = records.recorder();
+        stall = new StallDetector(session, plan, records);
+    }
+
+    /** What the recorder has heard happened in earlier processes: the mission may run already. */
+    public void caughtUp() {
+        started = recorder.root().isPresent();
+    }
+
+    /** Whether the mission was started. */
+    boolean hasStarted() {
+        return started;
+    }
+
+    /** Starts the mission, once, if all its boats have joined. */
+    public void startWhenAllHaveJoined() {
+        if (!started && recorder.boatsJoined() >= settings.fleet().boats()) {
+            started = true;
+            session.host().post(new Input.StartMission(plan.plan().id(), settings.mission(), parameters));
+        }
+    }
+
+    /** Whether and how it is over; asked again and again. */
+    public Optional<RunOutcome> outcome() {
+        HostStatus status = session.host().status();
+        if (status.kind() == HostStatus.Kind.FAILED) {
+            fail(status.reason());
+        }
+        recorder.failure().ifPresent(this::fail);
+        return fault.isPresent()
+                ? Optional.of(RunOutcome.FAILED)
+                : recorder.outcome().map(this::over);
+    }
+
+    private RunOutcome over(Outcome outcome) {
+        return switch (outcome) {
+            case ENDED, COMPLETED -> RunOutcome.ENDED;
+            case ABORTED -> RunOutcome.ABORTED;
+            case HALTED -> {
+                fail("the mission was halted: it fired without end (livelock)");
+                yield RunOutcome.FAILED;
+            }
+        };
+    }
+
+    /** Ends the run for a fault; the first one counts. */
+    public void fail(String reason) {
+        if (fault.isEmpty()) {
+            fault = Optional.of(reason);
+        }
+    }
+
+    /** Why the run failed, in one sentence; empty as long as it did not. */
+    public Optional<String> fault() {
+        return fault;
+    }
+
+    /**
+     * Looks whether anything can happen any longer; the run fails where nothing can. Looks a little later, when the fleet's thread has
+     * said which boats missions want: on a busy machine what a mission began to want may not have reached them yet.
+     *
+     * @param boats as they are then
+     */
+    public void lookForStall(Supplier<List<BoatState>> boats) {
+        session.whoIsWanted(wanted -> lookForStall(boats.get(), wanted));
+    }
+
+    private void lookForStall(List<BoatState> boats, Set<String> wanted) {
+        if (session.isComputing()) {
+            return; // what boats are to do is still to come
+        }
+        long now = session.scheduler().nowMs();
+        if (!settings.isConnected()) {
+            stall.look(now, boats, wanted::contains).ifPresent(this::fail);
+        } else if (wanted.stream()
+                .noneMatch(boat -> canMove(boat, boats))) { // else a link or its operator may come back
+            stall.look(now, boats, boat -> false).ifPresent(this::fail);
+        }
+    }
+
+    private static boolean canMove(String boat, List<BoatState> boats) {
+        return boats.stream().noneMatch(one -> one.id().equals(boat) && one.batteryPercent() <= 0);
+    }
+}

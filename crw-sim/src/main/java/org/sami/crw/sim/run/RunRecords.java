@@ -1,0 +1,159 @@
+package org.sami.crw.sim.run;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalLong;
+import java.util.function.Function;
+import org.sami.boat.server.LocalFrame;
+import org.sami.crw.operator.BlockedPlaces;
+import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.proxy.BatteryState;
+import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionListener;
+import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.sim.report.LinkResult;
+import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.spn.host.HostListener;
+
+/**
+ * What a run writes down while it goes, and its report. What is so now, such as open decisions and clicks, is read from the operator's
+ * models; written down is what they do not keep: the whole history. For the engine's thread.
+ */
+public final class RunRecords {
+    private final RunPlan plan;
+    private final RunSettings settings;
+    private final Session session;
+    private final LocalFrame plane;
+    private final RunNotes notes;
+    private final SimulatedOperatorDriver operator;
+    private final InterruptScheduler interrupts;
+    private final RunRecorder recorder;
+    private final VisitRecorder visits = new VisitRecorder();
+    private final TrackRecorder tracks = new TrackRecorder();
+    private final ReadingRecorder readings = new ReadingRecorder();
+    private final LocationListener locations;
+    private final PlanMap map;
+
+    /**
+     * Records of a run in which nothing has happened yet.
+     *
+     * @param plane around the area's centre
+     */
+    public RunRecords(
+            RunPlan plan,
+            RunSettings settings,
+            Session session,
+            LocalFrame plane,
+            RunNotes notes,
+            SimulatedOperatorDriver operator,
+            InterruptScheduler interrupts) {
+        this.plan = plan;
+        this.settings = settings;
+        this.session = session;
+        this.plane = plane;
+        this.notes = notes;
+        this.operator = operator;
+        this.interrupts = interrupts;
+        recorder = new RunRecorder(plan.project());
+        locations = new LocationListener(visits, plane);
+        map = new PlanMap(plane);
+        session.addListener((SessionListener) readings);
+    }
+
+    /** Who must hear of every step of the engine, in this order. */
+    public List<HostListener> listeners() {
+        return List.of(recorder, locations, interrupts, map);
+    }
+
+    /** What the engine did. */
+    public RunRecorder recorder() {
+        return recorder;
+    }
+
+    /** Which locations boats came to. */
+    public VisitRecorder visits() {
+        return visits;
+    }
+
+    /** Where boats were. */
+    public TrackRecorder tracks() {
+        return tracks;
+    }
+
+    /** What boats measured. */
+    public ReadingRecorder readings() {
+        return readings;
+    }
+
+    /** Who answers the run's decisions. */
+    SimulatedOperatorDriver operator() {
+        return operator;
+    }
+
+    /** Who presses the run's interrupts. */
+    InterruptScheduler interrupts() {
+        return interrupts;
+    }
+
+    /** How far the run is, by the operator's models. */
+    public RunProgress progress(String phase) {
+        OperatorModels models = session.models();
+        double least = models.fleet().snapshot().stream()
+                .map(BoatSnapshot::battery)
+                .flatMap(battery -> battery.stream())
+                .mapToDouble(BatteryState::percent)
+                .min()
+                .orElse(100);
+        return new RunProgress(
+                phase,
+                session.scheduler().nowMs(),
+                visits.visited(),
+                visits.count(),
+                models.decisions().pending().size(),
+                models.missions().snapshot().firings(),
+                least);
+    }
+
+    /**
+     * The report. The models show all that happened before.
+     *
+     * @param boats as they are at the end
+     * @param resumedFrom index of the last input that was taken from a journal
+     */
+    public RunReport report(
+            ReportBuilder.End end,
+            List<BoatState> boats,
+            Function<String, LinkResult> links,
+            OptionalLong resumedFrom) {
+        List<BoatResult> results = tracks.results(end.atMillis(), boats, links);
+        return new ReportBuilder(plan, settings, recorder, resumedFrom, plane)
+                .build(
+                        end,
+                        session.models().clicks().clicks(),
+                        boats,
+                        results,
+                        visits.locations(),
+                        interrupts.results(),
+                        told(end.atMillis()))
+                .withMap(map.map(results, visits.locations()))
+                .withReadings(readings.readings())
+                .withWaits(
+                        end.outcome().isOver()
+                                ? List.of()
+                                : session.host().ask(view -> BlockedPlaces.of(plan.vocabulary(), view)));
+    }
+
+    private List<NoteResult> told(long atMillis) {
+        List<NoteResult> told = new ArrayList<>(notes.all());
+        told.addAll(readings.notes(atMillis));
+        told.addAll(operator.notes());
+        session.telemetry()
+                .problem()
+                .map(note -> new NoteResult(note.atMillis(), note.kind(), note.mission(), note.text()))
+                .ifPresent(told::add);
+        told.addAll(tracks.notes(atMillis));
+        return told;
+    }
+}
