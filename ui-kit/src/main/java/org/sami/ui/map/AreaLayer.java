@@ -1,0 +1,128 @@
+package org.sami.ui.map;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.Paint;
+import java.awt.RenderingHints;
+import java.awt.TexturePaint;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.sami.ui.geo.GeoBounds;
+import org.sami.ui.geo.MapFrame;
+import org.sami.ui.geo.Snapping;
+import org.sami.ui.look.SemanticColor;
+
+/** Areas: filled where something is to be done, hatched where none may go, dashed where none may leave. */
+public final class AreaLayer extends MapLayer {
+    private static final int HATCH_PX = 9;
+    private static final double NAME_PX = 4;
+    private static final BasicStroke RIM = new BasicStroke(2);
+    private static final BasicStroke DASHED =
+            new BasicStroke(2.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {10, 6}, 0);
+
+    private record Shown(ShownArea area, List<WorldLine> rings) {
+        Path2D path(MapFrame frame) {
+            Path2D path = new Path2D.Double(Path2D.WIND_EVEN_ODD);
+            for (WorldLine ring : rings) {
+                path.append(ring.path(frame), false);
+                path.closePath();
+            }
+            return path;
+        }
+    }
+
+    private List<Shown> areas = List.of();
+
+    public AreaLayer(String id, String title) {
+        super(id, title);
+    }
+
+    /** Shows these areas instead of those before. */
+    public void show(List<ShownArea> areas) {
+        this.areas = areas.stream()
+                .map(area -> {
+                    List<WorldLine> rings = new ArrayList<>();
+                    rings.add(new WorldLine(area.area().outline()));
+                    area.area().holes().stream()
+                            .filter(hole -> !hole.isEmpty())
+                            .forEach(hole -> rings.add(new WorldLine(hole)));
+                    return new Shown(area, rings);
+                })
+                .toList();
+        changed();
+    }
+
+    @Override
+    protected void paint(MapPaint paint) {
+        areas.forEach(shown -> paint.paint(shown.area().id(), () -> paint(paint, shown)));
+    }
+
+    private static void paint(MapPaint paint, Shown shown) {
+        Graphics2D g = paint.g();
+        Path2D path = shown.path(paint.frame());
+        switch (shown.area().kind()) {
+            case WORK -> fill(g, path, SemanticColor.MAP_AREA.withAlpha(40), SemanticColor.MAP_AREA.get());
+            case NO_GO -> fill(g, path, hatch(SemanticColor.MAP_NO_GO.withAlpha(150)), SemanticColor.MAP_NO_GO.get());
+            case FENCE -> {
+                g.setColor(SemanticColor.MAP_FENCE.get());
+                g.setStroke(DASHED);
+                g.draw(path);
+            }
+        }
+        if (!shown.area().name().isEmpty()) {
+            paint.font(MapPaint.PLAIN);
+            Rectangle2D bounds = path.getBounds2D();
+            paint.write(
+                    shown.area().name(),
+                    paint.plate(shown.area().name(), bounds.getX() + NAME_PX, bounds.getY() + NAME_PX));
+        }
+    }
+
+    private static void fill(Graphics2D g, Path2D path, Paint paint, Color rim) {
+        g.setPaint(paint);
+        g.fill(path);
+        g.setColor(rim);
+        g.setStroke(RIM);
+        g.draw(path);
+    }
+
+    /** Lines from the lower left to the upper right. */
+    private static TexturePaint hatch(Color color) {
+        BufferedImage tile = new BufferedImage(HATCH_PX, HATCH_PX, BufferedImage.TYPE_INT_ARGB);
+        Graphics2D g = tile.createGraphics();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setColor(color);
+        g.setStroke(new BasicStroke(1.6f));
+        g.drawLine(-1, HATCH_PX + 1, HATCH_PX + 1, -1);
+        g.drawLine(-1, 1, 1, -1);
+        g.drawLine(HATCH_PX - 1, HATCH_PX + 1, HATCH_PX + 1, HATCH_PX - 1);
+        g.dispose();
+        return new TexturePaint(tile, new Rectangle2D.Double(0, 0, HATCH_PX, HATCH_PX));
+    }
+
+    @Override
+    public Optional<GeoBounds> bounds() {
+        return areas.stream()
+                .flatMap(shown -> shown.rings().get(0).bounds().stream())
+                .reduce(GeoBounds::with);
+    }
+
+    @Override
+    public Optional<String> itemAt(MapFrame frame, double px, double py) {
+        return areas.stream()
+                .filter(shown -> shown.area().kind() != ShownArea.Kind.FENCE)
+                .filter(shown -> shown.path(frame).contains(px, py))
+                .map(shown -> shown.area().id())
+                .findFirst();
+    }
+
+    @Override
+    public void offer(Snapping snapping) {
+        areas.forEach(shown -> shown.rings().forEach(ring -> snapping.addOutline(ring.points())));
+    }
+}

@@ -1,0 +1,178 @@
+package org.sami.ui.map;
+
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.awt.geom.Point2D;
+import java.util.Optional;
+import java.util.Set;
+import org.jxmapviewer.JXMapViewer;
+import org.sami.spn.value.GeoPoint;
+import org.sami.ui.geo.GeoBounds;
+import org.sami.ui.geo.MapFrame;
+import org.sami.ui.geo.Mercator;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.SemanticColor;
+
+/** The map itself, without what stands around it: base map, grid, layers, tool, scale. */
+final class MapCanvas extends JXMapViewer {
+    private static final int MARGIN_PX = 48;
+    private static final double POINT_ALONE_M = 60; // what is shown around one point
+
+    private final transient MapLayers layers = new MapLayers(this::repaint);
+    private final transient MapScale scale = new MapScale();
+    private transient MapTool tool = new MapTool() {};
+    private transient Set<String> highlighted = Set.of();
+    private transient Optional<GeoBounds> toFit = Optional.empty();
+    private boolean grid = true;
+
+    MapCanvas() {
+        setName("map-canvas");
+        setFocusable(true);
+        setRestrictOutsidePanning(false);
+        setHorizontalWrapped(false);
+        setInfiniteMapRendering(false);
+        setTileFactory(new OfflineTiles(Optional.empty(), this::repaint, problem -> {}));
+        setZoom(4);
+        setOverlayPainter((g, map, width, height) -> paintLayers(g));
+    }
+
+    MapLayers layers() {
+        return layers;
+    }
+
+    OfflineTiles tiles() {
+        return (OfflineTiles) getTileFactory();
+    }
+
+    /** Shows other tiles; the part of the world that is shown stays. */
+    void show(OfflineTiles tiles) {
+        MapFrame before = frame();
+        int zoom = getZoom();
+        tiles().close();
+        setTileFactory(tiles);
+        setZoom(zoom);
+        centre(before.centreX(), before.centreY());
+    }
+
+    void setTool(MapTool tool) {
+        this.tool = tool;
+        setCursor(tool.cursor());
+        repaint();
+    }
+
+    MapTool tool() {
+        return tool;
+    }
+
+    void highlight(Set<String> ids) {
+        highlighted = Set.copyOf(ids);
+        repaint();
+    }
+
+    void setGrid(boolean shown) {
+        grid = shown;
+        repaint();
+    }
+
+    boolean hasGrid() {
+        return grid;
+    }
+
+    /** Which part of the world is shown. */
+    MapFrame frame() {
+        double world = worldPx(getZoom());
+        Point2D centre = getCenter();
+        return new MapFrame(centre.getX() / world, centre.getY() / world, world, getWidth(), getHeight());
+    }
+
+    private static double worldPx(int zoom) {
+        return Math.scalb((double) OfflineTiles.TILE_PX, OfflineTiles.FINEST_LEVEL - zoom);
+    }
+
+    private void centre(double x, double y) {
+        double world = worldPx(getZoom());
+        setCenter(new Point2D.Double(x * world, y * world));
+        repaint();
+    }
+
+    /** Moves what is shown by some pixels. */
+    void pan(double dx, double dy) {
+        MapFrame frame = frame();
+        centre(frame.centreX() + dx / frame.worldPx(), frame.centreY() + dy / frame.worldPx());
+    }
+
+    /** Shows a point in the middle. */
+    void centre(GeoPoint point) {
+        centre(Mercator.x(point.lonDeg()), Mercator.y(point.latDeg()));
+    }
+
+    /** Zooms by steps of two, nearer where they are positive; the point at a pixel stays there. */
+    void zoom(int steps, double px, double py) {
+        MapFrame before = frame();
+        int zoom = Math.max(0, Math.min(OfflineTiles.FARTHEST_ZOOM, getZoom() - steps));
+        if (zoom == getZoom()) {
+            return;
+        }
+        double x = before.centreX() + (px - getWidth() / 2.0) / before.worldPx();
+        double y = before.centreY() + (py - getHeight() / 2.0) / before.worldPx();
+        setZoom(zoom);
+        double world = worldPx(zoom);
+        centre(x - (px - getWidth() / 2.0) / world, y - (py - getHeight() / 2.0) / world);
+    }
+
+    /** Shows a box as large as it fits; later, where the map has no size yet. */
+    void fit(GeoBounds box) {
+        if (getWidth() == 0 || getHeight() == 0) {
+            toFit = Optional.of(box);
+            return;
+        }
+        toFit = Optional.empty();
+        double west = Mercator.x(box.westDeg());
+        double east = Mercator.x(box.eastDeg());
+        double north = Mercator.y(box.northDeg());
+        double south = Mercator.y(box.southDeg());
+        double alone = POINT_ALONE_M / Mercator.metresPerWorld((box.northDeg() + box.southDeg()) / 2);
+        double wide = Math.max(east - west, alone);
+        double high = Math.max(south - north, alone);
+        int zoom = 0;
+        while (zoom < OfflineTiles.FARTHEST_ZOOM
+                && (wide * worldPx(zoom) > getWidth() - 2 * MARGIN_PX
+                        || high * worldPx(zoom) > getHeight() - 2 * MARGIN_PX)) {
+            zoom++;
+        }
+        setZoom(zoom);
+        centre((west + east) / 2, (north + south) / 2);
+    }
+
+    @Override
+    public void setBounds(int x, int y, int width, int height) {
+        super.setBounds(x, y, width, height);
+        toFit.ifPresent(this::fit);
+    }
+
+    @Override
+    protected void drawMapTiles(Graphics g, int zoom, Rectangle viewport) {
+        g.setColor(SemanticColor.MAP_WATER.get());
+        g.fillRect(0, 0, getWidth(), getHeight());
+        g.setFont(Fonts.small());
+        tiles().paint((Graphics2D) g, zoom, viewport);
+    }
+
+    private void paintLayers(Graphics2D graphics) {
+        Graphics2D g = (Graphics2D) graphics.create();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        g.setFont(Fonts.small());
+        MapPaint paint = new MapPaint(g, frame(), highlighted);
+        if (grid) {
+            scale.paintGrid(paint);
+        }
+        layers.visible().forEach(layer -> layer.paint(paint));
+        tool.paint(paint);
+        scale.paint(paint, tiles().source().map(TileSource::attribution).orElse(""));
+        g.dispose();
+    }
+}

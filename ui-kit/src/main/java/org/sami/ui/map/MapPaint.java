@@ -1,0 +1,65 @@
+package org.sami.ui.map;
+
+import java.awt.AlphaComposite;
+import java.awt.Composite;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.util.Set;
+import org.sami.ui.geo.MapFrame;
+import org.sami.ui.look.SemanticColor;
+
+/**
+ * What a layer paints with.
+ *
+ * @param frame which pixels are which points
+ * @param highlighted ids of what is spoken of; where there are any, everything else is dimmed
+ */
+public record MapPaint(Graphics2D g, MapFrame frame, Set<String> highlighted) {
+    private static final float DIMMED = 0.3f;
+    private static final int PAD = 4;
+
+    /** Paints something of that id, dimmed where other things are spoken of. */
+    void paint(String id, Runnable painting) {
+        if (highlighted.isEmpty() || highlighted.contains(id)) {
+            painting.run();
+        } else {
+            Composite before = g.getComposite();
+            g.setComposite(AlphaComposite.SrcOver.derive(DIMMED));
+            painting.run();
+            g.setComposite(before);
+        }
+    }
+
+    /** Whether somebody speaks of it, and not of everything. */
+    boolean isHighlighted(String id) {
+        return highlighted.contains(id);
+    }
+
+    /** The room that a text on a plate takes, its left upper corner at a pixel. */
+    Rectangle2D plate(String text, double left, double top) {
+        FontMetrics metrics = g.getFontMetrics();
+        return new Rectangle2D.Double(left, top, metrics.stringWidth(text) + 2.0 * PAD, metrics.getHeight());
+    }
+
+    /** Writes a text on a plate of the window's background, so that it is read on any base map. */
+    void write(String text, Rectangle2D plate) {
+        g.setColor(SemanticColor.SURFACE.withAlpha(220));
+        g.fillRect((int) plate.getX(), (int) plate.getY(), (int) Math.ceil(plate.getWidth()), (int)
+                Math.ceil(plate.getHeight()));
+        g.setColor(SemanticColor.TEXT.get());
+        g.drawString(
+                text,
+                (int) plate.getX() + PAD,
+                (int) plate.getY() + g.getFontMetrics().getAscent());
+    }
+
+    /** Writes from now on in the font of that style. */
+    void font(int style) {
+        g.setFont(g.getFont().deriveFont(style));
+    }
+
+    /** The plain style. */
+    static final int PLAIN = Font.PLAIN;
+}

@@ -1,0 +1,144 @@
+package org.sami.ui.map;
+
+import java.awt.Dimension;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import net.miginfocom.swing.MigLayout;
+import org.sami.spn.value.GeoPoint;
+import org.sami.ui.geo.CoordinateNotation;
+import org.sami.ui.geo.Coordinates;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.SemanticColor;
+
+/** The strip below a map: coordinates under the pointer, their notation, a field to type some, what to do, and zoom. */
+final class MapStatusBar extends JPanel {
+    private static final GeoPoint LONGEST = GeoPoint.of(-88.888888, -178.888888);
+
+    private final JButton coordinates = new JButton(" ");
+    private final JComboBox<CoordinateNotation> notations = new JComboBox<>(CoordinateNotation.values());
+    private final JTextField field = new JTextField(18);
+    private final JLabel message = new JLabel(" ");
+    private Optional<GeoPoint> last = Optional.empty();
+
+    MapStatusBar(Consumer<MapKey> keys, Consumer<GeoPoint> typed, Runnable copy) {
+        super(new MigLayout("insets 2 6 2 6, gap 6", "[][][]push[]0[]0[]0[]", "[]"));
+        setName("map-status");
+        coordinates.setName("map-coordinates");
+        coordinates.setToolTipText(
+                "Coordinates under the pointer. A click copies them, as does " + MapKey.COPY.keyText());
+        coordinates.setHorizontalAlignment(JButton.LEFT);
+        coordinates.addActionListener(e -> copy.run());
+        notations.setName("map-notation");
+        notations.setToolTipText("How coordinates are written");
+        notations.setRenderer((list, value, index, selected, focused) -> {
+            JLabel label = new JLabel(value == null ? "" : value.label());
+            label.setOpaque(selected);
+            label.setBackground(SemanticColor.SELECTION.get());
+            label.setForeground(selected ? SemanticColor.ON_SELECTION.get() : SemanticColor.TEXT.get());
+            return label;
+        });
+        notations.addActionListener(e -> showLast());
+        field.setName("map-type-coordinates");
+        field.setToolTipText(
+                "Type coordinates and press Enter: " + Coordinates.EXAMPLES + " (" + MapKey.TYPE.keyText() + ")");
+        field.putClientProperty("JTextField.placeholderText", "Type coordinates");
+        field.addActionListener(e -> enter(typed));
+        message.setName("map-message");
+        reserve();
+        add(coordinates);
+        add(notations);
+        add(field);
+        add(message, "wmin 0, growx");
+        add(button(MapKey.MEASURE, "Measure", keys));
+        add(button(MapKey.FIT, "All", keys));
+        add(button(MapKey.ZOOM_OUT, "−", keys));
+        add(button(MapKey.ZOOM_IN, "+", keys));
+    }
+
+    private static JButton button(MapKey key, String text, Consumer<MapKey> keys) {
+        JButton button = new JButton(text);
+        button.setName(key.id().replace('.', '-'));
+        button.setToolTipText(key.label() + " (" + key.keyText() + ")");
+        button.getAccessibleContext().setAccessibleName(key.label());
+        button.setFocusable(true);
+        button.addActionListener(e -> keys.accept(key));
+        return button;
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (coordinates != null) {
+            reserve();
+        }
+    }
+
+    /** Keeps room for the longest coordinates, so that nothing jumps. */
+    private void reserve() {
+        String shown = coordinates.getText();
+        coordinates.setFont(Fonts.text());
+        coordinates.setPreferredSize(null);
+        coordinates.setText(notation().format(LONGEST));
+        Dimension size = coordinates.getPreferredSize();
+        coordinates.setText(shown);
+        coordinates.setPreferredSize(size);
+        coordinates.setMinimumSize(size);
+        revalidate();
+    }
+
+    private void enter(Consumer<GeoPoint> typed) {
+        Optional<GeoPoint> point = Coordinates.parse(field.getText());
+        if (point.isPresent()) {
+            field.setText("");
+            field.putClientProperty("JComponent.outline", null);
+            say("", false);
+            typed.accept(point.get());
+        } else {
+            field.putClientProperty("JComponent.outline", "error");
+            say("'" + field.getText() + "' are no coordinates; type " + Coordinates.EXAMPLES, true);
+        }
+    }
+
+    CoordinateNotation notation() {
+        return (CoordinateNotation) notations.getSelectedItem();
+    }
+
+    void setNotation(CoordinateNotation notation) {
+        notations.setSelectedItem(notation);
+    }
+
+    /** Where the pointer was last. */
+    Optional<GeoPoint> last() {
+        return last;
+    }
+
+    /** Puts the focus into the field. */
+    void type() {
+        field.requestFocusInWindow();
+        field.selectAll();
+    }
+
+    /** Shows where the pointer is, and what a layer says of it. */
+    void point(Optional<GeoPoint> at, Optional<String> text) {
+        last = at.or(() -> last);
+        showLast();
+        text.ifPresent(value -> say(value, false));
+    }
+
+    private void showLast() {
+        coordinates.setText(last.map(notation()::format).orElse("–"));
+        reserve();
+    }
+
+    /** Shows one line; a problem in the colour of one. */
+    void say(String text, boolean problem) {
+        message.setText(text.isEmpty() ? " " : text);
+        message.setToolTipText(text.isEmpty() ? null : text);
+        message.setForeground(problem ? SemanticColor.CRITICAL.get() : SemanticColor.MUTED.get());
+    }
+}

@@ -1,0 +1,285 @@
+package org.sami.ui.map;
+
+import java.awt.BorderLayout;
+import java.awt.Toolkit;
+import java.awt.datatransfer.StringSelection;
+import java.awt.event.ActionEvent;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+import javax.swing.AbstractAction;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import org.sami.spn.value.GeoPoint;
+import org.sami.ui.geo.CoordinateNotation;
+import org.sami.ui.geo.GeoBounds;
+import org.sami.ui.geo.GeoShape;
+import org.sami.ui.geo.GeoSketch;
+import org.sami.ui.geo.MapFrame;
+
+/**
+ * A map: base map or grid, layers, scale, and below it the coordinates under the pointer and a field in which coordinates are typed.
+ * It pans by dragging, zooms by the wheel, and does all of it by keys ({@link MapKey}). Points, paths and areas are drawn by
+ * {@link #edit}. Lives on the event thread, and waits for nothing.
+ */
+public final class MapView extends JPanel implements AutoCloseable {
+    private static final double PAN_PX = 80;
+
+    private final MapCanvas canvas = new MapCanvas();
+    private final transient MapStatusBar status;
+    private final transient BaseMapLoader loader;
+    private final transient List<MapListener> listeners = new CopyOnWriteArrayList<>();
+    private final transient ChooseTool chooseTool;
+    private transient Optional<SketchTool> editing = Optional.empty();
+    private transient Optional<SketchTool> measuring = Optional.empty();
+    private transient Optional<MapPointer> pointer = Optional.empty();
+    private final transient Runnable sketchChanged = this::sketchChanged;
+
+    public MapView() {
+        super(new BorderLayout());
+        setName("map");
+        status = new MapStatusBar(this::press, this::typed, this::copy);
+        loader = new BaseMapLoader(this::showTiles, this::showOutlines, this::tellProblem);
+        chooseTool = new ChooseTool(
+                canvas.layers(),
+                click -> listeners.forEach(listener -> listener.clicked(click)),
+                items -> listeners.forEach(listener -> listener.boxed(items)),
+                canvas::repaint);
+        canvas.setTool(chooseTool);
+        canvas.getAccessibleContext().setAccessibleName("Map");
+        MapMouse.listen(canvas, this::pointed);
+        canvas.addPropertyChangeListener("center", e -> listeners.forEach(MapListener::moved));
+        add(canvas, BorderLayout.CENTER);
+        add(status, BorderLayout.SOUTH);
+        bindKeys();
+    }
+
+    private void bindKeys() {
+        for (MapKey key : MapKey.values()) {
+            for (KeyStroke stroke : key.strokes()) {
+                canvas.getInputMap(JComponent.WHEN_FOCUSED).put(stroke, key.id());
+            }
+            canvas.getActionMap().put(key.id(), new AbstractAction(key.label()) {
+                @Override
+                public void actionPerformed(ActionEvent e) {
+                    press(key);
+                }
+            });
+        }
+    }
+
+    /** The layers, from the lowest to the topmost. */
+    public MapLayers layers() {
+        return canvas.layers();
+    }
+
+    /** Adds somebody who hears what is done on the map. */
+    public void addMapListener(MapListener listener) {
+        listeners.add(listener);
+    }
+
+    /** Which part of the world is shown, in pixels of {@link #canvas}. */
+    public MapFrame frame() {
+        return canvas.frame();
+    }
+
+    /** The component that has the focus when keys are to act on the map. */
+    public JComponent canvas() {
+        return canvas;
+    }
+
+    /** Shows a box as large as it fits. */
+    public void fit(GeoBounds box) {
+        canvas.fit(box);
+    }
+
+    /** Shows all that layers, sketch and base map have; does nothing where they have nothing. */
+    public void fitAll() {
+        Optional<GeoBounds> shown = layers().bounds();
+        Optional<GeoBounds> drawn =
+                editing.flatMap(tool -> GeoBounds.of(tool.sketch().points()));
+        Optional<GeoBounds> all = shown.isPresent() && drawn.isPresent()
+                ? Optional.of(shown.get().with(drawn.get()))
+                : shown.or(() -> drawn).or(() -> canvas.tiles().source().flatMap(TileSource::bounds));
+        all.ifPresent(canvas::fit);
+    }
+
+    /** Shows a point in the middle. */
+    public void centre(GeoPoint point) {
+        canvas.centre(point);
+    }
+
+    /** Draws what has one of these ids as ever and everything else dimmed; with no id, all as ever. */
+    public void highlight(Set<String> ids) {
+        canvas.highlight(ids);
+    }
+
+    /** Shows or hides the grid. */
+    public void setGrid(boolean shown) {
+        canvas.setGrid(shown);
+    }
+
+    /** Writes coordinates in this notation. */
+    public void setNotation(CoordinateNotation notation) {
+        status.setNotation(notation);
+    }
+
+    /** How coordinates are written. */
+    public CoordinateNotation notation() {
+        return status.notation();
+    }
+
+    /**
+     * Opens a base map beside the event thread: raster tiles (.mbtiles), or outlines (.geojson, .json), which become a layer below
+     * all others. What is wrong with the file is shown below the map and told to listeners.
+     */
+    public void openBaseMap(Path file) {
+        loader.open(file);
+    }
+
+    /** Shows no base map, only the grid; outlines are layers and stay. */
+    public void closeBaseMap() {
+        showTiles(Optional.empty());
+    }
+
+    private void showTiles(Optional<TileSource> source) {
+        canvas.show(new OfflineTiles(source, canvas::repaint, this::tellProblem));
+        canvas.setGrid(source.isEmpty());
+    }
+
+    private void showOutlines(OutlineLayer layer) {
+        layers().find(layer.id()).ifPresent(layers()::remove);
+        layers().addBelow(layer);
+    }
+
+    private void tellProblem(String problem) {
+        status.say(problem, true);
+        listeners.forEach(listener -> listener.problem(problem));
+    }
+
+    /**
+     * Lets the operator draw or change something until {@link #stopEditing}, or until somebody ends it.
+     *
+     * @param ended is told whether what was drawn is kept (Enter, double click) or not (Escape); the map has stopped editing then
+     */
+    public void edit(GeoSketch sketch, Consumer<Boolean> ended) {
+        stopEditing();
+        SketchTool tool = new SketchTool(
+                sketch,
+                false,
+                canvas::frame,
+                () -> {
+                    if (sketch.problem().isPresent()) {
+                        status.say(sketch.problem().get(), true);
+                    } else {
+                        stopEditing();
+                        ended.accept(true);
+                    }
+                },
+                () -> {
+                    stopEditing();
+                    ended.accept(false);
+                });
+        editing = Optional.of(tool);
+        sketch.addListener(sketchChanged);
+        sketchChanged();
+        canvas.setTool(tool);
+    }
+
+    /** Ends drawing; the sketch stays as it is. Does nothing where nothing is drawn. */
+    public void stopEditing() {
+        editing.ifPresent(tool -> tool.sketch().removeListener(sketchChanged));
+        editing = Optional.empty();
+        measuring = Optional.empty();
+        status.say("", false);
+        canvas.setTool(chooseTool);
+    }
+
+    /** Whether something is drawn. */
+    public boolean isEditing() {
+        return editing.isPresent();
+    }
+
+    private void sketchChanged() {
+        editing.ifPresent(tool -> status.say(
+                tool.sketch().problem().orElse("Enter or a double click ends, Escape leaves, Ctrl+Z undoes"), false));
+        canvas.repaint();
+    }
+
+    /** Measures a way until {@link MapKey#MEASURE} or Escape ends it; what is being drawn waits. */
+    private void toggleMeasuring() {
+        if (measuring.isPresent()) {
+            measuring = Optional.empty();
+            canvas.setTool(editing.<MapTool>map(tool -> tool).orElse(chooseTool));
+            status.say("", false);
+            return;
+        }
+        GeoSketch way = new GeoSketch(GeoShape.PATH);
+        way.addListener(canvas::repaint);
+        SketchTool tool = new SketchTool(way, true, canvas::frame, () -> {}, this::toggleMeasuring);
+        measuring = Optional.of(tool);
+        canvas.setTool(tool);
+        status.say("Click the points of the way to measure; Escape ends", false);
+    }
+
+    /** Does what a key does. */
+    public void press(MapKey key) {
+        if (canvas.tool().key(key)) {
+            canvas.repaint();
+            return;
+        }
+        double x = pointer.map(MapPointer::px).orElse(canvas.getWidth() / 2.0);
+        double y = pointer.map(MapPointer::py).orElse(canvas.getHeight() / 2.0);
+        switch (key) {
+            case LEFT -> canvas.pan(-PAN_PX, 0);
+            case RIGHT -> canvas.pan(PAN_PX, 0);
+            case UP -> canvas.pan(0, -PAN_PX);
+            case DOWN -> canvas.pan(0, PAN_PX);
+            case ZOOM_IN -> canvas.zoom(1, x, y);
+            case ZOOM_OUT -> canvas.zoom(-1, x, y);
+            case FIT -> fitAll();
+            case MEASURE -> toggleMeasuring();
+            case COPY -> copy();
+            case TYPE -> status.type();
+            case ADD -> drawn().ifPresent(sketch -> sketch.add(canvas.frame().point(x, y)));
+            default -> {}
+        }
+    }
+
+    private Optional<GeoSketch> drawn() {
+        return measuring.or(() -> editing).map(SketchTool::sketch);
+    }
+
+    /** A point was typed: it becomes part of what is drawn, else the map goes there. */
+    private void typed(GeoPoint point) {
+        drawn().ifPresent(sketch -> sketch.add(point));
+        if (!canvas.frame().isShown(point)) {
+            canvas.centre(point);
+        }
+        canvas.requestFocusInWindow();
+    }
+
+    private void pointed(Optional<MapPointer> at) {
+        pointer = at;
+        status.point(at.map(MapPointer::at), at.flatMap(p -> layers().textAt(p.frame(), p.px(), p.py())));
+    }
+
+    private void copy() {
+        pointer.map(MapPointer::at).or(status::last).ifPresent(at -> {
+            String text = status.notation().format(at);
+            Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(text), null);
+            status.say("Copied " + text, false);
+        });
+    }
+
+    /** Closes base map files; the map is used no more. */
+    @Override
+    public void close() {
+        loader.close();
+        canvas.tiles().close();
+    }
+}

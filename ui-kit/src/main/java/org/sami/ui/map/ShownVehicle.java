@@ -1,0 +1,43 @@
+package org.sami.ui.map;
+
+import java.util.Objects;
+import org.sami.spn.value.GeoPoint;
+import org.sami.ui.look.IdentityMark;
+
+/**
+ * A vehicle as it is shown on a map.
+ *
+ * @param id stable, unique among vehicles
+ * @param shortName what stands beside it
+ * @param mark its identity's
+ * @param headingRad where its bow points, clockwise from true north
+ * @param courseRad where it moves, clockwise from true north
+ * @param speedMps how fast it moves over ground
+ * @param ageS how old all this is, in seconds; older than {@link #STALE_S} it is faded and its age is written
+ * @param selected whether the operator has chosen it
+ */
+public record ShownVehicle(
+        String id,
+        String shortName,
+        IdentityMark mark,
+        GeoPoint at,
+        double headingRad,
+        double courseRad,
+        double speedMps,
+        double ageS,
+        boolean selected) {
+    /** From this age on in seconds a position is not to be taken for the present one. */
+    public static final double STALE_S = 3.5;
+
+    public ShownVehicle {
+        Objects.requireNonNull(id, "id");
+        Objects.requireNonNull(shortName, "shortName");
+        Objects.requireNonNull(mark, "mark");
+        Objects.requireNonNull(at, "at");
+    }
+
+    /** Whether its position is too old. */
+    public boolean isStale() {
+        return ageS > STALE_S;
+    }
+}

@@ -1,0 +1,138 @@
+package org.sami.ui.map;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Random;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+import org.sami.ui.geo.GeoBounds;
+import org.sami.ui.look.IdentityMark;
+
+/** Maps with something on them, for tests and benchmarks, and how one is painted without a display. */
+final class MapScenes {
+    static final GeoPoint LAKE = GeoPoint.of(45.70, 10.72);
+    private static final double DEGREES_PER_M = 1 / 111_200.0;
+
+    private MapScenes() {}
+
+    /** The point so many metres east and north of the lake's middle. */
+    static GeoPoint at(double eastM, double northM) {
+        return GeoPoint.of(
+                LAKE.latDeg() + northM * DEGREES_PER_M,
+                LAKE.lonDeg() + eastM * DEGREES_PER_M / Math.cos(Math.toRadians(LAKE.latDeg())));
+    }
+
+    /** A map with vehicles, their tracks of {@code trackPoints} points and paths, areas, a fence and a heat map. */
+    static MapView fleet(int vehicles, int trackPoints) {
+        MapView map = new MapView();
+        Random random = new Random(7);
+        AreaLayer areas = map.layers().add(new AreaLayer("areas", "Areas"));
+        areas.show(List.of(
+                new ShownArea("fence", "fence", square(0, 0, 190), ShownArea.Kind.FENCE),
+                new ShownArea("explore", "area to explore", square(-60, 60, 70), ShownArea.Kind.WORK),
+                new ShownArea("reeds", "reeds", square(110, -90, 40), ShownArea.Kind.NO_GO)));
+        HeatLayer heat = map.layers().add(new HeatLayer("heat", "Temperature"));
+        heat.show(Optional.of(heat()));
+        TrackLayer tracks = map.layers().add(new TrackLayer("tracks", "Tracks"));
+        PathLayer paths = map.layers().add(new PathLayer("paths", "Paths"));
+        VehicleLayer layer = map.layers().add(new VehicleLayer("vehicles", "Vehicles"));
+        List<ShownVehicle> shown = new ArrayList<>();
+        List<Track> past = new ArrayList<>();
+        List<PlannedPath> planned = new ArrayList<>();
+        for (int i = 0; i < vehicles; i++) {
+            double heading = random.nextDouble() * 2 * Math.PI;
+            List<GeoPoint> track = new ArrayList<>();
+            double x = random.nextDouble() * 300 - 150;
+            double y = random.nextDouble() * 300 - 150;
+            for (int k = 0; k < trackPoints; k++) {
+                heading += random.nextGaussian() * 0.06;
+                x += Math.sin(heading) * 0.3;
+                y += Math.cos(heading) * 0.3;
+                track.add(at(x, y));
+            }
+            IdentityMark mark = new IdentityMark(i);
+            String id = "proxy-" + i;
+            GeoPoint here = at(x, y);
+            past.add(new Track(id, mark, track));
+            planned.add(new PlannedPath(
+                    id,
+                    mark,
+                    List.of(track.get(trackPoints / 2), here, at(x + 40, y), at(x + 40, y + 30), at(x, y + 30)),
+                    2));
+            shown.add(new ShownVehicle(
+                    id, NAMES[i % NAMES.length], mark, here, heading, heading, i % 4 * 0.5, i == 3 ? 12 : 0.3, i == 1));
+        }
+        tracks.show(past);
+        paths.show(planned);
+        layer.show(shown);
+        return map;
+    }
+
+    private static final String[] NAMES = {
+        "anna", "bert", "carl", "dora", "emil", "frida", "gustav", "hanna", "ida", "jan", "karl", "lena", "moritz",
+        "nora", "otto", "paula", "quirin", "rosa", "sven", "tilda"
+    };
+
+    static GeoArea square(double eastM, double northM, double halfM) {
+        return new GeoArea(
+                List.of(
+                        at(eastM - halfM, northM - halfM),
+                        at(eastM + halfM, northM - halfM),
+                        at(eastM + halfM, northM + halfM),
+                        at(eastM - halfM, northM + halfM)),
+                List.of());
+    }
+
+    static HeatMap heat() {
+        List<Double> values = new ArrayList<>();
+        for (int row = 0; row < 24; row++) {
+            for (int column = 0; column < 24; column++) {
+                double value = 14 + 6 * Math.exp(-(Math.pow(row - 9, 2) + Math.pow(column - 14, 2)) / 40.0);
+                values.add(column < 2 ? Double.NaN : value);
+            }
+        }
+        GeoPoint low = at(40, 20);
+        GeoPoint high = at(140, 120);
+        return new HeatMap(
+                "Temperature",
+                "°C",
+                new GeoBounds(low.latDeg(), low.lonDeg(), high.latDeg(), high.lonDeg()),
+                24,
+                24,
+                values,
+                14,
+                20,
+                OptionalDouble.of(15));
+    }
+
+    /** Gives a component a size and lays it out, as a window would. */
+    static void size(Component component, int width, int height) {
+        component.setSize(width, height);
+        layOut(component);
+    }
+
+    private static void layOut(Component component) {
+        component.doLayout();
+        if (component instanceof Container container) {
+            for (Component child : container.getComponents()) {
+                layOut(child);
+            }
+        }
+    }
+
+    /** A picture of a component that was laid out. */
+    static BufferedImage paint(Component component) {
+        BufferedImage image =
+                new BufferedImage(component.getWidth(), component.getHeight(), BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        component.paint(g);
+        g.dispose();
+        return image;
+    }
+}
