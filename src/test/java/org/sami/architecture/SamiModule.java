@@ -25,7 +25,7 @@ enum SamiModule {
     BOAT_SERVER("boat-server-android/server", 32, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
     CRW_DOMAIN(
             "crw-domain",
-            330,
+            355,
             List.of(
                     "org.sami.crw.decision..",
                     "org.sami.crw.event..",

@@ -42,9 +42,16 @@ public final class AlarmModel extends Model<List<Alarm>> {
         this.inbox = inbox;
     }
 
-    /** From now on boats that are not in this water raise {@link Kind#FENCE}. From any thread; done a little later. */
-    public void setFence(Water allowed) {
-        inbox.accept(() -> water = Optional.of(allowed));
+    /** From now on boats that are outside of this area raise {@link Kind#FENCE}. */
+    void setArea(OperatingArea area, long atMillis) {
+        Optional<String> unusable = Optional.empty();
+        try {
+            water = area.water();
+        } catch (IllegalArgumentException crossed) {
+            water = Optional.empty();
+            unusable = Optional.of("No boat is held to the fence: " + crossed.getMessage());
+        }
+        set(new Key(Kind.FENCE, ""), unusable, atMillis);
     }
 
     /** The operator knows an alarm; if it is over, it goes. One that is gone changes nothing. From any thread. */

@@ -111,6 +111,12 @@ public final class CommandModel extends Model<List<BoatCommands>> {
         }
     }
 
+    /** The queue of a boat, on the owner's thread. */
+    CommandQueueSnapshot queue(String boat) {
+        Tracked tracked = boats.get(boat);
+        return tracked == null ? CommandQueueSnapshot.EMPTY : tracked.queue;
+    }
+
     @Override
     List<BoatCommands> take() {
         List<BoatCommands> all = new ArrayList<>();

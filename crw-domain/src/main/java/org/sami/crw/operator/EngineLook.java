@@ -44,7 +44,7 @@ record EngineLook(Map<Long, Details> details, List<InterruptChoice> buttons) {
             details.put(
                     mission.id(),
                     new Details(view.pendingAnswers(mission.id()), BlockedPlaces.of(vocabulary, view, mission)));
-            view.plan(mission.plan())
+            view.planOf(mission.id())
                     .ifPresent(plan -> addButtons(
                             view, vocabulary, mission, plan, offered.getOrDefault(mission.id(), Map.of()), buttons));
         }

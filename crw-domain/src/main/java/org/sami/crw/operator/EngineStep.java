@@ -23,6 +23,8 @@ import org.sami.spn.value.Value;
  * @param presentations decisions that it opened, as they are to be shown
  * @param plans of missions that it started
  * @param newTasks tasks that came to be with it, by the names of their owners; some may be known before
+ * @param marked output and input events with markup that were sent and used up
+ * @param globals the project's variables, where the project was changed
  */
 record EngineStep(
         long atMillis,
@@ -30,33 +32,40 @@ record EngineStep(
         List<Effect> effects,
         Map<Long, DecisionPresentation> presentations,
         Map<Long, StartedPlan> plans,
-        List<TaskId> newTasks) {
+        List<TaskId> newTasks,
+        List<MarkedEvent> marked,
+        Optional<Map<String, Value>> globals) {
 
     /** On the engine's thread. */
-    static EngineStep of(long atMillis, Input input, List<Effect> effects, EngineView view) {
+    static EngineStep of(long atMillis, Input input, List<Effect> effects, EngineView view, RunningPlans running) {
+        running.before(effects, view);
         Map<Long, DecisionPresentation> presentations = new HashMap<>();
         Map<Long, StartedPlan> plans = new HashMap<>();
         List<TaskId> tasks = new ArrayList<>();
+        List<MarkedEvent> marked = new ArrayList<>();
+        Optional<Map<String, Value>> globals = Optional.empty();
         for (Effect effect : effects) {
-            if (effect instanceof Effect.DecisionOpened e) {
+            if (effect instanceof Effect.Activated e
+                    && !e.activation().markups().isEmpty()) {
+                marked.add(MarkedEvent.of(e.activation()));
+            } else if (effect instanceof Effect.DecisionOpened e) {
                 presentations.put(e.decision().id(), DecisionPresenter.of(e.decision(), view));
             } else if (effect instanceof Effect.MissionStarted e) {
-                started(e, view, plans, tasks);
+                running.of(e.mission()).ifPresent(plan -> {
+                    plans.put(e.mission(), startedPlan(e.mission(), plan, view));
+                    tasks.addAll(tasksOf(e.mission(), plan, view));
+                });
+            } else if (effect instanceof Effect.ProjectLoaded) {
+                globals = Optional.of(view.globals());
             } else if (effect instanceof Effect.Fired e) {
+                marked.addAll(running.received(e));
                 e.used()
                         .forEach(used ->
                                 used.tasks().forEach(task -> owned(task, view).ifPresent(tasks::add)));
             }
         }
-        return new EngineStep(atMillis, input, effects, presentations, plans, tasks);
-    }
-
-    private static void started(
-            Effect.MissionStarted started, EngineView view, Map<Long, StartedPlan> plans, List<TaskId> tasks) {
-        view.plan(started.plan()).ifPresent(plan -> {
-            plans.put(started.mission(), startedPlan(started.mission(), plan, view));
-            tasks.addAll(tasksOf(started.mission(), plan, view));
-        });
+        running.after(effects);
+        return new EngineStep(atMillis, input, effects, presentations, plans, tasks, marked, globals);
     }
 
     static StartedPlan startedPlan(long mission, Plan plan, EngineView view) {

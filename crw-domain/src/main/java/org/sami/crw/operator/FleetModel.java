@@ -13,18 +13,21 @@ import java.util.function.Consumer;
  */
 public final class FleetModel extends Model<List<BoatSnapshot>> {
     private final Consumer<Runnable> inbox;
-    private final Consumer<BoatSnapshot> seen;
+    private final Listener listener;
     private final Map<String, Optional<BoatSnapshot>> waiting = new ConcurrentHashMap<>();
     private final Map<String, BoatSnapshot> boats = new LinkedHashMap<>();
 
-    /**
-     * Knows no boat.
-     *
-     * @param seen is given each snapshot on the owner's thread
-     */
-    FleetModel(Consumer<Runnable> inbox, Consumer<BoatSnapshot> seen) {
+    /** Other models that follow boats; told on the owner's thread. */
+    interface Listener {
+        void seen(BoatSnapshot boat);
+
+        void gone(String boat);
+    }
+
+    /** Knows no boat. */
+    FleetModel(Consumer<Runnable> inbox, Listener listener) {
         super(List.of());
-        this.seen = seen;
+        this.listener = listener;
         this.inbox = inbox;
     }
 
@@ -39,9 +42,10 @@ public final class FleetModel extends Model<List<BoatSnapshot>> {
         Optional<BoatSnapshot> latest = waiting.remove(boat);
         if (latest.isPresent()) {
             boats.put(boat, latest.get());
-            seen.accept(latest.get());
+            listener.seen(latest.get());
         } else {
             boats.remove(boat);
+            listener.gone(boat);
         }
         change();
     }

@@ -33,6 +33,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
@@ -61,9 +62,13 @@ public final class OperatorModels implements HostListener, MessageSink {
     private final AllocationModel allocation = new AllocationModel();
     private final ClickModel clicks = new ClickModel();
     private final Queue<CompletableFuture<Void>> awaitShown = new ArrayDeque<>(); // for the owner's thread
+    private final GeoVariables variables = new GeoVariables();
+    private final MapModel map;
+    private final RunningPlans plans = new RunningPlans(); // for the engine's thread
     private final AtomicLong steps = new AtomicLong();
     private final AtomicLong stepsLookedAt = new AtomicLong();
     private final AtomicBoolean looking = new AtomicBoolean();
+    private final AtomicBoolean ticking = new AtomicBoolean();
     private volatile Optional<FleetSampler> sampler = Optional.empty();
 
     /** Models whose clock stands still: for parts that need no ages of boats. */
@@ -71,23 +76,42 @@ public final class OperatorModels implements HostListener, MessageSink {
         this(owner, () -> 0);
     }
 
+    /** Models of a session without a thread to spare: what the map needs is computed by whoever tells of it. */
+    public OperatorModels(Executor owner, LongSupplier nowMillis) {
+        this(owner, nowMillis, Runnable::run);
+    }
+
     /**
      * Models with nothing in them.
      *
      * @param owner runs what it is given on one thread, one after the other: a window's event thread, or a thread of the session's
      * @param nowMillis the session's clock; from any thread
+     * @param computing computes what sensors measured for the map, one after the other; never the owner's thread, where that is a
+     *     window's
      */
-    public OperatorModels(Executor owner, LongSupplier nowMillis) {
+    public OperatorModels(Executor owner, LongSupplier nowMillis, Executor computing) {
         this.nowMillis = nowMillis;
         inbox = new ModelInbox(owner, this::publish);
         decisions = new DecisionQueue(inbox::post);
         messages = new MessageList(MESSAGES_KEPT, inbox::post);
         alarms = new AlarmModel(inbox::post);
-        fleet = new FleetModel(inbox::post, boat -> alarms.seen(boat, nowMillis.getAsLong()));
+        map = new MapModel(inbox::post, commands, variables, computing, nowMillis);
+        fleet = new FleetModel(inbox::post, new FleetModel.Listener() {
+            @Override
+            public void seen(BoatSnapshot boat) {
+                alarms.seen(boat, nowMillis.getAsLong());
+                map.seen(boat);
+            }
+
+            @Override
+            public void gone(String boat) {
+                map.gone(boat);
+            }
+        });
     }
 
     private void publish() {
-        List.of(decisions, messages, missions, fleet, commands, interrupts, alarms, allocation, clicks)
+        List.of(decisions, messages, missions, fleet, commands, interrupts, alarms, allocation, clicks, map)
                 .forEach(Model::publish);
         for (CompletableFuture<Void> one = awaitShown.poll(); one != null; one = awaitShown.poll()) {
             one.complete(null);
@@ -146,19 +170,31 @@ public final class OperatorModels implements HostListener, MessageSink {
         return clicks;
     }
 
+    /** What is to be drawn on the map. */
+    public MapModel map() {
+        return map;
+    }
+
     // ---- fed by the engine
 
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
         steps.incrementAndGet();
         if (!effects.isEmpty() || !(input instanceof Input.Received)) {
-            EngineStep step = EngineStep.of(atMillis, input, effects, view);
+            EngineStep step = EngineStep.of(atMillis, input, effects, view, plans);
             inbox.post(() -> apply(step));
         }
     }
 
     private void apply(EngineStep step) {
         clicks.apply(step.input(), step.effects());
+        step.plans().forEach((mission, plan) -> variables.mission(mission, plan.variables()));
+        step.globals().ifPresent(variables::project);
+        boolean moved = variables.apply(step.input(), step.effects());
+        if (moved || step.globals().isPresent()) {
+            operatingAreaChanged();
+        }
+        map.apply(step);
         allocation.apply(step.input(), step.effects(), step.newTasks());
         for (Effect effect : step.effects()) {
             missions.apply(effect, step.plans(), step.atMillis());
@@ -172,6 +208,11 @@ public final class OperatorModels implements HostListener, MessageSink {
         }
     }
 
+    private void operatingAreaChanged() {
+        alarms.setArea(variables.operatingArea(), nowMillis.getAsLong());
+        map.refresh();
+    }
+
     private void open(DecisionPresentation presentation, long atMillis) {
         decisions.open(new PendingDecision(presentation, atMillis, false));
     }
@@ -181,19 +222,31 @@ public final class OperatorModels implements HostListener, MessageSink {
         List<Effect> marking = view.markingAsEffects();
         List<DecisionPresentation> open = new ArrayList<>();
         view.decisions().forEach(decision -> open.add(DecisionPresenter.of(decision, view)));
-        Map<Long, StartedPlan> plans = new HashMap<>();
+        plans.restore(view);
+        Map<Long, StartedPlan> started = new HashMap<>();
         List<TaskId> tasks = new ArrayList<>();
         view.missions().forEach(mission -> {
-            Optional<Plan> plan = view.plan(mission.plan());
-            plan.ifPresent(one -> plans.put(mission.id(), EngineStep.startedPlan(mission.id(), one, view)));
+            Optional<Plan> plan = plans.of(mission.id());
+            plan.ifPresent(one -> started.put(mission.id(), EngineStep.startedPlan(mission.id(), one, view)));
             plan.ifPresent(one -> tasks.addAll(EngineStep.tasksOf(mission.id(), one, view)));
         });
         Set<TaskId> complete = new HashSet<>();
         tasks.stream().filter(task -> TaskQueues.isComplete(task, view)).forEach(complete::add);
         Map<TaskId, String> robots = view.allocation();
         Map<String, TaskQueue> queues = TaskQueues.remembered(view);
+        Map<String, Value> globals = view.globals();
+        Optional<Value> fence = view.memory(Ids.NONE, OperatingArea.MEMORY);
+        List<MarkedEvent> marked = view.openActivations().stream()
+                .filter(activation -> !activation.markups().isEmpty())
+                .map(MarkedEvent::of)
+                .toList();
         inbox.post(() -> {
-            missions.restore(marking, plans, atMillis);
+            variables.project(globals);
+            variables.remembered(fence);
+            started.forEach((mission, plan) -> variables.mission(mission, plan.variables()));
+            operatingAreaChanged();
+            map.restore(marked);
+            missions.restore(marking, started, atMillis);
             allocation.restore(tasks, robots, complete, queues);
             open.forEach(presentation -> open(presentation, atMillis));
         });
@@ -274,6 +327,9 @@ public final class OperatorModels implements HostListener, MessageSink {
         sampler = Optional.of(made);
         return event -> {
             made.happened(event);
+            if (event instanceof FleetEvent.Measured measured) {
+                map.measured(measured);
+            }
             if (CommandModel.concerns(event)
                     || event instanceof FleetEvent.LinkAlarmed
                     || event instanceof FleetEvent.Moved) {
@@ -281,6 +337,7 @@ public final class OperatorModels implements HostListener, MessageSink {
                 inbox.post(() -> {
                     if (CommandModel.concerns(event)) {
                         commands.apply(event, at);
+                        map.refresh();
                     }
                     alarms.apply(event, at);
                 });
@@ -291,5 +348,13 @@ public final class OperatorModels implements HostListener, MessageSink {
     /** Looks at all boats, as ages and reasons change by themselves. To be called ten times a second on the fleet's thread. */
     public void look() {
         sampler.ifPresent(FleetSampler::look);
+        long now = nowMillis.getAsLong();
+        map.look(now);
+        if (ticking.compareAndSet(false, true)) {
+            inbox.post(() -> {
+                ticking.set(false);
+                map.tick(now);
+            });
+        }
     }
 }

@@ -59,6 +59,7 @@ final class SessionParts {
     private final Optional<ServiceThreads> services;
     private final Optional<ExecutorService> ownFront;
     private final long showMillis;
+    private final Optional<ExecutorService> forMap;
     private final CompletableFuture<Void> ended = new CompletableFuture<>();
     private volatile boolean halted;
     private boolean replayed; // before it begins
@@ -74,7 +75,7 @@ final class SessionParts {
             executor = loop.get();
             connector = new TcpFleet(real.links(), real.clock(), real.simulatedBoats());
             services = Optional.of(new ServiceThreads(ServiceThreads.STANDARD_LIMIT_MILLIS));
-            ownFront = real.front().isPresent() ? Optional.empty() : Optional.of(newFront());
+            ownFront = real.front().isPresent() ? Optional.empty() : Optional.of(newThread("session"));
             front = real.front().orElseGet(ownFront::get);
         } else {
             SessionRuntime.OneThread one = (SessionRuntime.OneThread) setup.runtime();
@@ -98,7 +99,9 @@ final class SessionParts {
         replies = new Replies(front);
         posted = new PostedInputs(host, replies);
         telemetry = new SessionTelemetry(journal, scheduler::nowMs);
-        models = new OperatorModels(front, scheduler::nowMs);
+        forMap = loop.map(real -> newThread("map"));
+        models = new OperatorModels(
+                front, scheduler::nowMs, forMap.<Executor>map(map -> map).orElse(Runnable::run));
         messages = new SessionMessages(telemetry, models);
         remembered = loop.map(real -> new RememberedBoats(host));
         events = new FleetEvents(slowMillis);
@@ -122,9 +125,9 @@ final class SessionParts {
         events.subscribe(models.fleetListener(connector.boats(), showMillis));
     }
 
-    private static ExecutorService newFront() {
+    private static ExecutorService newThread(String name) {
         return Executors.newSingleThreadExecutor(work -> {
-            Thread thread = new Thread(work, "session");
+            Thread thread = new Thread(work, name);
             thread.setDaemon(true);
             return thread;
         });
@@ -222,6 +225,7 @@ final class SessionParts {
         host.close();
         replies.close();
         ownFront.ifPresent(ExecutorService::shutdown);
+        forMap.ifPresent(ExecutorService::shutdown);
         journal.close();
     }
 }

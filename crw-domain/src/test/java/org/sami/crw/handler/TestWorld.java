@@ -58,9 +58,10 @@ final class TestWorld implements HostClock {
     /** A world whose services compute beside the fleet's thread, as in a session in real time. */
     TestWorld(EngineFunction engine, CrwServices services, ServiceThreads threads) {
         host = EngineHost.builder(engine).clock(this).executor(tasks::add).build();
-        operator = new OperatorModels(Runnable::run);
+        operator = new OperatorModels(Runnable::run, clock::get);
         domain = CrwDomain.installInRealTime(host, boats, tasks::add, operator, services, threads);
         host.addListener(operator);
+        domain.events().subscribe(operator.fleetListener(boats));
     }
 
     TestWorld(EngineFunction engine, Optional<Executor> enginesOwn) {
@@ -68,9 +69,10 @@ final class TestWorld implements HostClock {
                 .clock(this)
                 .executor(enginesOwn.orElse(tasks::add))
                 .build();
-        operator = new OperatorModels(enginesOwn.isPresent() ? tasks::add : Runnable::run);
+        operator = new OperatorModels(enginesOwn.isPresent() ? tasks::add : Runnable::run, clock::get);
         domain = CrwDomain.install(host, boats, tasks::add, operator, CrwServices.STANDARD, new TestBoatConnector());
         host.addListener(operator);
+        domain.events().subscribe(operator.fleetListener(boats));
     }
 
     /** A boat lies behind every address but one; made boats lie where they are wanted. */
@@ -155,6 +157,7 @@ final class TestWorld implements HostClock {
             servers.values().forEach(server -> server.tick(nowMs));
             hulls.values().forEach(hull -> hull.step(TICK_MS / 1000.0));
             boats.tick(nowMs);
+            operator.look();
             drain();
         }
     }

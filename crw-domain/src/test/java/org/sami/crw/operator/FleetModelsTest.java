@@ -30,7 +30,6 @@ import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.LinkState;
-import org.sami.crw.service.water.Water;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
@@ -230,13 +229,8 @@ class FleetModelsTest {
 
     @Test
     void theWorstAlarmComesFirst() {
-        models.alarms()
-                .setFence(Water.of(
-                        HOME,
-                        List.of(),
-                        Optional.of(new GeoArea(
-                                List.of(GeoPoint.of(45, 9.9), GeoPoint.of(45.1, 10), GeoPoint.of(45, 10.1)),
-                                List.of()))));
+        world.step(OperatingArea.remember(
+                new GeoArea(List.of(GeoPoint.of(45, 9.9), GeoPoint.of(45.1, 10), GeoPoint.of(45, 10.1)), List.of())));
         see(snapshot(LinkState.LOST, BatteryLevel.NOMINAL, Cause.LINK_LOST, GeoPoint.of(45.01, 10)));
         world.nowMillis.set(1000);
         see(snapshot(LinkState.LOST, BatteryLevel.CRITICAL, Cause.LINK_LOST, GeoPoint.of(44.99, 10)));
