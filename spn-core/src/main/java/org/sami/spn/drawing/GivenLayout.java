@@ -1,6 +1,5 @@
-package org.sami.crw.sim.drawing;
+package org.sami.spn.drawing;
 
-import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
@@ -66,12 +65,12 @@ final class GivenLayout {
         LabelPlacement labels = new LabelPlacement(vertices.values(), edges);
         vertices.values().forEach(vertex -> labels.placeAtVertex(vertex, texts.of(vertex.id())));
         edges.forEach(edge -> labels.placeAtEdge(edge, texts.of(edge.id())));
-        return new NetDrawing(plan.title(), List.copyOf(vertices.values()), edges, labels.placed());
+        return new NetDrawing(plan.title(), factor, List.copyOf(vertices.values()), edges, labels.placed());
     }
 
-    private Point2D at(String id, double factor) {
+    private LayoutPoint at(String id, double factor) {
         LayoutPoint point = plan.layout().get(id);
-        return new Point2D.Double(point.x() * factor, point.y() * factor);
+        return new LayoutPoint(point.x() * factor, point.y() * factor);
     }
 
     /** So much that vertices which lie near each other, and not merely the nearest two, have room for words between them. */
@@ -95,21 +94,21 @@ final class GivenLayout {
     private NetDrawing.Edge line(String id, String from, String to, boolean unconditional, boolean recovery) {
         NetDrawing.Vertex source = vertices.get(from);
         NetDrawing.Vertex target = vertices.get(to);
-        List<Point2D> points = List.of(rim(source, target.centre()), rim(target, source.centre()));
+        List<LayoutPoint> points = List.of(rim(source, target.centre()), rim(target, source.centre()));
         return new NetDrawing.Edge(id, points, unconditional, recovery);
     }
 
     /** Where the line from a vertex's centre to a point leaves it. */
-    private static Point2D rim(NetDrawing.Vertex vertex, Point2D towards) {
-        double dx = towards.getX() - vertex.centre().getX();
-        double dy = towards.getY() - vertex.centre().getY();
+    private static LayoutPoint rim(NetDrawing.Vertex vertex, LayoutPoint towards) {
+        double dx = towards.x() - vertex.centre().x();
+        double dy = towards.y() - vertex.centre().y();
         double length = Math.max(1e-9, Math.hypot(dx, dy));
         double part = vertex.kind() == NetDrawing.Kind.PLACE
                 ? NetDrawing.PLACE_RADIUS / length
                 : Math.min(
                         NetDrawing.BAR_WIDTH / 2 / Math.max(1e-9, Math.abs(dx)),
                         NetDrawing.BAR_HEIGHT / 2 / Math.max(1e-9, Math.abs(dy)));
-        return new Point2D.Double(
-                vertex.centre().getX() + dx * Math.min(1, part), vertex.centre().getY() + dy * Math.min(1, part));
+        return new LayoutPoint(
+                vertex.centre().x() + dx * Math.min(1, part), vertex.centre().y() + dy * Math.min(1, part));
     }
 }

@@ -1,6 +1,5 @@
-package org.sami.crw.sim.drawing;
+package org.sami.spn.drawing;
 
-import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -25,8 +24,9 @@ import org.eclipse.elk.graph.ElkLabel;
 import org.eclipse.elk.graph.ElkNode;
 import org.eclipse.elk.graph.ElkPort;
 import org.eclipse.elk.graph.util.ElkGraphUtil;
-import org.sami.crw.sim.drawing.NetDrawing.Kind;
+import org.sami.spn.drawing.NetDrawing.Kind;
 import org.sami.spn.model.InEdge;
+import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
@@ -48,8 +48,8 @@ final class LayeredLayout {
 
     /** A vertex in the layout's terms. */
     private record Site(Kind kind, ElkNode node, ElkPort in, ElkPort out) {
-        Point2D centre() {
-            return new Point2D.Double(node.getX() + node.getWidth() / 2, node.getY() + halfHeight(kind));
+        LayoutPoint centre() {
+            return new LayoutPoint(node.getX() + node.getWidth() / 2, node.getY() + halfHeight(kind));
         }
     }
 
@@ -82,7 +82,7 @@ final class LayeredLayout {
         graph.setProperty(LayeredOptions.SPACING_EDGE_EDGE_BETWEEN_LAYERS, 12.0);
         LayoutMetaDataService.getInstance().registerLayoutMetaDataProviders(new LayeredMetaDataProvider());
         new LayeredLayoutProvider().layout(graph, new BasicProgressMonitor());
-        return new NetDrawing(plan.title(), vertices(), edges(), labels());
+        return new NetDrawing(plan.title(), 1, vertices(), edges(), labels());
     }
 
     private static double halfHeight(Kind kind) {
@@ -154,7 +154,7 @@ final class LayeredLayout {
     }
 
     /** From the rim of one vertex to that of the other: the layout knows their boxes with the words only. */
-    private Optional<List<Point2D>> points(String id, String from, String to) {
+    private Optional<List<LayoutPoint>> points(String id, String from, String to) {
         ElkEdge edge = lines.get(id);
         if (edge == null) {
             return Optional.empty();
@@ -162,16 +162,14 @@ final class LayeredLayout {
         Site source = sites.get(from);
         Site target = sites.get(to);
         ElkEdgeSection section = edge.getSections().get(0);
-        List<Point2D> points = new ArrayList<>();
-        points.add(new Point2D.Double(
-                source.centre().getX() + halfWidth(source.kind()),
-                source.centre().getY()));
-        points.add(new Point2D.Double(section.getStartX(), section.getStartY()));
-        section.getBendPoints().forEach(bend -> points.add(new Point2D.Double(bend.getX(), bend.getY())));
-        points.add(new Point2D.Double(section.getEndX(), section.getEndY()));
-        points.add(new Point2D.Double(
-                target.centre().getX() - halfWidth(target.kind()),
-                target.centre().getY()));
+        List<LayoutPoint> points = new ArrayList<>();
+        points.add(new LayoutPoint(
+                source.centre().x() + halfWidth(source.kind()), source.centre().y()));
+        points.add(new LayoutPoint(section.getStartX(), section.getStartY()));
+        section.getBendPoints().forEach(bend -> points.add(new LayoutPoint(bend.getX(), bend.getY())));
+        points.add(new LayoutPoint(section.getEndX(), section.getEndY()));
+        points.add(new LayoutPoint(
+                target.centre().x() - halfWidth(target.kind()), target.centre().y()));
         return Optional.of(points);
     }
 
@@ -180,7 +178,7 @@ final class LayeredLayout {
         sites.forEach((id, site) -> {
             TextBlock text = texts.of(id);
             if (!text.isEmpty()) {
-                double x = site.centre().getX() - text.width() / 2;
+                double x = site.centre().x() - text.width() / 2;
                 double y = site.node().getY() + 2 * halfHeight(site.kind()) + GAP;
                 labels.add(new NetDrawing.Label(id, text, x, y, false));
             }

@@ -1,17 +1,17 @@
-package org.sami.crw.sim.drawing;
+package org.sami.spn.drawing;
 
-import java.awt.geom.Point2D;
-import java.awt.geom.Rectangle2D;
 import java.util.List;
+import org.sami.spn.model.LayoutPoint;
 
 /**
  * Where everything on the drawing of a net lies: x to the right, y downwards, in pixels at scale 1. No label covers a vertex or another
  * label.
  *
  * @param title the plan's name
+ * @param scale how many drawing units one unit of the plan's layout is; 1 where the layout is not the author's
  * @param labels of vertices and edges, in no order
  */
-public record NetDrawing(String title, List<Vertex> vertices, List<Edge> edges, List<Label> labels) {
+public record NetDrawing(String title, double scale, List<Vertex> vertices, List<Edge> edges, List<Label> labels) {
     /** The radius of a place. */
     public static final double PLACE_RADIUS = 24;
 
@@ -38,9 +38,15 @@ public record NetDrawing(String title, List<Vertex> vertices, List<Edge> edges, 
      * @param recovery whether its author drew it in recovery mode (thesis, Figure 5.2)
      */
     public record Vertex(
-            String id, Kind kind, Point2D centre, boolean start, boolean end, boolean subMission, boolean recovery) {
+            String id,
+            Kind kind,
+            LayoutPoint centre,
+            boolean start,
+            boolean end,
+            boolean subMission,
+            boolean recovery) {
         /** The box around it. */
-        public Rectangle2D box() {
+        public DrawingBox box() {
             return boxOf(kind, centre);
         }
     }
@@ -50,7 +56,7 @@ public record NetDrawing(String title, List<Vertex> vertices, List<Edge> edges, 
      *
      * @param unconditional whether it has no condition, or lets nobody in
      */
-    public record Edge(String id, List<Point2D> points, boolean unconditional, boolean recovery) {
+    public record Edge(String id, List<LayoutPoint> points, boolean unconditional, boolean recovery) {
         public Edge {
             points = List.copyOf(points);
         }
@@ -64,8 +70,8 @@ public record NetDrawing(String title, List<Vertex> vertices, List<Edge> edges, 
      */
     public record Label(String of, TextBlock text, double x, double y, boolean onLine) {
         /** What the text takes. */
-        public Rectangle2D box() {
-            return new Rectangle2D.Double(x, y, text.width(), text.height());
+        public DrawingBox box() {
+            return new DrawingBox(x, y, text.width(), text.height());
         }
     }
 
@@ -76,15 +82,15 @@ public record NetDrawing(String title, List<Vertex> vertices, List<Edge> edges, 
     }
 
     /** The box of a vertex with that centre. */
-    static Rectangle2D boxOf(Kind kind, Point2D centre) {
+    public static DrawingBox boxOf(Kind kind, LayoutPoint centre) {
         double width = kind == Kind.PLACE ? 2 * PLACE_RADIUS : BAR_WIDTH;
         double height = kind == Kind.PLACE ? 2 * PLACE_RADIUS : BAR_HEIGHT;
-        return new Rectangle2D.Double(centre.getX() - width / 2, centre.getY() - height / 2, width, height);
+        return new DrawingBox(centre.x() - width / 2, centre.y() - height / 2, width, height);
     }
 
     /** The box around all of it; a box at the origin where the plan is empty. */
-    public Rectangle2D bounds() {
-        Rectangle2D bounds = null;
+    public DrawingBox bounds() {
+        DrawingBox bounds = null;
         for (Vertex vertex : vertices) {
             bounds = union(bounds, vertex.box());
         }
@@ -92,14 +98,14 @@ public record NetDrawing(String title, List<Vertex> vertices, List<Edge> edges, 
             bounds = union(bounds, label.box());
         }
         for (Edge edge : edges) {
-            for (Point2D point : edge.points()) {
-                bounds = union(bounds, new Rectangle2D.Double(point.getX(), point.getY(), 0, 0));
+            for (LayoutPoint point : edge.points()) {
+                bounds = union(bounds, new DrawingBox(point.x(), point.y(), 0, 0));
             }
         }
-        return bounds == null ? new Rectangle2D.Double() : bounds;
+        return bounds == null ? new DrawingBox(0, 0, 0, 0) : bounds;
     }
 
-    private static Rectangle2D union(Rectangle2D bounds, Rectangle2D box) {
-        return bounds == null ? box : bounds.createUnion(box);
+    private static DrawingBox union(DrawingBox bounds, DrawingBox box) {
+        return bounds == null ? box : bounds.union(box);
     }
 }

@@ -1,9 +1,9 @@
-package org.sami.crw.sim.drawing;
+package org.sami.spn.drawing;
 
-import java.awt.geom.Point2D;
-import org.sami.crw.sim.drawing.NetDrawing.Kind;
-import org.sami.crw.sim.drawing.NetDrawing.Vertex;
+import org.sami.spn.drawing.NetDrawing.Kind;
+import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.model.InEdge;
+import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
@@ -14,7 +14,7 @@ import org.sami.spn.model.Transition;
 final class NetShapes {
     private NetShapes() {}
 
-    static Vertex vertex(Place place, Point2D centre) {
+    static Vertex vertex(Place place, LayoutPoint centre) {
         return new Vertex(
                 place.id(),
                 Kind.PLACE,
@@ -25,7 +25,7 @@ final class NetShapes {
                 place.mode() == Mode.RECOVERY);
     }
 
-    static Vertex vertex(Transition transition, Point2D centre) {
+    static Vertex vertex(Transition transition, LayoutPoint centre) {
         boolean recovery = transition.mode() == Mode.RECOVERY;
         return new Vertex(transition.id(), Kind.TRANSITION, centre, false, false, false, recovery);
     }

@@ -1,10 +1,8 @@
-package org.sami.crw.sim.drawing;
+package org.sami.spn.drawing;
 
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.sami.spn.drawing.EdgeWords;
-import org.sami.spn.drawing.VertexWords;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
@@ -16,18 +14,21 @@ final class NetTexts {
 
     private final Map<String, TextBlock> blocks = new LinkedHashMap<>();
 
-    NetTexts(Plan plan, Vocabulary vocabulary) {
+    private final TextMeasure measure;
+
+    NetTexts(Plan plan, Vocabulary vocabulary, TextMeasure measure) {
+        this.measure = measure;
         for (Place place : plan.places()) {
             add(place.id(), VertexWords.of(place, vocabulary));
         }
         for (Transition transition : plan.transitions()) {
             add(transition.id(), VertexWords.of(transition, vocabulary));
         }
-        EdgeWords.of(plan).forEach((id, lines) -> add(id, TextBlock.of(lines, TextStyle.EDGE)));
+        EdgeWords.of(plan).forEach((id, lines) -> add(id, TextBlock.of(lines, TextStyle.EDGE, measure)));
     }
 
     private void add(String id, VertexWords words) {
-        add(id, TextBlock.of(words.name(), TextStyle.NAME, words.events(), TextStyle.EVENT, WIDEST_AT_VERTEX));
+        add(id, TextBlock.of(words.name(), TextStyle.NAME, words.events(), TextStyle.EVENT, WIDEST_AT_VERTEX, measure));
     }
 
     private void add(String id, TextBlock block) {

@@ -1,4 +1,4 @@
-package org.sami.crw.sim.drawing;
+package org.sami.spn.drawing;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -14,7 +14,8 @@ public record TextBlock(List<Line> lines, double width) {
 
     /** One line with its width in drawing units. */
     public record Line(String text, TextStyle style, double width) {
-        double height() {
+        /** Of its line, in drawing units. */
+        public double height() {
             return style.size() * LINE_HEIGHT;
         }
     }
@@ -24,14 +25,20 @@ public record TextBlock(List<Line> lines, double width) {
     }
 
     /** Lines as they are. */
-    static TextBlock of(List<String> texts, TextStyle style) {
-        return block(texts.stream().map(text -> line(text, style)).toList());
+    public static TextBlock of(List<String> texts, TextStyle style, TextMeasure measure) {
+        return block(texts.stream().map(text -> line(text, style, measure)).toList());
     }
 
     /** A heading with lines below; each is broken between words where it would be wider than {@code widest}. */
-    static TextBlock of(String heading, TextStyle headingStyle, List<String> texts, TextStyle style, double widest) {
-        List<Line> lines = new ArrayList<>(wrapped(heading, headingStyle, widest));
-        texts.forEach(text -> lines.addAll(wrapped(text, style, widest)));
+    static TextBlock of(
+            String heading,
+            TextStyle headingStyle,
+            List<String> texts,
+            TextStyle style,
+            double widest,
+            TextMeasure measure) {
+        List<Line> lines = new ArrayList<>(wrapped(heading, headingStyle, widest, measure));
+        texts.forEach(text -> lines.addAll(wrapped(text, style, widest, measure)));
         return block(lines);
     }
 
@@ -40,26 +47,26 @@ public record TextBlock(List<Line> lines, double width) {
                 lines, lines.stream().mapToDouble(Line::width).max().orElse(0));
     }
 
-    private static List<Line> wrapped(String text, TextStyle style, double widest) {
+    private static List<Line> wrapped(String text, TextStyle style, double widest, TextMeasure measure) {
         List<Line> lines = new ArrayList<>();
         String line = "";
         for (String word : text.isBlank() ? new String[0] : text.strip().split("\\s+", -1)) {
             String longer = line.isEmpty() ? word : line + " " + word;
-            if (!line.isEmpty() && style.width(longer) > widest) {
-                lines.add(line(line, style));
+            if (!line.isEmpty() && measure.width(longer, style) > widest) {
+                lines.add(line(line, style, measure));
                 line = word;
             } else {
                 line = longer;
             }
         }
         if (!line.isEmpty()) {
-            lines.add(line(line, style));
+            lines.add(line(line, style, measure));
         }
         return lines;
     }
 
-    private static Line line(String text, TextStyle style) {
-        return new Line(text, style, style.width(text));
+    private static Line line(String text, TextStyle style, TextMeasure measure) {
+        return new Line(text, style, measure.width(text, style));
     }
 
     /** Of all lines, in drawing units. */

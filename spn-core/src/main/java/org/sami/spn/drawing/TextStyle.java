@@ -1,32 +1,24 @@
-package org.sami.crw.sim.drawing;
-
-import java.awt.Color;
-import java.awt.Font;
-import java.awt.font.FontRenderContext;
+package org.sami.spn.drawing;
 
 /** The kinds of text on a drawing. */
 public enum TextStyle {
     /** The plan's name. */
-    TITLE(Font.BOLD, 22, new Color(0x1F2933)),
+    TITLE(true, 22),
     /** What is said about the whole drawing. */
-    NOTE(Font.PLAIN, 13, new Color(0x5F6C7B)),
+    NOTE(false, 13),
     /** A vertex's name. */
-    NAME(Font.BOLD, 13, new Color(0x1F2933)),
+    NAME(true, 13),
     /** Events and sub-missions. */
-    EVENT(Font.PLAIN, 12, new Color(0x1F2933)),
+    EVENT(false, 12),
     /** Requirements. */
-    EDGE(Font.PLAIN, 12, new Color(0x0B5394));
+    EDGE(false, 12);
 
-    private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, true);
-
-    private final int style;
+    private final boolean bold;
     private final int size;
-    private final Color color;
 
-    TextStyle(int style, int size, Color color) {
-        this.style = style;
+    TextStyle(boolean bold, int size) {
+        this.bold = bold;
         this.size = size;
-        this.color = color;
     }
 
     /** The height of its letters, in drawing units. */
@@ -36,21 +28,6 @@ public enum TextStyle {
 
     /** Whether it is bold. */
     public boolean isBold() {
-        return style == Font.BOLD;
-    }
-
-    /** What it is written in. */
-    public Color color() {
-        return color;
-    }
-
-    /** The font, at one pixel for a drawing unit. */
-    public Font font() {
-        return new Font(Font.SANS_SERIF, style, size);
-    }
-
-    /** The width of a line, in drawing units. */
-    public double width(String text) {
-        return font().getStringBounds(text, CONTEXT).getWidth();
+        return bold;
     }
 }

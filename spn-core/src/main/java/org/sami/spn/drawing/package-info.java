@@ -1,7 +1,8 @@
 /**
- * What is written on the drawing of a net: the words of vertices and edges.
+ * The drawing of a net without a window: what is written at vertices and edges, and where vertices, lines and labels lie.
  *
- * <p>Belongs here: the texts, and which requirements are implied and not written. Does not belong here: where something is drawn, fonts,
- * colours, windows.
+ * <p>{@link org.sami.spn.drawing.NetLayout} makes a {@link org.sami.spn.drawing.NetDrawing}, which whoever paints only paints. Belongs
+ * here: the texts, which requirements are implied and not written, layout, and that no label covers another. Does not belong here: fonts,
+ * colours, pixels.
  */
 package org.sami.spn.drawing;

@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
+import org.sami.spn.drawing.TextBlock;
 
 /** What a picture of a net is painted on. */
 interface Canvas {

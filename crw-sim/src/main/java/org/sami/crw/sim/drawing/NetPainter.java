@@ -4,10 +4,15 @@ import java.awt.Color;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
-import org.sami.crw.sim.drawing.NetDrawing.Edge;
-import org.sami.crw.sim.drawing.NetDrawing.Kind;
-import org.sami.crw.sim.drawing.NetDrawing.Label;
-import org.sami.crw.sim.drawing.NetDrawing.Vertex;
+import org.sami.spn.drawing.DrawingBox;
+import org.sami.spn.drawing.NetDrawing;
+import org.sami.spn.drawing.NetDrawing.Edge;
+import org.sami.spn.drawing.NetDrawing.Kind;
+import org.sami.spn.drawing.NetDrawing.Label;
+import org.sami.spn.drawing.NetDrawing.Vertex;
+import org.sami.spn.drawing.TextBlock;
+import org.sami.spn.drawing.TextStyle;
+import org.sami.spn.model.LayoutPoint;
 
 /** Paints a drawing as the thesis shows nets: places are circles, transitions bars; green is the start, red the end. */
 final class NetPainter {
@@ -29,34 +34,34 @@ final class NetPainter {
             "≥ 1 Generic and Take 1 Generic of one transition are not written; dashed lines have no condition.";
 
     private final NetDrawing drawing;
-    private final Rectangle2D bounds;
+    private final DrawingBox bounds;
     private final TextBlock title;
-    private final TextBlock key = TextBlock.of(List.of(KEY), TextStyle.NOTE);
+    private final TextBlock key = TextBlock.of(List.of(KEY), TextStyle.NOTE, NetFonts::width);
 
     NetPainter(NetDrawing drawing) {
         this.drawing = drawing;
-        title = TextBlock.of(List.of(drawing.title()), TextStyle.TITLE);
+        title = TextBlock.of(List.of(drawing.title()), TextStyle.TITLE, NetFonts::width);
         bounds = drawing.bounds();
     }
 
     /** The picture's width, in pixels at scale 1. */
     double width() {
         double words = Math.max(title.width(), key.width());
-        return Math.ceil(Math.max(bounds.getWidth(), words) + 2 * MARGIN);
+        return Math.ceil(Math.max(bounds.width(), words) + 2 * MARGIN);
     }
 
     /** The picture's height. */
     double height() {
-        return Math.ceil(bounds.getHeight() + 2 * MARGIN + HEAD);
+        return Math.ceil(bounds.height() + 2 * MARGIN + HEAD);
     }
 
     /** How far the drawing's own coordinates are moved in the picture. */
     private double dx() {
-        return MARGIN - bounds.getX();
+        return MARGIN - bounds.x();
     }
 
     private double dy() {
-        return MARGIN + HEAD - bounds.getY();
+        return MARGIN + HEAD - bounds.y();
     }
 
     void paint(Canvas canvas) {
@@ -77,7 +82,7 @@ final class NetPainter {
     }
 
     private void arrow(Canvas canvas, Edge edge) {
-        List<Point2D> points = edge.points();
+        List<LayoutPoint> points = edge.points();
         Point2D tip = moved(points.get(points.size() - 1));
         Point2D before = moved(points.get(points.size() - 2));
         double angle = Math.atan2(tip.getY() - before.getY(), tip.getX() - before.getX());
@@ -93,7 +98,7 @@ final class NetPainter {
     private void vertex(Canvas canvas, Vertex vertex) {
         Point2D centre = moved(vertex.centre());
         if (vertex.kind() == Kind.TRANSITION) {
-            canvas.box(NetDrawing.boxOf(Kind.TRANSITION, centre), vertex.recovery() ? RECOVERY : INK);
+            canvas.box(rectangle(vertex.box()), vertex.recovery() ? RECOVERY : INK);
             return;
         }
         Color rim = vertex.start() ? START_RIM : vertex.end() ? END_RIM : vertex.recovery() ? RECOVERY : INK;
@@ -104,11 +109,13 @@ final class NetPainter {
         }
     }
 
+    private Rectangle2D rectangle(DrawingBox box) {
+        return new Rectangle2D.Double(box.x() + dx(), box.y() + dy(), box.width(), box.height());
+    }
+
     private void clear(Canvas canvas, Label label) {
-        Rectangle2D box = label.box();
-        canvas.box(
-                new Rectangle2D.Double(box.getX() + dx() - 2, box.getY() + dy(), box.getWidth() + 4, box.getHeight()),
-                PAPER);
+        DrawingBox box = label.box();
+        canvas.box(new Rectangle2D.Double(box.x() + dx() - 2, box.y() + dy(), box.width() + 4, box.height()), PAPER);
     }
 
     private void label(Canvas canvas, Label label) {
@@ -124,7 +131,7 @@ final class NetPainter {
         }
     }
 
-    private Point2D moved(Point2D point) {
-        return new Point2D.Double(point.getX() + dx(), point.getY() + dy());
+    private Point2D moved(LayoutPoint point) {
+        return new Point2D.Double(point.x() + dx(), point.y() + dy());
     }
 }

@@ -10,6 +10,8 @@ import javax.imageio.ImageIO;
 import javax.xml.stream.XMLOutputFactory;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamWriter;
+import org.sami.spn.drawing.NetDrawing;
+import org.sami.spn.drawing.NetLayout;
 import org.sami.spn.model.Plan;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -33,9 +35,10 @@ public final class NetPicture {
      * @param anew draw it in layers although it has a layout
      */
     public static NetPicture of(Plan plan, Vocabulary vocabulary, boolean anew) {
-        NetTexts texts = new NetTexts(plan, vocabulary);
-        boolean given = !anew && GivenLayout.isComplete(plan);
-        return new NetPicture(given ? new GivenLayout(plan, texts).draw() : new LayeredLayout(plan, texts).draw());
+        return new NetPicture(
+                anew
+                        ? NetLayout.layered(plan, vocabulary, NetFonts::width)
+                        : NetLayout.given(plan, vocabulary, NetFonts::width));
     }
 
     /** Where everything lies. */

@@ -8,6 +8,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
+import org.sami.spn.drawing.TextBlock;
 
 /** Paints pixels. */
 final class PngCanvas implements Canvas {
@@ -58,8 +59,8 @@ final class PngCanvas implements Canvas {
 
     @Override
     public void text(TextBlock.Line line, double x, double baseline) {
-        g.setFont(line.style().font());
-        g.setColor(line.style().color());
+        g.setFont(NetFonts.of(line.style()));
+        g.setColor(NetFonts.color(line.style()));
         g.drawString(line.text(), (float) x, (float) baseline);
     }
 }

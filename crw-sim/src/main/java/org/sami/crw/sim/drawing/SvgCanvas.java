@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamWriter;
+import org.sami.spn.drawing.TextBlock;
 
 /** Writes SVG elements. Each text says how wide it is, so that another font than the one that was measured takes the same room. */
 final class SvgCanvas implements Canvas {
@@ -86,7 +87,7 @@ final class SvgCanvas implements Canvas {
                     "font-weight",
                     line.style().isBold() ? "bold" : "normal",
                     "fill",
-                    color(line.style().color()),
+                    color(NetFonts.color(line.style())),
                     "textLength",
                     number(line.width()),
                     "lengthAdjust",

@@ -1,7 +1,6 @@
 /**
- * Drawings of nets: where vertices, lines and labels lie, and SVG and PNG of it. Needs no display.
+ * Pictures of nets: SVG and PNG of a drawing. Needs no display.
  *
- * <p>{@link org.sami.crw.sim.drawing.NetDrawing} is the geometry, for whoever paints. What is written belongs to
- * {@code org.sami.spn.drawing}; windows and what a mouse does do not belong here.
+ * <p>What is written, and where everything lies, belongs to {@code org.sami.spn.drawing}; windows and what a mouse does do not belong here.
  */
 package org.sami.crw.sim.drawing;

@@ -3,7 +3,6 @@ package org.sami.crw.sim.drawing;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.awt.geom.Rectangle2D;
 import java.io.ByteArrayInputStream;
 import java.io.StringReader;
 import java.nio.file.Files;
@@ -17,7 +16,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.crw.sim.cli.CommandResult;
-import org.sami.crw.sim.drawing.NetDrawing.Kind;
+import org.sami.spn.drawing.DrawingBox;
+import org.sami.spn.drawing.NetDrawing;
+import org.sami.spn.drawing.NetDrawing.Kind;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.legacy.LegacyImport;
 import org.sami.spn.legacy.LegacyTableReader;
@@ -57,7 +58,7 @@ class NetPictureTest {
     private static void assertNothingIsCovered(Plan plan) {
         for (boolean anew : new boolean[] {false, true}) {
             NetDrawing drawing = NetPicture.of(plan, VOCABULARY, anew).drawing();
-            List<Rectangle2D> boxes = new ArrayList<>();
+            List<DrawingBox> boxes = new ArrayList<>();
             drawing.vertices().forEach(vertex -> boxes.add(vertex.box()));
             drawing.labels().forEach(label -> boxes.add(label.box()));
             for (int i = 0; i < boxes.size(); i++) {
@@ -79,31 +80,31 @@ class NetPictureTest {
         NetDrawing drawing = NetPicture.of(plan("clv"), VOCABULARY, true).drawing();
 
         double least = drawing.vertices().stream()
-                .mapToDouble(v -> v.centre().getX())
+                .mapToDouble(v -> v.centre().x())
                 .min()
                 .orElseThrow();
         double most = drawing.vertices().stream()
-                .mapToDouble(v -> v.centre().getX())
+                .mapToDouble(v -> v.centre().x())
                 .max()
                 .orElseThrow();
         assertThat(drawing.vertices())
                 .filteredOn(NetDrawing.Vertex::start)
-                .allMatch(start -> start.kind() == Kind.PLACE && start.centre().getX() < least + 100);
+                .allMatch(start -> start.kind() == Kind.PLACE && start.centre().x() < least + 100);
         assertThat(drawing.vertices())
                 .filteredOn(NetDrawing.Vertex::end)
-                .allMatch(end -> end.centre().getX() > most - 100);
+                .allMatch(end -> end.centre().x() > most - 100);
     }
 
     @Test
     void layoutOfTheFileIsKept() {
         NetDrawing drawing = NetPicture.of(plan("clv"), VOCABULARY, false).drawing();
 
-        assertThat(centre(drawing, "select").getY())
-                .isEqualTo(centre(drawing, "finished").getY());
-        assertThat(centre(drawing, "end").getX())
-                .isEqualTo(centre(drawing, "finished").getX());
-        assertThat(centre(drawing, "rejected").getY())
-                .isLessThan(centre(drawing, "select").getY());
+        assertThat(centre(drawing, "select").y())
+                .isEqualTo(centre(drawing, "finished").y());
+        assertThat(centre(drawing, "end").x())
+                .isEqualTo(centre(drawing, "finished").x());
+        assertThat(centre(drawing, "rejected").y())
+                .isLessThan(centre(drawing, "select").y());
     }
 
     @Test
@@ -138,7 +139,7 @@ class NetPictureTest {
         return LIBRARY.projectOf(id).orElseThrow().plan(id).orElseThrow();
     }
 
-    private static java.awt.geom.Point2D centre(NetDrawing drawing, String id) {
+    private static org.sami.spn.model.LayoutPoint centre(NetDrawing drawing, String id) {
         return drawing.vertices().stream()
                 .filter(vertex -> vertex.id().equals(id))
                 .findFirst()
