@@ -1,0 +1,88 @@
+package org.sami.ui.dock;
+
+import io.github.andrewauclair.moderndocking.DockableTabPreference;
+import io.github.andrewauclair.moderndocking.app.AppState;
+import io.github.andrewauclair.moderndocking.app.Docking;
+import io.github.andrewauclair.moderndocking.app.DockingState;
+import io.github.andrewauclair.moderndocking.app.RootDockingPanel;
+import io.github.andrewauclair.moderndocking.exception.DockingLayoutException;
+import io.github.andrewauclair.moderndocking.settings.Settings;
+import java.awt.BorderLayout;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import javax.swing.JFrame;
+import javax.swing.JPanel;
+
+/**
+ * Where the panels of a window lie. The arrangement is kept in a file as it changes; a file that cannot be used gives the first one.
+ * One a process, as Modern Docking keeps its state for the process. On the event thread.
+ */
+public final class DockArea extends JPanel implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(DockArea.class.getName());
+
+    private final Map<String, DockPanel> panels = new LinkedHashMap<>();
+    private final Arrangement first;
+
+    /**
+     * An area in a frame. Its arrangement is made by {@link #arrange}, once the frame has its size.
+     *
+     * @param remembered the file of the arrangement
+     */
+    public DockArea(JFrame frame, List<DockPanel> panels, Arrangement first, Path remembered) {
+        super(new BorderLayout());
+        setName("dock-area");
+        this.first = first;
+        Settings.setDefaultTabPreference(DockableTabPreference.TOP);
+        Settings.setActiveHighlighterEnabled(false);
+        Docking.initialize(frame);
+        RootDockingPanel root = new RootDockingPanel(frame);
+        add(root);
+        panels.forEach(panel -> {
+            this.panels.put(panel.getPersistentID(), panel);
+            Docking.registerDockable(panel);
+        });
+        AppState.setPersistFile(remembered.toFile());
+        AppState.setDefaultApplicationLayout(first.layout());
+    }
+
+    /** Arranges the panels as they were left; as the program wants it where that is not known. From now on changes are kept. */
+    public void arrange() {
+        try {
+            AppState.restore();
+        } catch (DockingLayoutException unfit) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "the arrangement of panels is not readable, the first one is taken",
+                    unfit);
+            reset();
+        }
+        AppState.setAutoPersist(true);
+    }
+
+    /** Arranges the panels as the program wants it. */
+    public void reset() {
+        DockingState.restoreApplicationLayout(first.layout());
+    }
+
+    /** Brings a panel to the front, back into the window if it was closed. */
+    public void show(String panel) {
+        Docking.display(panels.get(panel));
+    }
+
+    /** The panels, in order. */
+    public List<DockPanel> panels() {
+        return List.copyOf(panels.values());
+    }
+
+    /** Keeps the arrangement, and gives up the process's docking. */
+    @Override
+    public void close() {
+        AppState.persist();
+        AppState.setAutoPersist(false);
+        Docking.deregisterAllDockables();
+        Docking.deregisterAllDockingPanels();
+        Docking.uninitialize();
+    }
+}

@@ -1,0 +1,95 @@
+package org.sami.ui.dock;
+
+import io.github.andrewauclair.moderndocking.ui.DockingHeaderUI;
+import io.github.andrewauclair.moderndocking.ui.HeaderController;
+import io.github.andrewauclair.moderndocking.ui.HeaderModel;
+import java.awt.BorderLayout;
+import java.awt.Color;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JMenuItem;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Icons;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.Spacing;
+
+/** The line above a panel: its title, which it is dragged by, and a menu of what can be done with the panel. */
+final class DockHeader extends JPanel implements DockingHeaderUI {
+    private final HeaderController controller;
+    private final HeaderModel model;
+    private final JLabel title;
+
+    DockHeader(DockPanel panel, HeaderController controller, HeaderModel model) {
+        super(new BorderLayout());
+        this.controller = controller;
+        this.model = model;
+        controller.setUI(this);
+        title = new JLabel(panel.title(), panel.getIcon(), JLabel.LEADING);
+        JButton more = new JButton(Icons.small("more"));
+        more.setName(panel.getPersistentID() + "-menu");
+        more.setToolTipText("Set " + panel.title() + " free, enlarge or close it");
+        more.getAccessibleContext().setAccessibleName("Menu of " + panel.title());
+        more.putClientProperty("JButton.buttonType", "toolBarButton");
+        more.addActionListener(e -> displaySettingsMenu(more));
+        add(title);
+        add(more, BorderLayout.EAST);
+        colour();
+    }
+
+    private void colour() {
+        setBackground(SemanticColor.SURFACE_RAISED.get());
+        setBorder(BorderFactory.createCompoundBorder(
+                BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()),
+                BorderFactory.createEmptyBorder(0, Look.px(Spacing.NORMAL), 0, 0)));
+        if (title != null) {
+            title.setFont(Fonts.strong());
+            title.setForeground(SemanticColor.TEXT.get());
+        }
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (title != null) {
+            colour();
+        }
+    }
+
+    @Override
+    public void displaySettingsMenu(JButton below) {
+        JPopupMenu menu = new JPopupMenu();
+        menu.add(item("Own window", model.isFloatingAllowed(), controller::newWindow));
+        menu.add(
+                model.isMaximized()
+                        ? item("Back to its size", true, controller::minimize)
+                        : item("Enlarge", model.isMaximizeAllowed(), controller::maximize));
+        menu.add(item("Close", model.isCloseAllowed(), controller::close));
+        menu.show(below, 0, below.getHeight());
+    }
+
+    private static JMenuItem item(String text, boolean enabled, Runnable action) {
+        JMenuItem item = new JMenuItem(text);
+        item.setEnabled(enabled);
+        item.addActionListener(e -> action.run());
+        return item;
+    }
+
+    @Override
+    public void update() {
+        // the title of a panel never changes
+    }
+
+    @Override
+    public void setBackgroundOverride(Color color) {
+        // the colours are the theme's
+    }
+
+    @Override
+    public void setForegroundOverride(Color color) {
+        // the colours are the theme's
+    }
+}

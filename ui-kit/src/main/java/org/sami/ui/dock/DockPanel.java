@@ -1,0 +1,75 @@
+package org.sami.ui.dock;
+
+import io.github.andrewauclair.moderndocking.Dockable;
+import io.github.andrewauclair.moderndocking.ui.DockingHeaderUI;
+import io.github.andrewauclair.moderndocking.ui.HeaderController;
+import io.github.andrewauclair.moderndocking.ui.HeaderModel;
+import java.awt.BorderLayout;
+import java.util.Objects;
+import javax.swing.Icon;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import org.sami.ui.look.Icons;
+
+/** A panel that can be docked: a component with a stable id, under which its place is remembered. */
+public final class DockPanel extends JPanel implements Dockable {
+    private final String id;
+    private final String title;
+    private final String icon;
+
+    /**
+     * A panel.
+     *
+     * @param id stable, in kebab case; the component's name as well
+     * @param icon of {@link Icons}
+     */
+    public DockPanel(String id, String title, String icon, JComponent content) {
+        super(new BorderLayout());
+        this.id = Objects.requireNonNull(id, "id");
+        this.title = Objects.requireNonNull(title, "title");
+        this.icon = Objects.requireNonNull(icon, "icon");
+        setName(id);
+        getAccessibleContext().setAccessibleName(title);
+        add(content);
+    }
+
+    /** What stands above it. */
+    public String title() {
+        return title;
+    }
+
+    @Override
+    public String getPersistentID() {
+        return id;
+    }
+
+    @Override
+    public String getTabText() {
+        return title;
+    }
+
+    @Override
+    public Icon getIcon() {
+        return Icons.small(icon);
+    }
+
+    @Override
+    public boolean isAutoHideAllowed() {
+        return false;
+    }
+
+    @Override
+    public boolean isMinMaxAllowed() {
+        return true;
+    }
+
+    @Override
+    public boolean isWrappableInScrollpane() {
+        return false;
+    }
+
+    @Override
+    public DockingHeaderUI createHeaderUI(HeaderController controller, HeaderModel model) {
+        return new DockHeader(this, controller, model);
+    }
+}
