@@ -73,7 +73,7 @@ class BuildHouseTest {
         Matcher gathered = Pattern.compile("tasks\\.named\\('test'\\) \\{[^}]*dependsOn ([^}]*)}")
                 .matcher(Files.readString(Path.of("build.gradle")));
 
-        assertThat(others).containsExactlyInAnyOrder("architectureTest", "processTest");
+        assertThat(others).containsExactlyInAnyOrder("architectureTest", "processTest", "windowTest");
         assertThat(gathered.find()).isTrue();
         assertThat(gathered.group(1)).contains(others);
     }
@@ -87,7 +87,7 @@ class BuildHouseTest {
                     .matcher(text)
                     .find();
 
-            assertThat(binds).as(file.toString()).isEqualTo(text.contains("id 'application'"));
+            assertThat(binds).as(file.toString()).isEqualTo(text.contains("id 'sami.distribution'"));
         }
     }
 

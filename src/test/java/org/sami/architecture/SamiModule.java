@@ -44,9 +44,12 @@ enum SamiModule {
     UI_KIT("ui-kit", 90, List.of("org.sami.ui.."), List.of(SPN_CORE)),
     /** The plan editor. Not there yet. */
     DREAMM_IDE("dreamm-ide", 1, List.of("org.sami.dreamm.."), List.of(UI_KIT, SPN_CORE)),
-    /** The operator's window; it knows the simulator for its built-in fleet only. Not there yet. */
+    /** The operator's window; it knows the simulator for its built-in fleet only, and the link for words of snapshots such as modes. */
     OPERATOR_WINDOW(
-            "crw-operator-gui", 1, List.of("org.sami.crw.gui.."), List.of(UI_KIT, CRW_DOMAIN, CRW_SIM, SPN_CORE));
+            "crw-operator-gui",
+            1,
+            List.of("org.sami.crw.gui.."),
+            List.of(UI_KIT, CRW_DOMAIN, CRW_SIM, BOAT_LINK, SPN_CORE));
 
     /** Reading a module's classes takes seconds, and most tests ask for all modules. */
     private static final Map<SamiModule, JavaClasses> IMPORTED = new ConcurrentHashMap<>();

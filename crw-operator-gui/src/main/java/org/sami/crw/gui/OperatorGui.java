@@ -1,0 +1,45 @@
+package org.sami.crw.gui;
+
+import java.awt.AWTError;
+import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
+import java.util.Arrays;
+import org.sami.crw.gui.start.OperatorCommand;
+import org.sami.crw.sim.cli.Crw;
+import picocli.CommandLine;
+
+/** The program of the operator's window. Where there is no display, and for {@code demo}, it is the headless demonstration. */
+public final class OperatorGui {
+    private static final String DEMO = "demo";
+
+    private OperatorGui() {}
+
+    /** Opens the window; the process ends with it. */
+    public static void main(String[] args) {
+        if (args.length > 0 && args[0].equals(DEMO)) {
+            Crw.main(args);
+            return;
+        }
+        CommandLine line = new CommandLine(new OperatorCommand(WindowStart::open));
+        boolean helped = Arrays.stream(args).anyMatch(arg -> arg.equals("--help") || arg.equals("-h"));
+        if (!helped && !hasDisplay()) {
+            System.err.println(
+                    "crw-operator: there is no display (set DISPLAY, or run under: xvfb-run); the headless demonstration runs instead");
+            Crw.main(new String[] {DEMO});
+            return;
+        }
+        int code = line.execute(args);
+        if (code != 0 || helped) {
+            System.exit(code);
+        }
+    }
+
+    private static boolean hasDisplay() {
+        try {
+            return !GraphicsEnvironment.isHeadless()
+                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
+        } catch (HeadlessException | AWTError unreachable) {
+            return false;
+        }
+    }
+}

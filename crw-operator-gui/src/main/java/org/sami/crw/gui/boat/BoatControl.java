@@ -1,0 +1,70 @@
+package org.sami.crw.gui.boat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import java.util.function.BiFunction;
+import java.util.function.Function;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.session.Fleet;
+import org.sami.ui.command.Command;
+
+/** What a person does with the selected boats: commands over the session's fleet. */
+final class BoatControl {
+    private final OperatorContext context;
+    private final List<Command> commands = new ArrayList<>();
+
+    BoatControl(OperatorContext context) {
+        this.context = context;
+        Teleoperation teleoperation = new Teleoperation(context);
+        add("boat-stop", "Stop", "ctrl shift S", "stop", Fleet::stop, "is stopped until it is released");
+        add("boat-release", "Release", "ctrl shift R", "release", Fleet::release, "goes on");
+        commands.add(teleoperation.command());
+        add("boat-take", "Take command", "", "plus", Fleet::takeCommand, "is asked to obey this base");
+        add("boat-hand-over", "Only watch", "", "connect", Fleet::handOver, "is watched; another base may command it");
+        add("boat-resend", "Send path again", "ctrl shift U", "resend", BoatControl::resend, "gets its path again");
+        add("boat-disconnect", "Disconnect", "", "close", Fleet::disconnect, "is disconnected");
+        context.boats().addListener(() -> commands.forEach(Command::refresh));
+    }
+
+    List<Command> commands() {
+        return List.copyOf(commands);
+    }
+
+    private static CompletionStage<Void> resend(Fleet fleet, String boat) {
+        return fleet.ask(boats -> {
+            boats.find(boat).ifPresent(proxy -> proxy.sendPathAgain());
+            return null;
+        });
+    }
+
+    private <T> void add(
+            String id,
+            String title,
+            String key,
+            String icon,
+            BiFunction<Fleet, String, CompletionStage<T>> action,
+            String done) {
+        Command command = new Command(
+                        id,
+                        title,
+                        () -> forSelected(boat -> action.apply(context.session().fleet(), boat), done))
+                .withIcon(icon)
+                .unless(this::whyNot);
+        if (!key.isEmpty()) {
+            command.withKey(key);
+        }
+        commands.add(context.commands().add(command));
+    }
+
+    private <T> void forSelected(Function<String, CompletionStage<T>> action, String done) {
+        for (String boat : context.boats().boats()) {
+            context.tell(action.apply(boat), boat + " " + done);
+        }
+    }
+
+    private Optional<String> whyNot() {
+        return context.boats().boats().isEmpty() ? Optional.of("select a boat first") : Optional.empty();
+    }
+}

@@ -1,0 +1,84 @@
+package org.sami.crw.gui.boat;
+
+import java.util.Locale;
+import java.util.OptionalLong;
+import org.sami.boat.link.BatteryLevel;
+import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.proxy.LinkState;
+import org.sami.ui.look.SemanticColor;
+
+/** What lists and panels say of a boat, and in which colour. Values that came over the link carry their age. */
+public final class BoatWords {
+    /** After so many ms without a frame what is known of a boat is stale. */
+    public static final long STALE_MS = 3500;
+
+    private static final String UNKNOWN = "–";
+
+    private BoatWords() {}
+
+    /** How much a boat wants attention: 3 = now, 0 = not at all. */
+    public static int trouble(BoatSnapshot boat) {
+        if (boat.link() == LinkState.LOST
+                || boat.battery().map(b -> b.level() == BatteryLevel.CRITICAL).orElse(false)) {
+            return 3;
+        }
+        return switch (boat.why().cause()) {
+            case STARTED_ANEW, REFUSES, BATTERY_EMPTY, NO_PROGRESS -> 3;
+            case FAILED, FLEET_STOPPED, COMMANDED_ELSEWHERE, NEVER_ANSWERED, LINK_LOST -> 2;
+            default -> boat.battery().map(b -> b.level() == BatteryLevel.LOW).orElse(false) ? 1 : 0;
+        };
+    }
+
+    /** The colour of a trouble. */
+    public static SemanticColor color(int trouble) {
+        return switch (trouble) {
+            case 0 -> SemanticColor.TEXT;
+            case 1, 2 -> SemanticColor.WARNING;
+            default -> SemanticColor.CRITICAL;
+        };
+    }
+
+    /** What it does, or why it stands: one or two words before the reason. */
+    public static String state(BoatSnapshot boat) {
+        String mark = switch (trouble(boat)) {
+            case 3 -> "▲ ";
+            case 2, 1 -> "△ ";
+            default -> "";
+        };
+        return mark + boat.why().text();
+    }
+
+    /** Its charge in percent. */
+    public static String battery(BoatSnapshot boat) {
+        return boat.battery()
+                .map(battery -> String.format(Locale.ROOT, "%.0f %%", battery.percent()))
+                .orElse(UNKNOWN);
+    }
+
+    /** Its speed in m/s. */
+    public static String speed(BoatSnapshot boat) {
+        return boat.pose()
+                .map(pose -> String.format(Locale.ROOT, "%.1f m/s", pose.speedMps()))
+                .orElse(UNKNOWN);
+    }
+
+    /** How far it is on its path. */
+    public static String path(BoatSnapshot boat) {
+        return boat.points() == 0 ? UNKNOWN : boat.visited() + " / " + boat.points();
+    }
+
+    /** How its link is, and since when nothing came. */
+    public static String link(BoatSnapshot boat, long nowMillis) {
+        OptionalLong age = boat.linkAgeMillis(nowMillis);
+        if (age.isEmpty()) {
+            return "connecting";
+        }
+        String seconds = String.format(Locale.ROOT, "%.1f s", age.getAsLong() / 1000.0);
+        return boat.link() == LinkState.LOST ? "lost " + seconds : seconds;
+    }
+
+    /** Whether what is known of it is old. */
+    public static boolean isStale(BoatSnapshot boat, long nowMillis) {
+        return boat.linkAgeMillis(nowMillis).orElse(Long.MAX_VALUE) > STALE_MS;
+    }
+}

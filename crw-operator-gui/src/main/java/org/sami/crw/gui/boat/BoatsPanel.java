@@ -1,0 +1,87 @@
+package org.sami.crw.gui.boat;
+
+import java.awt.BorderLayout;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import javax.swing.JPanel;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.operator.BoatSnapshot;
+import org.sami.ui.look.MarkIcon;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.table.RowColumn;
+import org.sami.ui.table.RowTable;
+
+/** The boats, worst first: what each does or why it stands, charge, speed, path, age of the link. Shows each in its own mark. */
+public final class BoatsPanel extends JPanel {
+    private static final Comparator<Shown> WORST_FIRST = Comparator.comparingInt(
+                    (Shown shown) -> BoatWords.trouble(shown.boat()))
+            .reversed()
+            .thenComparing(shown -> shown.boat().boat());
+
+    private final OperatorContext context;
+    private final RowTable<Shown> table;
+
+    /** A boat as it is shown; its link's age changes by itself. */
+    private record Shown(BoatSnapshot boat, String link, boolean stale) {}
+
+    /** The boats of the session. */
+    public BoatsPanel(OperatorContext context) {
+        super(new BorderLayout());
+        this.context = context;
+        table = new RowTable<>(
+                "boats-table",
+                "No boat is known. Connect one (Ctrl+B), or start the plan that connects boats; each appears here with what it does.",
+                shown -> shown.boat().boat(),
+                List.of(
+                        RowColumn.<Shown>words("Boat", 96, shown -> shown.boat().boat())
+                                .withIcon(shown -> Optional.of(new MarkIcon(
+                                        context.marks().of(shown.boat().boat())))),
+                        RowColumn.<Shown>words("What it does", 0, shown -> BoatWords.state(shown.boat()))
+                                .colored(shown -> BoatWords.color(BoatWords.trouble(shown.boat()))),
+                        number("Battery", 76, shown -> BoatWords.battery(shown.boat()))
+                                .colored(shown -> batteryColor(shown)),
+                        number("Speed", 84, shown -> BoatWords.speed(shown.boat())),
+                        number("Path", 72, shown -> BoatWords.path(shown.boat())),
+                        RowColumn.<Shown>number("Link", 96, Shown::link)
+                                .colored(shown -> shown.stale() ? SemanticColor.CRITICAL : SemanticColor.TEXT)));
+        table.addSelectionListener(() -> context.boats()
+                .select(table.allSelected().stream()
+                        .map(shown -> shown.boat().boat())
+                        .toList()));
+        context.boats()
+                .addListener(
+                        () -> table.selectKeys(new HashSet<>(context.boats().boats())));
+        add(table);
+        refresh();
+    }
+
+    private static RowColumn<Shown> number(String title, int width, Function<Shown, String> text) {
+        return RowColumn.<Shown>number(title, width, text)
+                .colored(shown -> shown.stale() ? SemanticColor.STALE : SemanticColor.TEXT);
+    }
+
+    private static SemanticColor batteryColor(Shown shown) {
+        return shown.boat()
+                .battery()
+                .map(battery -> switch (battery.level()) {
+                    case NOMINAL -> shown.stale() ? SemanticColor.STALE : SemanticColor.TEXT;
+                    case LOW -> SemanticColor.WARNING;
+                    case CRITICAL -> SemanticColor.CRITICAL;
+                })
+                .orElse(SemanticColor.MUTED);
+    }
+
+    /** Shows them as they are known now; to be called a few times a second, as ages change by themselves. */
+    public void refresh() {
+        long now = context.nowMillis();
+        List<BoatSnapshot> boats = context.models().fleet().snapshot();
+        boats.forEach(boat -> context.marks().of(boat.boat()));
+        table.show(boats.stream()
+                .map(boat -> new Shown(boat, BoatWords.link(boat, now), BoatWords.isStale(boat, now)))
+                .sorted(WORST_FIRST)
+                .toList());
+    }
+}

@@ -1,0 +1,114 @@
+package org.sami.crw.gui.boat;
+
+import java.awt.KeyEventDispatcher;
+import java.awt.KeyboardFocusManager;
+import java.awt.event.KeyEvent;
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import javax.swing.Timer;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.ui.command.Command;
+
+/**
+ * Drives one boat by the arrow keys: up and down are thrust, left and right the rudder. Missions are told that the boat is in a person's hands;
+ * the same command or Escape gives it back. While no key is held the boat is told to stand; without this window it stops by itself.
+ */
+final class Teleoperation {
+    private static final int PERIOD_MS = 200; // the boat stops two seconds after the last
+    private static final double THRUST = 0.6;
+    private static final double RUDDER = 0.8;
+    private static final Set<Integer> KEYS =
+            Set.of(KeyEvent.VK_UP, KeyEvent.VK_DOWN, KeyEvent.VK_LEFT, KeyEvent.VK_RIGHT);
+
+    private final OperatorContext context;
+    private final Command command;
+    private final Set<Integer> held = new HashSet<>();
+    private final Timer timer = new Timer(PERIOD_MS, e -> send());
+    private final KeyEventDispatcher keys = this::onKey;
+    private Optional<String> boat = Optional.empty();
+
+    Teleoperation(OperatorContext context) {
+        this.context = context;
+        command = context.commands()
+                .add(new Command("boat-by-hand", "Drive by hand", this::toggle)
+                        .withKey("ctrl shift D")
+                        .withIcon("hand")
+                        .unless(() ->
+                                boat.isPresent() || context.boats().boats().size() == 1
+                                        ? Optional.empty()
+                                        : Optional.of("select one boat first")));
+    }
+
+    Command command() {
+        return command;
+    }
+
+    private void toggle() {
+        if (boat.isPresent()) {
+            end();
+        } else {
+            begin(context.boats().boats().get(0));
+        }
+    }
+
+    private void begin(String which) {
+        boat = Optional.of(which);
+        held.clear();
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(keys);
+        send();
+        timer.start();
+        context.notices()
+                .told("You drive " + which + ": arrow keys; Escape or " + command.keyText() + " gives it back");
+    }
+
+    private void end() {
+        timer.stop();
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventDispatcher(keys);
+        boat.ifPresent(which ->
+                context.tell(context.session().fleet().handBack(which), which + " is given back to the missions"));
+        boat = Optional.empty();
+    }
+
+    private boolean onKey(KeyEvent event) {
+        if (event.getID() == KeyEvent.KEY_PRESSED && event.getKeyCode() == KeyEvent.VK_ESCAPE) {
+            end();
+            return true;
+        }
+        if (!KEYS.contains(event.getKeyCode())) {
+            return false;
+        }
+        if (event.getID() == KeyEvent.KEY_PRESSED) {
+            held.add(event.getKeyCode());
+        } else if (event.getID() == KeyEvent.KEY_RELEASED) {
+            held.remove(event.getKeyCode());
+        }
+        return true;
+    }
+
+    private void send() {
+        boat.ifPresent(which -> {
+            double thrust = axis(KeyEvent.VK_UP, KeyEvent.VK_DOWN) * THRUST;
+            double rudder = axis(KeyEvent.VK_RIGHT, KeyEvent.VK_LEFT) * RUDDER;
+            context.session().fleet().teleoperate(which, thrust, rudder).whenComplete((sent, fault) -> {
+                if (fault != null) {
+                    context.notices().refused(which + " cannot be driven: " + fault.getMessage());
+                    end();
+                } else if (thrust != 0 || rudder != 0) {
+                    context.notices()
+                            .told(String.format(
+                                    Locale.ROOT,
+                                    "%s by hand: thrust %+.0f %%, rudder %+.0f %%",
+                                    which,
+                                    thrust * 100,
+                                    rudder * 100));
+                }
+            });
+        });
+    }
+
+    private int axis(int plus, int minus) {
+        return (held.contains(plus) ? 1 : 0) - (held.contains(minus) ? 1 : 0);
+    }
+}

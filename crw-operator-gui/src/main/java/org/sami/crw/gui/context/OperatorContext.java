@@ -1,0 +1,57 @@
+package org.sami.crw.gui.context;
+
+import java.util.Objects;
+import java.util.concurrent.CompletionStage;
+import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.session.RefusedException;
+import org.sami.crw.session.Session;
+import org.sami.spn.vocabulary.Vocabulary;
+import org.sami.ui.command.CommandRegistry;
+import org.sami.ui.look.IdentityMarks;
+
+/**
+ * What all panels of a window work on. On the event thread, which the session's results and the models' listeners arrive on as well.
+ *
+ * @param marks of the boats, the same in all panels
+ * @param boats which are selected
+ * @param notices what the strip at the top tells
+ */
+public record OperatorContext(
+        Session session, CommandRegistry commands, IdentityMarks marks, BoatSelection boats, Notices notices) {
+    /** The name under which the window's operator answers and commands. */
+    public static final String OPERATOR = "operator";
+
+    public OperatorContext {
+        Objects.requireNonNull(session, "session");
+        Objects.requireNonNull(commands, "commands");
+        Objects.requireNonNull(marks, "marks");
+        Objects.requireNonNull(boats, "boats");
+        Objects.requireNonNull(notices, "notices");
+    }
+
+    /** The session's models. */
+    public OperatorModels models() {
+        return session.models();
+    }
+
+    /** The words of the session. */
+    public Vocabulary vocabulary() {
+        return session.setup().vocabulary();
+    }
+
+    /** The session's time in ms. */
+    public long nowMillis() {
+        return session.scheduler().nowMs();
+    }
+
+    /** Tells what came of something that was asked of the session: that it was done, or why not. */
+    public <T> void tell(CompletionStage<T> stage, String done) {
+        stage.whenComplete((result, fault) -> {
+            if (fault == null) {
+                notices.told(done);
+            } else {
+                notices.refused(RefusedException.reason(fault));
+            }
+        });
+    }
+}

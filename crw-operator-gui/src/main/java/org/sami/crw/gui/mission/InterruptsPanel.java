@@ -1,0 +1,66 @@
+package org.sami.crw.gui.mission;
+
+import java.awt.BorderLayout;
+import java.util.List;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.ScrollPaneConstants;
+import net.miginfocom.swing.MigLayout;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.operator.InterruptChoice;
+import org.sami.ui.look.Icons;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.Spacing;
+
+/** The buttons that running missions offer. Those for boats are pressed for the selected ones; where none is selected the plan asks. */
+public final class InterruptsPanel extends JPanel {
+    private final OperatorContext context;
+    private final JPanel column = new JPanel(new MigLayout("insets 8, wrap 1, fillx", "[grow]", ""));
+
+    /** The interrupts of the session. */
+    public InterruptsPanel(OperatorContext context) {
+        super(new BorderLayout());
+        this.context = context;
+        JScrollPane scroll = new JScrollPane(column);
+        scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        scroll.setBorder(BorderFactory.createEmptyBorder());
+        scroll.getVerticalScrollBar().setUnitIncrement(Spacing.WIDE);
+        add(scroll);
+        context.models().interrupts().addListener(this::show);
+        context.boats().addListener(() -> show(context.models().interrupts().snapshot()));
+        show(context.models().interrupts().snapshot());
+    }
+
+    private void show(List<InterruptChoice> choices) {
+        column.removeAll();
+        for (InterruptChoice choice : choices) {
+            column.add(button(choice), "growx, hmin 40, wmin 0");
+        }
+        if (choices.isEmpty()) {
+            JLabel nothing = new JLabel(
+                    "<html>No running mission offers an interrupt. Each that does has its button here.</html>");
+            nothing.setForeground(SemanticColor.MUTED.get());
+            column.add(nothing, "growx, wmin 0");
+        }
+        column.revalidate();
+        column.repaint();
+    }
+
+    private JButton button(InterruptChoice choice) {
+        List<String> boats = choice.asksForBoats() ? context.boats().boats() : List.of();
+        String whom = !choice.asksForBoats()
+                ? ""
+                : boats.isEmpty() ? " (boats are asked)" : " for " + String.join(", ", boats);
+        JButton button = new JButton(choice.name() + whom, Icons.normal("interrupt"));
+        button.setName("interrupt-" + choice.name().strip().replaceAll("[^A-Za-z0-9]+", "-"));
+        button.setHorizontalAlignment(JButton.LEADING);
+        button.setEnabled(choice.isEnabled());
+        button.setToolTipText(choice.isEnabled() ? "Press " + choice.name() + whom : choice.whyNot());
+        button.addActionListener(e -> context.tell(
+                context.session().press(choice.name(), choice.mission(), boats), "Pressed " + choice.name() + whom));
+        return button;
+    }
+}

@@ -1,0 +1,122 @@
+package org.sami.crw.gui.mission;
+
+import java.awt.BorderLayout;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import javax.swing.Icon;
+import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.operator.MissionSnapshot;
+import org.sami.crw.operator.MissionsSnapshot;
+import org.sami.spn.protocol.Ids;
+import org.sami.ui.command.Command;
+import org.sami.ui.look.Icons;
+import org.sami.ui.look.SemanticColor;
+
+/** The plans that can be started, and a tab for each mission that runs or has ended and was not closed yet. */
+public final class MissionMonitor extends JPanel {
+    private final OperatorContext context;
+    private final JTabbedPane tabs = new JTabbedPane();
+    private final Map<Long, MissionView> views = new LinkedHashMap<>();
+    private final Set<Long> closed = new HashSet<>();
+
+    /** The missions of the session. */
+    public MissionMonitor(OperatorContext context, MissionStarter starter) {
+        super(new BorderLayout());
+        this.context = context;
+        tabs.setName("mission-tabs");
+        tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
+        tabs.addTab("Plans", Icons.small("folder"), new PlansPanel(context, starter));
+        add(tabs);
+        addCommands();
+        context.models().missions().addListener(this::show);
+        show(context.models().missions().snapshot());
+    }
+
+    private void addCommands() {
+        context.commands()
+                .add(new Command("mission-abort", "Abort mission", this::abort)
+                        .withKey("ctrl shift A")
+                        .withIcon("abort")
+                        .unless(this::whyNotEnd));
+        context.commands()
+                .add(new Command("mission-complete", "Complete mission", this::complete)
+                        .withKey("ctrl shift C")
+                        .withIcon("complete")
+                        .unless(this::whyNotEnd));
+        context.commands()
+                .add(new Command("mission-close", "Close the tab of an ended mission", this::closeShown)
+                        .withKey("ctrl W")
+                        .withIcon("close")
+                        .unless(() -> shown().map(view -> view.hasEnded()).orElse(false)
+                                ? Optional.empty()
+                                : Optional.of("only the tab of an ended mission can be closed")));
+        tabs.addChangeListener(e -> refreshCommands());
+    }
+
+    private void refreshCommands() {
+        List.of("mission-abort", "mission-complete", "mission-close")
+                .forEach(id -> context.commands().get(id).refresh());
+    }
+
+    private Optional<String> whyNotEnd() {
+        return shown().filter(view -> !view.hasEnded()).isPresent()
+                ? Optional.empty()
+                : Optional.of("show the tab of a running mission first");
+    }
+
+    private Optional<MissionView> shown() {
+        return tabs.getSelectedComponent() instanceof MissionView view ? Optional.of(view) : Optional.empty();
+    }
+
+    private void abort() {
+        shown().ifPresent(view ->
+                context.tell(context.session().abort(view.mission()), view.title() + " is asked to abort"));
+    }
+
+    private void complete() {
+        shown().ifPresent(view ->
+                context.tell(context.session().complete(view.mission()), view.title() + " is asked to complete"));
+    }
+
+    private void closeShown() {
+        shown().ifPresent(view -> {
+            closed.add(view.mission());
+            views.remove(view.mission());
+            tabs.remove(view);
+        });
+    }
+
+    private void show(MissionsSnapshot missions) {
+        for (MissionSnapshot mission : missions.missions()) {
+            if (mission.parent() == Ids.NONE && !closed.contains(mission.id())) {
+                MissionView view = views.computeIfAbsent(mission.id(), id -> added(mission));
+                view.show(mission, missions);
+                int index = tabs.indexOfComponent(view);
+                tabs.setIconAt(index, icon(mission));
+            }
+        }
+        refreshCommands();
+    }
+
+    private MissionView added(MissionSnapshot mission) {
+        MissionView view = new MissionView(context, mission);
+        tabs.addTab(mission.title(), view);
+        tabs.setSelectedComponent(view);
+        return view;
+    }
+
+    private static Icon icon(MissionSnapshot mission) {
+        return mission.outcome()
+                .map(outcome -> switch (outcome) {
+                    case ENDED, COMPLETED -> Icons.of("complete", 16, SemanticColor.OK);
+                    case ABORTED, HALTED -> Icons.of("abort", 16, SemanticColor.WARNING);
+                })
+                .orElseGet(() -> Icons.of("play", 16, SemanticColor.ACCENT));
+    }
+}

@@ -1,0 +1,127 @@
+package org.sami.crw.gui.mission;
+
+import java.awt.BorderLayout;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
+import net.miginfocom.swing.MigLayout;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.notice.SessionClock;
+import org.sami.crw.operator.EngineText;
+import org.sami.crw.operator.MissionSnapshot;
+import org.sami.crw.operator.MissionsSnapshot;
+import org.sami.crw.operator.Wait;
+import org.sami.spn.value.Value;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.table.RowColumn;
+import org.sami.ui.table.RowTable;
+
+/** One mission: where its tokens are, what it waits for and why nothing fires, its variables; its end in two buttons. */
+final class MissionView extends JPanel {
+    private final long mission;
+    private final String title;
+    private final JLabel state = new JLabel();
+    private final JPanel buttons = new JPanel(new MigLayout("insets 0", "[][]", "[]"));
+    private final CommandButton close;
+    private final RowTable<Line> places;
+    private final RowTable<Line> variables;
+    private boolean ended;
+
+    /** A line of a table: what, and what is so. */
+    private record Line(String what, String text, boolean wrong) {}
+
+    MissionView(OperatorContext context, MissionSnapshot first) {
+        super(new BorderLayout());
+        mission = first.id();
+        title = first.title();
+        setName("mission-" + mission);
+        places = table(
+                "mission-places",
+                "Nothing stands anywhere: the mission is over.",
+                "Place",
+                "Who is there, and what they wait for");
+        variables = table("mission-variables", "The plan has no variable with a value yet.", "Variable", "Value");
+        CommandButton complete = new CommandButton(context.commands().get("mission-complete"));
+        CommandButton abort = new CommandButton(context.commands().get("mission-abort"));
+        close = new CommandButton(context.commands().get("mission-close"));
+        buttons.add(complete);
+        buttons.add(abort);
+        buttons.setOpaque(false);
+        JPanel head = new JPanel(new MigLayout("insets 6 12 6 6, hidemode 3", "[grow]push[][]", "[]"));
+        state.setFont(Fonts.strong());
+        state.setName("mission-state");
+        head.add(state, "wmin 0");
+        head.add(buttons);
+        head.add(close);
+        JTabbedPane parts = new JTabbedPane();
+        parts.setName("mission-parts");
+        parts.addTab("Where it stands", places);
+        parts.addTab("Variables", variables);
+        add(head, BorderLayout.NORTH);
+        add(parts);
+    }
+
+    private static RowTable<Line> table(String name, String nothing, String what, String text) {
+        return new RowTable<>(
+                name,
+                nothing,
+                Line::what,
+                List.of(
+                        RowColumn.words(what, 180, Line::what),
+                        RowColumn.<Line>words(text, 0, Line::text)
+                                .colored(line -> line.wrong() ? SemanticColor.MUTED : SemanticColor.TEXT)));
+    }
+
+    long mission() {
+        return mission;
+    }
+
+    String title() {
+        return title;
+    }
+
+    boolean hasEnded() {
+        return ended;
+    }
+
+    /** Shows how it stands now. */
+    void show(MissionSnapshot now, MissionsSnapshot all) {
+        ended = now.hasEnded();
+        buttons.setVisible(!ended);
+        close.setVisible(ended);
+        state.setText(now.outcome()
+                        .map(outcome -> outcome.name().toLowerCase(Locale.ROOT) + " at "
+                                + SessionClock.text(now.endedAtMillis().orElse(0)))
+                        .orElse("runs since " + SessionClock.text(now.startedAtMillis()))
+                + ", " + now.firings() + " firings");
+        state.setForeground((ended ? SemanticColor.MUTED : SemanticColor.OK).get());
+        places.show(lines(now.details().blocked()));
+        List<Line> values = new ArrayList<>();
+        now.variables().forEach((name, value) -> values.add(line(name, value)));
+        all.globals().forEach((name, value) -> values.add(line(name, value)));
+        variables.show(values);
+    }
+
+    private static Line line(String name, Value value) {
+        return new Line(name, EngineText.value(value), false);
+    }
+
+    private static List<Line> lines(List<Wait> waits) {
+        List<Line> lines = new ArrayList<>();
+        for (Wait wait : waits) {
+            String who = wait.tokens().isEmpty() ? "" : String.join(", ", wait.tokens()) + ": ";
+            lines.add(new Line(wait.place(), who + "waits for " + wait.occurrence(), false));
+            wait.transitions()
+                    .forEach(transition -> transition
+                            .reasons()
+                            .forEach(reason ->
+                                    lines.add(new Line("    " + transition.name(), "cannot fire: " + reason, true))));
+        }
+        return lines;
+    }
+}

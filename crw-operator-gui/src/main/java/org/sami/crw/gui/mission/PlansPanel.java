@@ -1,0 +1,109 @@
+package org.sami.crw.gui.mission;
+
+import java.awt.BorderLayout;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.ui.command.Command;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.table.RowColumn;
+import org.sami.ui.table.RowTable;
+
+/** The plans of the session's project, one click from a mission. */
+public final class PlansPanel extends JPanel {
+    private final OperatorContext context;
+    private final MissionStarter starter;
+    private final JLabel title = new JLabel();
+    private final RowTable<Plan> table;
+    private final Command start;
+    private Optional<Project> project = Optional.empty();
+
+    PlansPanel(OperatorContext context, MissionStarter starter) {
+        super(new BorderLayout());
+        this.context = context;
+        this.starter = starter;
+        setName("plans");
+        table = new RowTable<>(
+                "plans-table",
+                "The project has no plan. Open another one, or draw one in the plan editor.",
+                Plan::id,
+                List.of(
+                        RowColumn.words("Plan", 190, Plan::title),
+                        RowColumn.words("What it does", 0, PlansPanel::about)));
+        start = context.commands()
+                .add(new Command("mission-start", "Start mission", this::startSelected)
+                        .withKey("ctrl ENTER")
+                        .withIcon("play")
+                        .unless(() ->
+                                table.selected().isPresent() ? Optional.empty() : Optional.of("select a plan first")));
+        Command startWith = context.commands()
+                .add(new Command("mission-start-with", "Start mission with values…", this::startWithValues)
+                        .withKey("ctrl shift N")
+                        .withIcon("variables")
+                        .unless(() ->
+                                table.selected().isPresent() ? Optional.empty() : Optional.of("select a plan first")));
+        table.addSelectionListener(() -> {
+            start.refresh();
+            startWith.refresh();
+        });
+        table.table().getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke("ENTER"), "start");
+        table.table().getActionMap().put("start", start);
+        title.setFont(Fonts.strong());
+        JPanel head = new JPanel(new MigLayout("insets 6 12 6 6", "[]push[][]", "[]"));
+        head.add(title);
+        head.add(new CommandButton(startWith));
+        CommandButton startButton = new CommandButton(start);
+        startButton.setFont(Fonts.strong());
+        startButton.putClientProperty(
+                "FlatLaf.style", "background: $Button.default.background; foreground: $Button.default.foreground");
+        head.add(startButton);
+        head.setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
+        add(head, BorderLayout.NORTH);
+        add(table);
+        reload();
+    }
+
+    private static String about(Plan plan) {
+        return plan.description().isEmpty() ? plan.id() : plan.description();
+    }
+
+    /** Shows the plans of the newest project, as one was loaded or the session began. */
+    public void reload() {
+        context.session().ask(EngineView::project).thenAccept(this::show);
+    }
+
+    private void show(Project loaded) {
+        project = Optional.of(loaded);
+        title.setText(loaded.name().isEmpty() ? loaded.id() : loaded.name());
+        table.show(loaded.plans());
+        if (table.selected().isEmpty() && !loaded.plans().isEmpty()) {
+            table.table().setRowSelectionInterval(0, 0);
+        }
+    }
+
+    /** Selects the plan of an id, as somebody offers to start it. */
+    public void select(String plan) {
+        table.selectKeys(Set.of(plan));
+        start.refresh();
+    }
+
+    private void startSelected() {
+        table.selected().ifPresent(starter::start);
+    }
+
+    private void startWithValues() {
+        table.selected().ifPresent(plan -> project.ifPresent(loaded -> starter.startWithValues(this, loaded, plan)));
+    }
+}

@@ -1,0 +1,2 @@
+/** Missions: the plans that can be started, the monitor of those that run, their interrupts and who has which tasks. */
+package org.sami.crw.gui.mission;

@@ -1,0 +1,100 @@
+package org.sami.crw.gui.notice;
+
+import java.awt.BorderLayout;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.operator.Alarm;
+import org.sami.crw.operator.AlarmModel;
+import org.sami.spn.protocol.Priority;
+import org.sami.ui.command.Command;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.table.RowColumn;
+import org.sami.ui.table.RowTable;
+
+/** The alarms: the worst first. Each is acknowledged, and can be muted. */
+public final class AlarmsPanel extends JPanel {
+    private final OperatorContext context;
+    private final RowTable<Alarm> table;
+    private final Command acknowledge;
+    private final Command mute;
+
+    private record Key(Alarm.Kind kind, String boat) {}
+
+    /** The alarms of the session. */
+    public AlarmsPanel(OperatorContext context) {
+        super(new BorderLayout());
+        this.context = context;
+        table = new RowTable<>(
+                "alarms-table",
+                "No alarm. Lost links, empty batteries, boats outside of their water and boats without headway appear here.",
+                alarm -> new Key(alarm.kind(), alarm.boat()),
+                List.of(
+                        RowColumn.number("Since", 72, alarm -> SessionClock.text(alarm.sinceMillis())),
+                        RowColumn.<Alarm>words("Alarm", 0, AlarmsPanel::text).colored(AlarmsPanel::color)));
+        acknowledge = context.commands()
+                .add(new Command("alarm-acknowledge", "Acknowledge alarms", this::acknowledgeSelected)
+                        .withKey("ctrl shift M")
+                        .withIcon("check")
+                        .unless(this::whyNotAcknowledge));
+        mute = context.commands()
+                .add(new Command("alarm-mute", "Mute or sound the selected alarm", this::muteSelected)
+                        .withIcon("mute")
+                        .unless(() -> table.selected().isPresent()
+                                ? Optional.empty()
+                                : Optional.of("select an alarm first")));
+        table.addSelectionListener(() -> {
+            acknowledge.refresh();
+            mute.refresh();
+        });
+        JPanel tools = new JPanel(new MigLayout("insets 4", "push[][]", "[]"));
+        tools.add(CommandButton.iconOnly(mute));
+        tools.add(new CommandButton(acknowledge));
+        add(table);
+        add(tools, BorderLayout.SOUTH);
+        alarms().addListener(this::show);
+        show(alarms().snapshot());
+    }
+
+    private AlarmModel alarms() {
+        return context.models().alarms();
+    }
+
+    private void show(List<Alarm> now) {
+        table.show(now);
+        acknowledge.refresh();
+        mute.refresh();
+    }
+
+    private Optional<String> whyNotAcknowledge() {
+        return alarms().snapshot().stream().anyMatch(alarm -> !alarm.acknowledged())
+                ? Optional.empty()
+                : Optional.of("no alarm waits for it");
+    }
+
+    private void acknowledgeSelected() {
+        List<Alarm> chosen = table.allSelected();
+        (chosen.isEmpty() ? alarms().snapshot() : chosen)
+                .forEach(alarm -> alarms().acknowledge(alarm.kind(), alarm.boat()));
+    }
+
+    private void muteSelected() {
+        table.allSelected().forEach(alarm -> alarms().mute(alarm.kind(), alarm.boat(), !alarm.muted()));
+    }
+
+    private static String text(Alarm alarm) {
+        String mark = alarm.kind().severity() == Priority.CRITICAL ? "▲ " : "△ ";
+        String state = alarm.active() ? "" : " (over)";
+        return mark + alarm.text() + state + (alarm.muted() ? " (muted)" : "");
+    }
+
+    private static SemanticColor color(Alarm alarm) {
+        if (alarm.acknowledged() || !alarm.active()) {
+            return SemanticColor.MUTED;
+        }
+        return alarm.kind().severity() == Priority.CRITICAL ? SemanticColor.CRITICAL : SemanticColor.WARNING;
+    }
+}

@@ -1,0 +1,91 @@
+package org.sami.crw.gui.notice;
+
+import java.awt.BorderLayout;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.operator.MessageEntry;
+import org.sami.spn.protocol.Priority;
+import org.sami.ui.command.Command;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.table.RowColumn;
+import org.sami.ui.table.RowTable;
+
+/** The messages: the most urgent first, of equal ones the newest. */
+public final class MessagesPanel extends JPanel {
+    private final OperatorContext context;
+    private final RowTable<MessageEntry> table;
+    private final Command acknowledge;
+
+    /** The messages of the session. */
+    public MessagesPanel(OperatorContext context) {
+        super(new BorderLayout());
+        this.context = context;
+        table = new RowTable<>(
+                "messages-table",
+                "No message yet. What plans tell the operator appears here, the most urgent first.",
+                MessageEntry::number,
+                List.of(
+                        RowColumn.number(
+                                "At",
+                                72,
+                                entry -> SessionClock.text(entry.message().atMillis())),
+                        RowColumn.<MessageEntry>words(
+                                        "Message",
+                                        0,
+                                        entry -> mark(entry) + entry.message().text())
+                                .colored(MessagesPanel::color)));
+        acknowledge = context.commands()
+                .add(new Command("message-acknowledge", "Acknowledge messages", this::acknowledgeSelected)
+                        .withKey("ctrl M")
+                        .withIcon("check")
+                        .unless(this::whyNotAcknowledge));
+        table.addSelectionListener(acknowledge::refresh);
+        JPanel tools = new JPanel(new MigLayout("insets 4", "push[]", "[]"));
+        tools.add(new CommandButton(acknowledge));
+        add(table);
+        add(tools, BorderLayout.SOUTH);
+        context.models().messages().addListener(this::show);
+        show(context.models().messages().snapshot());
+    }
+
+    private void show(List<MessageEntry> entries) {
+        table.show(entries);
+        acknowledge.refresh();
+    }
+
+    private Optional<String> whyNotAcknowledge() {
+        return context.models().messages().snapshot().stream().anyMatch(entry -> !entry.acknowledged())
+                ? Optional.empty()
+                : Optional.of("all messages are acknowledged");
+    }
+
+    /** Those that are selected; all where none is. */
+    private void acknowledgeSelected() {
+        List<MessageEntry> chosen = table.allSelected();
+        List<MessageEntry> meant =
+                chosen.isEmpty() ? context.models().messages().snapshot() : chosen;
+        meant.forEach(entry -> context.models().messages().acknowledge(entry.number()));
+    }
+
+    private static String mark(MessageEntry entry) {
+        return switch (entry.message().priority()) {
+            case CRITICAL -> "▲ ";
+            case HIGH -> "△ ";
+            default -> "";
+        };
+    }
+
+    private static SemanticColor color(MessageEntry entry) {
+        if (entry.acknowledged()) {
+            return SemanticColor.MUTED;
+        }
+        Priority priority = entry.message().priority();
+        return priority == Priority.CRITICAL
+                ? SemanticColor.CRITICAL
+                : priority == Priority.HIGH ? SemanticColor.WARNING : SemanticColor.TEXT;
+    }
+}

@@ -1,0 +1,2 @@
+/** The operator's window: from the command line to a session and the window over it. Panels stand in the packages below. */
+package org.sami.crw.gui;

@@ -1,0 +1,39 @@
+package org.sami.crw.gui.start;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.session.SimulatedBoats;
+import org.sami.spn.value.GeoPoint;
+
+/** The five simulated boats that a window without real ones has, in the shallows of Katara Beach. */
+final class BuiltInFleet {
+    private static final GeoPoint QUAY = GeoPoint.of(25.3597, 51.5268);
+    private static final double APART_DEG = 0.00009; // 10 m
+    private static final List<String> NAMES = List.of("anna", "bert", "carl", "dora", "emil");
+
+    private BuiltInFleet() {}
+
+    /**
+     * Launches them.
+     *
+     * @param at where boats of earlier processes were last; who is not in it begins at the quay
+     * @return their addresses
+     * @throws IOException if they cannot have ports
+     */
+    static List<BoatAddress> launch(SimulatedBoats boats, Map<String, GeoPoint> at) throws IOException {
+        Map<String, GeoPoint> places = new LinkedHashMap<>();
+        for (String name : NAMES) {
+            places.put(name, GeoPoint.of(QUAY.latDeg() - places.size() * APART_DEG, QUAY.lonDeg()));
+        }
+        places.putAll(at);
+        List<BoatAddress> addresses = new ArrayList<>();
+        for (Map.Entry<String, GeoPoint> place : places.entrySet()) {
+            addresses.add(boats.launch(place.getKey(), place.getValue()));
+        }
+        return addresses;
+    }
+}

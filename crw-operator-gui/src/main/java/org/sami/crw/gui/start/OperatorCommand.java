@@ -1,0 +1,137 @@
+package org.sami.crw.gui.start;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.ui.look.Theme;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** The command line of the operator's window. */
+@Command(
+        name = "crw-operator",
+        mixinStandardHelpOptions = true,
+        description = {
+            "Opens the operator's window. Without boats it brings five simulated ones at Katara Beach.",
+            "'demo' instead of options runs the headless demonstration."
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  crw-operator",
+            "  crw-operator --connect 10.0.0.11:11411,10.0.0.12:11411 --project my-beach.json",
+            "  crw-operator --boats boats.txt --data /media/laptop/today --theme sun"
+        })
+public final class OperatorCommand implements Callable<Integer> {
+    private static final int USAGE = 2;
+    private static final int BROKEN = 4;
+
+    private final Opening opening;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Option(names = "--connect", paramLabel = "HOST:PORT", split = ",", description = "Boats' servers to connect to.")
+    private List<String> connect = new ArrayList<>();
+
+    @Option(
+            names = "--boats",
+            paramLabel = "FILE",
+            description = "The same from a file: HOST:PORT on each line, # begins a remark.")
+    private Path boatsFile;
+
+    @Option(names = "--project", paramLabel = "FILE", description = "A project's file or folder; else Katara Beach.")
+    private Path project;
+
+    @Option(
+            names = "--data",
+            paramLabel = "DIR",
+            description =
+                    "Where journals, settings and the arrangement of panels are kept; else the user's data directory.")
+    private Path data;
+
+    @Option(names = "--theme", paramLabel = "light|dark|sun", description = "The theme, from now on.")
+    private String theme;
+
+    @Option(
+            names = "--scale",
+            paramLabel = "80..200",
+            description = "The scale of all text and marks in percent, from now on.")
+    private Integer scale;
+
+    @Option(
+            names = "--resume",
+            negatable = true,
+            description =
+                    "Go on with the session that was not finished, or (--no-resume) begin anew, without being asked.")
+    private Boolean resume;
+
+    /** What opens the window, once the command line is understood. */
+    @FunctionalInterface
+    public interface Opening {
+        /**
+         * Opens it; returns once it is there.
+         *
+         * @throws IOException with one sentence for the operator
+         */
+        void open(StartOptions options, DataDirectory data) throws IOException;
+    }
+
+    /** A command that is not parsed yet. */
+    public OperatorCommand(Opening opening) {
+        this.opening = opening;
+    }
+
+    @Override
+    public Integer call() {
+        try {
+            StartOptions options = options();
+            DataDirectory opened = DataDirectory.open(data == null ? DataDirectory.ofUser() : data);
+            opening.open(options, opened);
+            return 0;
+        } catch (IllegalArgumentException unfit) {
+            return told(unfit.getMessage(), USAGE);
+        } catch (IOException fault) {
+            return told(fault.getMessage(), BROKEN);
+        }
+    }
+
+    private int told(String why, int code) {
+        PrintWriter err = spec.commandLine().getErr();
+        err.println("crw-operator: " + why);
+        err.flush();
+        return code;
+    }
+
+    private StartOptions options() throws IOException {
+        List<BoatAddress> addresses = new ArrayList<>();
+        for (String text : connect) {
+            addresses.add(BoatAddress.parse(text));
+        }
+        if (boatsFile != null) {
+            for (String line : Files.readAllLines(boatsFile)) {
+                String text = line.replaceAll("#.*", "").strip();
+                if (!text.isEmpty()) {
+                    addresses.add(BoatAddress.parse(text));
+                }
+            }
+        }
+        Optional<Theme> chosen = Optional.ofNullable(theme)
+                .map(id -> Theme.of(id)
+                        .orElseThrow(() -> new IllegalArgumentException(
+                                "--theme: there is no theme " + id + "; there are light, dark, sun")));
+        return new StartOptions(
+                addresses,
+                Optional.ofNullable(project),
+                chosen,
+                Optional.ofNullable(scale),
+                Optional.ofNullable(resume));
+    }
+}

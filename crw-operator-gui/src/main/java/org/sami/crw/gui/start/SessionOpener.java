@@ -1,0 +1,126 @@
+package org.sami.crw.gui.start;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionJournal;
+import org.sami.crw.session.SessionRuntime;
+import org.sami.crw.session.SessionSetup;
+import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.journal.JournalHeader;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.ProjectReader;
+import org.sami.spn.json.ProjectWriter;
+import org.sami.spn.json.Reading;
+import org.sami.spn.model.Project;
+import org.sami.ui.EventThread;
+
+/** Opens the session of a window: with the built-in fleet or with real boats, anew or where an earlier window's ended. */
+public final class SessionOpener {
+    private static final String DOMAIN = "/org/sami/domain/crw";
+    private static final String BEACH = DOMAIN + "/deployments/katara-beach.json";
+    private static final String FLEET = "fleet";
+    private static final String BUILT_IN = "built-in";
+
+    private final DataDirectory data;
+    private final List<BoatAddress> boats;
+    private final Optional<Path> projectFile;
+
+    /**
+     * An opener.
+     *
+     * @param boats servers to connect to; none = the built-in fleet
+     * @param projectFile of the plans; empty = Katara Beach
+     */
+    public SessionOpener(DataDirectory data, List<BoatAddress> boats, Optional<Path> projectFile) {
+        this.data = data;
+        this.boats = List.copyOf(boats);
+        this.projectFile = projectFile;
+    }
+
+    /**
+     * Opens a session that begins.
+     *
+     * @throws IOException if the project has errors, which the message names, or the journal cannot be made
+     */
+    public Session openNew() throws IOException {
+        DomainLibrary library = DomainLibrary.fromClassPath(DOMAIN).orThrow();
+        Project project = project(library);
+        JournalHeader header = JournalHeader.of(
+                new ProjectWriter(library.vocabulary()).text(project),
+                library.files().texts(),
+                Map.of("kind", "session", FLEET, boats.isEmpty() ? BUILT_IN : "real"));
+        SessionSetup setup =
+                SessionSetup.of(library.vocabulary(), project).with(SessionJournal.create(data.newJournal(), header));
+        return opened(setup, boats.isEmpty());
+    }
+
+    private Project project(DomainLibrary library) throws IOException {
+        ProjectReader reader = new ProjectReader(library.vocabulary());
+        Reading<Project> reading;
+        if (projectFile.isPresent()) {
+            reading = reader.readAndCheck(projectFile.get());
+        } else {
+            reading = reader.readAndCheck(beach());
+        }
+        Optional<Finding> wrong =
+                reading.findings().stream().filter(Finding::isError).findFirst();
+        if (wrong.isPresent()) {
+            throw new IOException(projectFile.map(Path::toString).orElse(BEACH) + " has errors, the first: "
+                    + wrong.get().pointer() + ": " + wrong.get().message() + " (all of them: crw check)");
+        }
+        return reading.orThrow();
+    }
+
+    private static String beach() throws IOException {
+        try (InputStream text = SessionOpener.class.getResourceAsStream(BEACH)) {
+            if (text == null) {
+                throw new IOException("this program lacks its project " + BEACH);
+            }
+            return new String(text.readAllBytes(), StandardCharsets.UTF_8);
+        }
+    }
+
+    /**
+     * Opens the session of a journal, where it ended.
+     *
+     * @throws IOException if it cannot be read, or another process writes it
+     */
+    public Session resume(Path file) throws IOException {
+        SessionJournal journal = SessionJournal.open(file);
+        try {
+            boolean builtIn = journal.header()
+                    .map(header -> BUILT_IN.equals(header.settings().get(FLEET)))
+                    .orElse(false);
+            return opened(SessionSetup.resumed(journal), builtIn && boats.isEmpty());
+        } catch (IOException | RuntimeException fault) {
+            journal.close();
+            throw fault;
+        }
+    }
+
+    private Session opened(SessionSetup setup, boolean builtIn) throws IOException {
+        SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(1);
+        SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess()
+                .withFront(EventThread.executor())
+                .withSimulatedBoats(simulated);
+        Session session = Session.open(setup.with(runtime));
+        List<BoatAddress> addresses = boats;
+        if (builtIn) {
+            addresses = BuiltInFleet.launch(simulated, new LinkedHashMap<>());
+        }
+        if (setup.journal().resumedFrom().isPresent()) {
+            session.reconnect();
+        }
+        addresses.forEach(session.fleet()::connect);
+        return session;
+    }
+}

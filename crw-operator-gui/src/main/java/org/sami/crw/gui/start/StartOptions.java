@@ -1,0 +1,27 @@
+package org.sami.crw.gui.start;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.ui.look.Theme;
+
+/**
+ * How a window is to be opened.
+ *
+ * @param boats servers to connect to; none = the built-in fleet
+ * @param project file of the plans; empty = Katara Beach
+ * @param theme from now on; empty = as it was
+ * @param scale in percent, from now on; empty = as it was
+ * @param resume whether an unfinished session is gone on with; empty = the operator is asked
+ */
+public record StartOptions(
+        List<BoatAddress> boats,
+        Optional<Path> project,
+        Optional<Theme> theme,
+        Optional<Integer> scale,
+        Optional<Boolean> resume) {
+    public StartOptions {
+        boats = List.copyOf(boats);
+    }
+}

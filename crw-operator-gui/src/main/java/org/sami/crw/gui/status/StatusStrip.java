@@ -1,0 +1,153 @@
+package org.sami.crw.gui.status;
+
+import java.awt.Insets;
+import java.time.LocalTime;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.List;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.sami.crw.gui.boat.BoatWords;
+import org.sami.crw.gui.context.Notices.Notice;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.operator.Alarm;
+import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.proxy.LinkState;
+import org.sami.spn.protocol.Ids;
+import org.sami.ui.command.Command;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Icons;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.SemanticColor;
+
+/** The strip at the top of the window: what there is, what waits, what is wrong, and the fleet stop. */
+public final class StatusStrip extends JPanel {
+    private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
+
+    private final OperatorContext context;
+    private final FleetStop fleetStop;
+    private final JLabel missions = new JLabel();
+    private final JLabel decisions = new JLabel();
+    private final JLabel boats = new JLabel();
+    private final JLabel links = new JLabel();
+    private final JLabel notice = new JLabel();
+    private final JLabel clock = new JLabel();
+    private final JButton alarms = new JButton();
+    private final CommandButton stop;
+    private final CommandButton release;
+    private final CommandButton confirm;
+
+    /**
+     * The strip of a window.
+     *
+     * @param showAlarms brings the alarms to the front
+     */
+    public StatusStrip(OperatorContext context, FleetStop fleetStop, Command showAlarms) {
+        super(new MigLayout("insets 6 12 6 8, gap 20", "[][][][]push[grow 0, shrink 200]push[][][][][]", "[]"));
+        this.context = context;
+        this.fleetStop = fleetStop;
+        setName("status-strip");
+        stop = new CommandButton(fleetStop.stop());
+        release = new CommandButton(fleetStop.release());
+        confirm = new CommandButton(fleetStop.confirm());
+        alarms.setName("alarms-count");
+        alarms.addActionListener(showAlarms);
+        alarms.setToolTipText("Show the alarms (" + showAlarms.keyText() + ")");
+        notice.setName("notice");
+        missions.setName("missions-count");
+        decisions.setName("decisions-count");
+        boats.setName("boats-count");
+        links.setName("links-count");
+        clock.setName("clock");
+        List.of(missions, decisions, boats, links).forEach(this::add);
+        add(notice, "wmin 0");
+        add(clock);
+        add(alarms, "h 40!");
+        add(release, "hidemode 3");
+        add(confirm, "hidemode 3");
+        add(stop, "h 44!");
+        fleetStop.onChange(this::refresh);
+        context.notices().addListener(this::show);
+        style();
+        refresh();
+    }
+
+    private void show(Notice told) {
+        notice.setText(told.text());
+        notice.setToolTipText(told.text());
+        notice.setIcon(Icons.of(
+                told.refused() ? "alarm" : "check", 16, told.refused() ? SemanticColor.WARNING : SemanticColor.OK));
+        notice.setForeground((told.refused() ? SemanticColor.WARNING : SemanticColor.MUTED).get());
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (stop != null) {
+            style();
+        }
+    }
+
+    private void style() {
+        setBackground(SemanticColor.SURFACE.get());
+        setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
+        List.of(missions, decisions, boats, links).forEach(label -> label.setFont(Fonts.strong()));
+        clock.setFont(Fonts.heading());
+        missions.setIcon(Icons.small("net"));
+        decisions.setIcon(Icons.small("decision"));
+        boats.setIcon(Icons.small("boat"));
+        alarms.setFont(Fonts.strong());
+        stop.setBackground(SemanticColor.CRITICAL_FILL.get());
+        stop.setForeground(SemanticColor.ON_CRITICAL.get());
+        stop.setIcon(Icons.of("stop", 20, SemanticColor.ON_CRITICAL));
+        stop.setFont(Fonts.heading());
+        stop.setMargin(new Insets(Look.px(4), Look.px(20), Look.px(4), Look.px(20)));
+    }
+
+    /** Shows what is so now; to be called a few times a second. */
+    public void refresh() {
+        long running = context.models().missions().snapshot().running().stream()
+                .filter(mission -> mission.parent() == Ids.NONE)
+                .count();
+        missions.setText(count(running, "mission"));
+        int waiting = context.models().decisions().snapshot().size();
+        decisions.setText(waiting == 0 ? "nothing waits" : count(waiting, "decision"));
+        decisions.setForeground((waiting == 0 ? SemanticColor.MUTED : SemanticColor.ACCENT).get());
+        List<BoatSnapshot> fleet = context.models().fleet().snapshot();
+        long linked =
+                fleet.stream().filter(boat -> boat.link() == LinkState.LINKED).count();
+        boats.setText(linked + " of " + count(fleet.size(), "boat"));
+        showLinks(fleet);
+        clock.setText(LocalTime.now(ZoneId.systemDefault()).format(CLOCK));
+        showAlarms(context.models().alarms().snapshot());
+        release.setVisible(fleetStop.isStopped() && !fleetStop.isReleasing());
+        confirm.setVisible(fleetStop.isStopped() && fleetStop.isReleasing());
+    }
+
+    private void showLinks(List<BoatSnapshot> fleet) {
+        long lost = fleet.stream().filter(boat -> boat.link() == LinkState.LOST).count();
+        long worst = fleet.stream()
+                .mapToLong(boat -> boat.linkAgeMillis(context.nowMillis()).orElse(0))
+                .max()
+                .orElse(0);
+        links.setText(lost > 0 ? count(lost, "link") + " lost" : fleet.isEmpty() ? "no links" : "links fresh");
+        boolean bad = lost > 0 || worst > BoatWords.STALE_MS;
+        links.setIcon(Icons.of(bad ? "link-lost" : "link", 16, bad ? SemanticColor.CRITICAL : SemanticColor.TEXT));
+        links.setForeground((bad ? SemanticColor.CRITICAL : SemanticColor.TEXT).get());
+    }
+
+    private void showAlarms(List<Alarm> all) {
+        long open = all.stream().filter(alarm -> !alarm.acknowledged()).count();
+        alarms.setText(open == 0 ? "no alarms" : "▲ " + count(open, "alarm"));
+        alarms.setForeground((open == 0 ? SemanticColor.MUTED : SemanticColor.ON_WARNING).get());
+        alarms.setBackground((open == 0 ? SemanticColor.SURFACE : SemanticColor.WARNING_FILL).get());
+    }
+
+    private static String count(long number, String what) {
+        return number + " " + what + (number == 1 ? "" : "s");
+    }
+}

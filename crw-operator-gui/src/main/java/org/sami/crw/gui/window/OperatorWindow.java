@@ -1,0 +1,144 @@
+package org.sami.crw.gui.window;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.io.IOException;
+import java.util.List;
+import javax.swing.JFrame;
+import javax.swing.Timer;
+import org.sami.crw.gui.boat.BoatPanel;
+import org.sami.crw.gui.boat.BoatsPanel;
+import org.sami.crw.gui.context.BoatSelection;
+import org.sami.crw.gui.context.Notices;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.mission.AllocationPanel;
+import org.sami.crw.gui.mission.InterruptsPanel;
+import org.sami.crw.gui.mission.MissionMonitor;
+import org.sami.crw.gui.mission.MissionStarter;
+import org.sami.crw.gui.notice.AlarmsPanel;
+import org.sami.crw.gui.notice.MessagesPanel;
+import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.gui.start.WindowSettings;
+import org.sami.crw.gui.status.FleetStop;
+import org.sami.crw.gui.status.StatusStrip;
+import org.sami.crw.session.Session;
+import org.sami.ui.command.CommandKeys;
+import org.sami.ui.command.CommandRegistry;
+import org.sami.ui.dock.Arrangement;
+import org.sami.ui.dock.DockArea;
+import org.sami.ui.dock.DockPanel;
+import org.sami.ui.look.IdentityMarks;
+
+/** The operator's window over a session. On the event thread. */
+public final class OperatorWindow {
+    private static final int REFRESH_MS = 250;
+    private static final Dimension FIRST_SIZE = new Dimension(1600, 1000);
+    private static final Dimension LEAST_SIZE = new Dimension(1000, 640);
+
+    private final Session session;
+    private final DataDirectory data;
+    private final JFrame frame = new JFrame("SAMI operator");
+    private final DockArea dock;
+    private final CommandKeys keys;
+    private final Timer refresh;
+
+    /**
+     * A window that is not shown yet.
+     *
+     * @param data is closed with the window, as the session is
+     */
+    public OperatorWindow(Session session, DataDirectory data, WindowSettings settings) {
+        this.session = session;
+        this.data = data;
+        OperatorContext context = new OperatorContext(
+                session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
+        WindowCommands commands = new WindowCommands(context, frame, settings);
+        FleetStop fleetStop = new FleetStop(context);
+        BoatsPanel boats = new BoatsPanel(context);
+        BoatPanel boat = new BoatPanel(context);
+        List<DockPanel> panels = List.of(
+                new DockPanel(
+                        "missions",
+                        "Missions",
+                        "net",
+                        new MissionMonitor(context, new MissionStarter(context, settings))),
+                new DockPanel("boats", "Boats", "fleet", boats),
+                new DockPanel("boat", "Boat", "boat", boat),
+                new DockPanel("messages", "Messages", "message", new MessagesPanel(context)),
+                new DockPanel("alarms", "Alarms", "alarm", new AlarmsPanel(context)),
+                new DockPanel("interrupts", "Interrupts", "interrupt", new InterruptsPanel(context)),
+                new DockPanel("allocation", "Allocation", "allocation", new AllocationPanel(context)));
+        dock = new DockArea(frame, panels, FIRST, data.arrangement());
+        commands.addPanels(dock);
+        commands.addEnd(this::end);
+        StatusStrip strip =
+                new StatusStrip(context, fleetStop, context.commands().get("panel-alarms"));
+        frame.setName("operator-window");
+        frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
+        frame.setJMenuBar(new WindowMenus(context.commands(), panels).bar());
+        frame.getContentPane().add(strip, BorderLayout.NORTH);
+        frame.getContentPane().add(dock);
+        frame.setMinimumSize(LEAST_SIZE);
+        keys = CommandKeys.install(context.commands());
+        refresh = new Timer(REFRESH_MS, e -> {
+            strip.refresh();
+            boats.refresh();
+            boat.refresh();
+        });
+        frame.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent e) {
+                end();
+            }
+        });
+    }
+
+    private static final Arrangement FIRST = Arrangement.of("boats")
+            .right("missions", "boats", 0.5)
+            .below("boat", "boats", 0.5)
+            .below("messages", "missions", 0.4)
+            .behind("alarms", "messages")
+            .behind("allocation", "messages")
+            .right("interrupts", "messages", 0.35);
+
+    /** Shows it, as large as the screen allows. */
+    public void open() {
+        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        frame.setSize(Math.min(FIRST_SIZE.width, screen.width), Math.min(FIRST_SIZE.height, screen.height));
+        frame.setLocationRelativeTo(null);
+        frame.setVisible(true);
+        dock.arrange();
+        refresh.start();
+    }
+
+    /** Closes the window, and then, beside the event thread, the session; the process ends with it. */
+    private void end() {
+        refresh.stop();
+        keys.close();
+        dock.close();
+        frame.dispose();
+        boolean unfinished = !session.models().missions().snapshot().running().isEmpty();
+        Thread farewell = new Thread(() -> leave(unfinished), "farewell");
+        farewell.start();
+    }
+
+    private void leave(boolean unfinished) {
+        int code = 0;
+        try {
+            session.leave().forEach(line -> System.err.println("crw-operator: " + line));
+            session.close();
+            if (!unfinished) {
+                data.finished();
+            }
+            data.close();
+        } catch (IOException fault) {
+            System.err.println("crw-operator: " + fault.getMessage());
+            code = 4;
+        }
+        System.exit(code);
+    }
+}

@@ -1,0 +1,2 @@
+/** The frame: its commands, menus, strip at the top, and how panels lie in it. What a panel shows stands in the panel's package. */
+package org.sami.crw.gui.window;

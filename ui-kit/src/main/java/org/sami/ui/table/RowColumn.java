@@ -1,0 +1,51 @@
+package org.sami.ui.table;
+
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Function;
+import javax.swing.Icon;
+import org.sami.ui.look.SemanticColor;
+
+/**
+ * A column of a {@link RowTable}.
+ *
+ * @param width in logical pixels; 0 = what is left
+ * @param right whether its text stands at the right, as numbers do
+ * @param text what stands in it
+ * @param color of the text
+ * @param icon before the text
+ */
+public record RowColumn<R>(
+        String title,
+        int width,
+        boolean right,
+        Function<R, String> text,
+        Function<R, SemanticColor> color,
+        Function<R, Optional<Icon>> icon) {
+    public RowColumn {
+        Objects.requireNonNull(title, "title");
+        Objects.requireNonNull(text, "text");
+        Objects.requireNonNull(color, "color");
+        Objects.requireNonNull(icon, "icon");
+    }
+
+    /** Words. */
+    public static <R> RowColumn<R> words(String title, int width, Function<R, String> text) {
+        return new RowColumn<>(title, width, false, text, row -> SemanticColor.TEXT, row -> Optional.empty());
+    }
+
+    /** A number with its unit. */
+    public static <R> RowColumn<R> number(String title, int width, Function<R, String> text) {
+        return new RowColumn<>(title, width, true, text, row -> SemanticColor.TEXT, row -> Optional.empty());
+    }
+
+    /** The same in colours that say something. */
+    public RowColumn<R> colored(Function<R, SemanticColor> by) {
+        return new RowColumn<>(title, width, right, text, by, icon);
+    }
+
+    /** The same with icons. */
+    public RowColumn<R> withIcon(Function<R, Optional<Icon>> by) {
+        return new RowColumn<>(title, width, right, text, color, by);
+    }
+}

@@ -1,0 +1,2 @@
+/** Tables of immutable rows that models replace: selection stays with what a row is about, and an empty table says what would appear in it. */
+package org.sami.ui.table;
