@@ -8,7 +8,10 @@ import org.sami.crw.gui.start.OperatorCommand;
 import org.sami.crw.sim.cli.Crw;
 import picocli.CommandLine;
 
-/** The program of the operator's window. Where there is no display, and for {@code demo}, it is the headless demonstration. */
+/**
+ * The program of the operator's window. Where there is no display it is the headless demonstration; with a command of {@code crw} as its first
+ * argument, such as {@code demo}, it is {@code crw}.
+ */
 public final class OperatorGui {
     private static final String DEMO = "demo";
 
@@ -16,7 +19,7 @@ public final class OperatorGui {
 
     /** Opens the window; the process ends with it. */
     public static void main(String[] args) {
-        if (args.length > 0 && args[0].equals(DEMO)) {
+        if (args.length > 0 && !args[0].startsWith("-")) {
             Crw.main(args);
             return;
         }

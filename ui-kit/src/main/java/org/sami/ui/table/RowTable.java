@@ -17,6 +17,7 @@ import javax.swing.JTable;
 import javax.swing.SwingConstants;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableColumn;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
@@ -55,6 +56,7 @@ public final class RowTable<R> extends JScrollPane {
         table.setShowVerticalLines(false);
         table.setDefaultRenderer(Object.class, new Cell());
         table.getTableHeader().setReorderingAllowed(false);
+        table.getTableHeader().setDefaultRenderer(header(table.getTableHeader().getDefaultRenderer()));
         table.putClientProperty("terminateEditOnFocusLost", true);
         table.getSelectionModel().addListSelectionListener(e -> {
             if (!replacing && !e.getValueIsAdjusting()) {
@@ -64,6 +66,17 @@ public final class RowTable<R> extends JScrollPane {
         setViewportView(table);
         setBorder(BorderFactory.createEmptyBorder());
         scale();
+    }
+
+    private TableCellRenderer header(TableCellRenderer standard) {
+        return (view, value, selected, focused, row, column) -> {
+            Component cell = standard.getTableCellRendererComponent(view, value, selected, focused, row, column);
+            if (cell instanceof JLabel label) {
+                boolean right = columns.get(column).right();
+                label.setHorizontalAlignment(right ? SwingConstants.RIGHT : SwingConstants.LEFT);
+            }
+            return cell;
+        };
     }
 
     /** The table itself, for keys and names. */

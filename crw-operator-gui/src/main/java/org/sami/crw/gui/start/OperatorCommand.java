@@ -21,7 +21,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description = {
             "Opens the operator's window. Without boats it brings five simulated ones at Katara Beach.",
-            "'demo' instead of options runs the headless demonstration."
+            "'demo' instead of options runs the headless demonstration, any other command of crw that command."
         },
         footerHeading = "%nExamples:%n",
         footer = {

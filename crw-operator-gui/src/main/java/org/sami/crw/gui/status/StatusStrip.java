@@ -47,13 +47,14 @@ public final class StatusStrip extends JPanel {
      * @param showAlarms brings the alarms to the front
      */
     public StatusStrip(OperatorContext context, FleetStop fleetStop, Command showAlarms) {
-        super(new MigLayout("insets 6 12 6 8, gap 20", "[][][][]push[grow 0, shrink 200]push[][][][][]", "[]"));
+        super(new MigLayout("insets 6 12 6 8, gap 20, hidemode 3", "[][][][]20:push[grow 0, shrink 200]push[][][][][]", "[]"));
         this.context = context;
         this.fleetStop = fleetStop;
         setName("status-strip");
         stop = new CommandButton(fleetStop.stop());
         release = new CommandButton(fleetStop.release());
         confirm = new CommandButton(fleetStop.confirm());
+        alarms.setFocusable(false);
         alarms.setName("alarms-count");
         alarms.addActionListener(showAlarms);
         alarms.setToolTipText("Show the alarms (" + showAlarms.keyText() + ")");
@@ -67,8 +68,8 @@ public final class StatusStrip extends JPanel {
         add(notice, "wmin 0");
         add(clock);
         add(alarms, "h 40!");
-        add(release, "hidemode 3");
-        add(confirm, "hidemode 3");
+        add(release);
+        add(confirm);
         add(stop, "h 44!");
         fleetStop.onChange(this::refresh);
         context.notices().addListener(this::show);
