@@ -29,7 +29,7 @@ public final class StatusStrip extends JPanel {
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
 
     private final OperatorContext context;
-    private final FleetStop fleetStop;
+    private final FleetStopCommands fleetStop;
     private final JLabel missions = new JLabel();
     private final JLabel decisions = new JLabel();
     private final JLabel boats = new JLabel();
@@ -46,8 +46,9 @@ public final class StatusStrip extends JPanel {
      *
      * @param showAlarms brings the alarms to the front
      */
-    public StatusStrip(OperatorContext context, FleetStop fleetStop, Command showAlarms) {
-        super(new MigLayout("insets 6 12 6 8, gap 20, hidemode 3", "[][][][]20:push[grow 0, shrink 200]push[][][][][]", "[]"));
+    public StatusStrip(OperatorContext context, FleetStopCommands fleetStop, Command showAlarms) {
+        super(new MigLayout(
+                "insets 6 12 6 8, gap 20, hidemode 3", "[][][][]20:push[grow 0, shrink 200]push[][][][][]", "[]"));
         this.context = context;
         this.fleetStop = fleetStop;
         setName("status-strip");

@@ -23,7 +23,7 @@ import org.sami.crw.gui.notice.AlarmsPanel;
 import org.sami.crw.gui.notice.MessagesPanel;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.WindowSettings;
-import org.sami.crw.gui.status.FleetStop;
+import org.sami.crw.gui.status.FleetStopCommands;
 import org.sami.crw.gui.status.StatusStrip;
 import org.sami.crw.session.Session;
 import org.sami.ui.command.CommandKeys;
@@ -57,7 +57,7 @@ public final class OperatorWindow {
         OperatorContext context = new OperatorContext(
                 session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
         WindowCommands commands = new WindowCommands(context, frame, settings);
-        FleetStop fleetStop = new FleetStop(context);
+        FleetStopCommands fleetStop = new FleetStopCommands(context);
         BoatsPanel boats = new BoatsPanel(context);
         BoatPanel boat = new BoatPanel(context);
         List<DockPanel> panels = List.of(

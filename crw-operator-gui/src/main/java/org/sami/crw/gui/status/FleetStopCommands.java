@@ -11,7 +11,7 @@ import org.sami.ui.command.Command;
 /**
  * The fleet stop: one press stops all boats, without a question. The release takes two steps, the second within five seconds of the first.
  */
-public final class FleetStop {
+public final class FleetStopCommands {
     private static final int SECOND_STEP_MS = 5000;
 
     private final OperatorContext context;
@@ -24,7 +24,7 @@ public final class FleetStop {
     private Runnable changed = () -> {};
 
     /** Adds the commands to those of the window. */
-    public FleetStop(OperatorContext context) {
+    public FleetStopCommands(OperatorContext context) {
         this.context = context;
         expiry.setRepeats(false);
         stop = context.commands()
@@ -64,7 +64,7 @@ public final class FleetStop {
 
     /** Whether the fleet was stopped from here, or a boat says that it is. */
     boolean isStopped() {
-        return pressed || context.models().fleet().snapshot().stream().anyMatch(FleetStop::isStopped);
+        return pressed || context.models().fleet().snapshot().stream().anyMatch(FleetStopCommands::isStopped);
     }
 
     private static boolean isStopped(BoatSnapshot boat) {
