@@ -34,6 +34,7 @@ public final class Look {
     public static void apply(Theme next, int percent) {
         theme = next;
         scalePercent = Math.min(MOST, Math.max(LEAST, percent));
+        UIScale.setZoomFactor(1); // else the font's size would be taken as one at the scale that was
         UIManager.put("defaultFont", Fonts.base());
         try {
             UIManager.setLookAndFeel(next.laf());
@@ -41,9 +42,7 @@ public final class Look {
             throw new IllegalStateException("the look of the theme " + next.id() + " does not run here", e);
         }
         UIScale.setZoomFactor(scalePercent / 100f);
-        PlatformDefaults.setLogicalPixelBase(PlatformDefaults.BASE_SCALE_FACTOR);
-        PlatformDefaults.setHorizontalScaleFactor(scalePercent / 100f);
-        PlatformDefaults.setVerticalScaleFactor(scalePercent / 100f);
+        PlatformDefaults.setLogicalPixelBase(PlatformDefaults.BASE_SCALE_FACTOR); // it asks the look for its scale by itself
         FlatLaf.updateUI();
         LISTENERS.forEach(Runnable::run);
     }

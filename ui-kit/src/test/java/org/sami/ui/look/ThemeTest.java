@@ -22,7 +22,9 @@ import java.awt.Color;
 import java.util.List;
 import java.util.Map;
 import javax.swing.JLabel;
+import javax.swing.JPanel;
 import javax.swing.UIManager;
+import net.miginfocom.swing.MigLayout;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
@@ -149,6 +151,24 @@ class ThemeTest {
         assertThat(Fonts.display().getSize2D())
                 .isCloseTo(24 * percent / 100f, org.assertj.core.data.Offset.offset(0.1f));
         assertThat(Look.px(40)).isEqualTo(40 * percent / 100);
+    }
+
+    @Test
+    void textHasItsSizeAgainAfterAnotherScale() {
+        Look.apply(Theme.LIGHT, 150);
+        Look.apply(Theme.DARK, 100);
+
+        assertThat(new JLabel("x").getFont().getSize2D()).isEqualTo(13);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {100, 150, 200, 80})
+    void distancesOfLayoutsGrowWithTheScale(int percent) {
+        Look.apply(Theme.LIGHT, percent);
+        JPanel panel = new JPanel(new MigLayout("insets 0", "[100!]"));
+        panel.add(new JLabel("x"));
+
+        assertThat(panel.getPreferredSize().width).isEqualTo(percent);
     }
 
     @Test
