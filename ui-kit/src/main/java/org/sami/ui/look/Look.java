@@ -42,7 +42,8 @@ public final class Look {
             throw new IllegalStateException("the look of the theme " + next.id() + " does not run here", e);
         }
         UIScale.setZoomFactor(scalePercent / 100f);
-        PlatformDefaults.setLogicalPixelBase(PlatformDefaults.BASE_SCALE_FACTOR); // it asks the look for its scale by itself
+        PlatformDefaults.setLogicalPixelBase(
+                PlatformDefaults.BASE_SCALE_FACTOR); // it asks the look for its scale by itself
         FlatLaf.updateUI();
         LISTENERS.forEach(Runnable::run);
     }

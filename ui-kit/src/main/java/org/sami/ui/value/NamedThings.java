@@ -1,0 +1,58 @@
+package org.sami.ui.value;
+
+import java.util.List;
+import org.sami.spn.value.Value;
+
+/** What can be chosen by name where an editor is, as far as no question offers less. Asked whenever an editor is made. */
+public interface NamedThings {
+    /** Nothing is known. */
+    NamedThings NONE = new NamedThings() {};
+
+    /** Robots, as values of type proxy. */
+    default List<ChoiceRow> proxies() {
+        return List.of();
+    }
+
+    /** Tasks, as values of type task. */
+    default List<ChoiceRow> tasks() {
+        return List.of();
+    }
+
+    /** Variables, as values of type variable. */
+    default List<ChoiceRow> variables() {
+        return List.of();
+    }
+
+    /** Plans, as values of type plan. */
+    default List<ChoiceRow> plans() {
+        return List.of();
+    }
+
+    /** The same offer, with the marks of those that are known by one. */
+    default Offer known(Offer offer) {
+        return new Offer(
+                offer.rows().stream()
+                        .map(row -> row.mark().isPresent()
+                                ? row
+                                : new ChoiceRow(
+                                        row.value(),
+                                        row.title(),
+                                        row.detail(),
+                                        row(row.value()).mark()))
+                        .toList(),
+                offer.min(),
+                offer.max());
+    }
+
+    /** How a value is shown in a list: as the row that is known of it, else in words. */
+    default ChoiceRow row(Value value) {
+        for (List<ChoiceRow> known : List.of(proxies(), tasks(), variables(), plans())) {
+            for (ChoiceRow row : known) {
+                if (row.value().equals(value)) {
+                    return row;
+                }
+            }
+        }
+        return new ChoiceRow(value, ValueSummary.of(value), "");
+    }
+}

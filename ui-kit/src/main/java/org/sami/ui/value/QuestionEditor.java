@@ -1,0 +1,169 @@
+package org.sami.ui.value;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import javax.swing.JComponent;
+import org.sami.spn.component.ChosenComponent;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Question;
+import org.sami.spn.value.BooleanValue;
+import org.sami.spn.value.ProxyValue;
+import org.sami.spn.value.Value;
+import org.sami.spn.value.ValueType;
+
+/**
+ * Asks what a question asks, with the components that were chosen for it, and makes the answer of what they hold. Lives on the event
+ * thread; the question stays the same, another one gets another editor.
+ */
+public final class QuestionEditor {
+    private final Question question;
+    private final List<OfferedRow> offered;
+    private final FieldsPanel fields;
+    private final Optional<ValueEditor> single;
+
+    /**
+     * An editor that shows what the question proposes.
+     *
+     * @param name begins the names of its components
+     * @param offered the options in the order in which they are shown; empty for questions that offer none
+     */
+    public QuestionEditor(
+            String name, Question question, List<OfferedRow> offered, ChosenComponent chosen, ValueEditors editors) {
+        this.question = question;
+        this.offered = List.copyOf(offered);
+        if (question instanceof Question.FillIn fillIn) {
+            fields = fields(fillIn, chosen, editors);
+            single = Optional.empty();
+        } else {
+            ValueEditor editor = question instanceof Question.Approve
+                    ? editors.build(chosen, ValueField.of(name, ValueType.Simple.BOOLEAN))
+                    : chooser(name, chosen, editors);
+            single = Optional.of(editor);
+            fields = null;
+        }
+    }
+
+    private static FieldsPanel fields(Question.FillIn fillIn, ChosenComponent chosen, ValueEditors editors) {
+        Map<String, ValueField> asked = new LinkedHashMap<>();
+        fillIn.items().forEach(item -> asked.put(item.key(), ValueField.of(item)));
+        FieldsPanel panel = editors.fields(chosen, asked);
+        for (Question.Item item : fillIn.items()) {
+            ValueEditor editor = panel.editors().get(item.key());
+            item.defaultValue().ifPresent(editor::show);
+            if (!item.editable()) {
+                editor.setEditable(false);
+            }
+        }
+        return panel;
+    }
+
+    private ValueEditor chooser(String name, ChosenComponent chosen, ValueEditors editors) {
+        List<ChoiceRow> rows = offered.stream().map(OfferedRow::row).toList();
+        Offer offer = question instanceof Question.ChooseProxies proxies
+                ? new Offer(rows, proxies.min(), Math.max(proxies.min(), proxies.max()))
+                : Offer.one(rows);
+        ValueType option = question instanceof Question.ChooseProxies ? ValueType.Simple.PROXY : ValueType.Simple.ANY;
+        ValueChooser chooser = editors.chooser(chosen, ValueField.of(name, new ValueType.ListOf(option)), offer);
+        List<Integer> selected = IntStream.range(0, offered.size())
+                .filter(i -> offered.get(i).selected())
+                .boxed()
+                .toList();
+        if (selected.size() <= offer.max()) {
+            chooser.propose(selected);
+        }
+        return chooser;
+    }
+
+    /** What is put into a window. */
+    public JComponent component() {
+        return single.map(ValueEditor::component).orElseGet(() -> fields.component());
+    }
+
+    /** Where the keyboard's focus goes first. */
+    public JComponent focusTarget() {
+        return single.map(ValueEditor::focusTarget).orElseGet(() -> fields.focusTarget());
+    }
+
+    /** The answer that what is filled in makes; empty while something is missing. */
+    public Optional<Answer> answer() {
+        if (question instanceof Question.FillIn) {
+            return fields.values().map(Answer.Fields::new);
+        }
+        ValueEditor editor = single.orElseThrow();
+        if (editor.entry().value().isEmpty()) {
+            return Optional.empty();
+        }
+        if (editor instanceof ValueChooser chooser) {
+            return Optional.of(answer(chooser.chosen()));
+        }
+        return editor.entry()
+                .value()
+                .filter(BooleanValue.class::isInstance)
+                .map(value -> new Answer.YesNo(((BooleanValue) value).value()));
+    }
+
+    private Answer answer(List<Integer> chosen) {
+        return question instanceof Question.ChooseProxies
+                ? new Answer.Proxies(chosen.stream()
+                        .map(i -> ((ProxyValue) offered.get(i).row().value()).proxy())
+                        .toList())
+                : new Answer.Option(offered.get(chosen.get(0)).index());
+    }
+
+    /** Why there is no answer yet, in one line; empty where there is one. */
+    public Optional<String> reason() {
+        return single.map(editor -> editor.entry().reason())
+                .orElseGet(() -> fields.missing().map(Entry.Missing::why));
+    }
+
+    /** Whether the operator has changed something: such an editor is not to be replaced by another. */
+    public boolean isTouched() {
+        return single.map(ValueEditor::isTouched).orElseGet(() -> fields.isTouched());
+    }
+
+    /** How many options can be chosen by number: two for yes and no, none where values are filled in. */
+    public int options() {
+        if (single.isEmpty()) {
+            return 0;
+        }
+        return single.get() instanceof ValueChooser chooser ? chooser.options() : 2;
+    }
+
+    /**
+     * Chooses an option by its number, which does not answer yet.
+     *
+     * @param option from 0; yes is 0 and no is 1
+     */
+    public void choose(int option) {
+        if (option < 0 || option >= options()) {
+            return;
+        }
+        if (single.orElseThrow() instanceof ValueChooser chooser) {
+            chooser.choose(option);
+        } else if (single.get() instanceof YesNoEditor yesNo) {
+            yesNo.choose(option == 0);
+        }
+    }
+
+    /** The values that are chosen or filled in so far, such as to show them on a map. */
+    public List<Value> values() {
+        return single.map(List::of).orElseGet(() -> List.copyOf(fields.editors().values())).stream()
+                .flatMap(editor -> editor.entry().value().stream())
+                .toList();
+    }
+
+    /** Adds somebody who is told after each change. */
+    public void addListener(Runnable listener) {
+        single.ifPresentOrElse(editor -> editor.addListener(listener), () -> fields.addListener(listener));
+    }
+
+    /** Is told when a yes or no was pressed, which is an answer without any further click. */
+    public void onPressed(Runnable listener) {
+        if (single.isPresent() && single.get() instanceof YesNoEditor yesNo) {
+            yesNo.onPressed(listener);
+        }
+    }
+}

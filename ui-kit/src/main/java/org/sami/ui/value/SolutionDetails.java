@@ -1,0 +1,129 @@
+package org.sami.ui.value;
+
+import java.awt.CardLayout;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
+import net.miginfocom.swing.MigLayout;
+import org.sami.spn.value.Value;
+
+/** What solutions have in particular: of each what every entry says, and its picture where there is one. Browsing it chooses nothing. */
+final class SolutionDetails {
+    /** How solutions stand beside one another; the option {@code format} of the markup Selection Options. */
+    enum Format {
+        /** One after another, with buttons to go on and back. */
+        SEQUENTIAL,
+        /** On tabs. */
+        TABS,
+        /** One below another. */
+        STACKED
+    }
+
+    private final ValueField field;
+    private final Format format;
+    private final List<Value> options;
+    private final JTabbedPane tabs = new JTabbedPane();
+    private final CardLayout cards = new CardLayout();
+    private final JPanel deck = new JPanel(cards);
+    private final JLabel position = new JLabel(" ");
+    private final JComponent component;
+    private int shown;
+
+    /**
+     * The details of some solutions, the first one shown.
+     *
+     * @param preview makes the picture of a solution, such as its paths on a map; empty where there is none
+     */
+    SolutionDetails(
+            ValueField field, Format format, List<Value> options, Function<Value, Optional<JComponent>> preview) {
+        this.field = field;
+        this.format = format;
+        this.options = options;
+        component = switch (format) {
+            case TABS -> tabs;
+            case SEQUENTIAL ->
+                new JPanel(new MigLayout(
+                        "novisualpadding, insets 0, gap 8 4, fillx", "[][grow,center][]", "[32:pref][grow,fill]"));
+            case STACKED ->
+                new JPanel(new MigLayout("novisualpadding, insets 0, gap 4 8, fillx, wrap 1", "[grow,fill]"));
+        };
+        component.setName(field.componentName("details"));
+        if (format == Format.SEQUENTIAL) {
+            component.add(button("‹ Back", "back", -1));
+            component.add(position);
+            component.add(button("Next ›", "next", 1), "wrap");
+            component.add(deck, "span 3, grow");
+            position.setName(field.componentName("position"));
+            component.setOpaque(false);
+            deck.setOpaque(false);
+        }
+        for (int i = 0; i < options.size(); i++) {
+            add(i, detail(i, preview));
+        }
+        show(0);
+    }
+
+    private JButton button(String words, String part, int step) {
+        JButton button = new JButton(words);
+        button.setName(field.componentName(part));
+        button.setToolTipText("Look at another option; this chooses none");
+        button.addActionListener(event -> show(Math.floorMod(shown + step, Math.max(1, options.size()))));
+        return button;
+    }
+
+    private void add(int option, JComponent detail) {
+        switch (format) {
+            case TABS -> tabs.addTab("Option " + (option + 1), detail);
+            case SEQUENTIAL -> deck.add(detail, String.valueOf(option));
+            case STACKED -> component.add(detail);
+        }
+    }
+
+    private JComponent detail(int option, Function<Value, Optional<JComponent>> preview) {
+        List<Figures> all = options.stream().map(Figures::of).toList();
+        List<String> compared = Figures.compared(all);
+        Figures figures = all.get(option);
+        JPanel detail = new JPanel(new MigLayout("novisualpadding, insets 4, gap 8 2, fillx, wrap 2", "[][grow,fill]"));
+        detail.setOpaque(false);
+        detail.setName(field.componentName("detail-" + (option + 1)));
+        if (format == Format.STACKED) {
+            detail.add(new JLabel("Option " + (option + 1)), "span 2");
+        }
+        preview.apply(options.get(option)).ifPresent(picture -> detail.add(picture, "span 2, grow, hmin 140"));
+        figures.figures().forEach((label, text) -> {
+            if (!compared.contains(label)) {
+                line(detail, label, text);
+            }
+        });
+        figures.lines().forEach((label, text) -> line(detail, label, text));
+        return detail;
+    }
+
+    private static void line(JPanel detail, String label, String text) {
+        detail.add(new NoteLabel(label), "aligny top");
+        detail.add(new WrappedText(text), "wmin 60");
+    }
+
+    JComponent component() {
+        return component;
+    }
+
+    /** Shows the details of an option. */
+    void show(int option) {
+        if (option >= options.size()) {
+            return;
+        }
+        shown = option;
+        if (format == Format.TABS) {
+            tabs.setSelectedIndex(option);
+        } else if (format == Format.SEQUENTIAL) {
+            cards.show(deck, String.valueOf(option));
+            position.setText("Option " + (option + 1) + " of " + options.size());
+        }
+    }
+}
