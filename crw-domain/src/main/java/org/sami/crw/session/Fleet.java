@@ -1,6 +1,7 @@
 package org.sami.crw.session;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -112,14 +113,37 @@ public final class Fleet {
         connector.executor().execute(() -> connector.expect(boat));
     }
 
-    /** Connects again to the boats that the journal knows, as far as they were not disconnected. Gives their ids. */
-    List<String> reconnect(Set<BoatAddress> except) {
+    /**
+     * Connects again to the boats that the journal knows, as far as they were not disconnected; simulated ones are launched again. Gives
+     * their ids.
+     *
+     * @param except addresses to which nobody connects
+     * @param positions where boats were last, by their names
+     * @param notice is told of simulated boats that cannot be launched
+     */
+    List<String> reconnect(Set<BoatAddress> except, Map<String, GeoPoint> positions, Consumer<String> notice) {
         List<RememberedBoats.Remembered> known =
                 remembered.map(RememberedBoats::all).orElse(List.of());
         known.forEach(boat -> expect(boat.boat()));
-        known.forEach(boat ->
-                boat.address().filter(address -> !except.contains(address)).ifPresent(this::connect));
+        for (RememberedBoats.Remembered boat : known) {
+            if (boat.simulatedAt().isPresent()) {
+                GeoPoint at =
+                        positions.getOrDefault(boat.boat(), boat.simulatedAt().get());
+                connector.executor().execute(() -> relaunch(boat.boat(), at, notice));
+            } else {
+                boat.address().filter(address -> !except.contains(address)).ifPresent(this::connect);
+            }
+        }
         return known.stream().map(RememberedBoats.Remembered::boat).toList();
+    }
+
+    private void relaunch(String boat, GeoPoint at, Consumer<String> notice) {
+        try {
+            connector.relaunch(boat, at);
+        } catch (IllegalStateException cannot) {
+            notice.accept(boat + " was simulated by an earlier process and is missing: " + cannot.getMessage()
+                    + "; connect a boat of that name, or drop it");
+        }
     }
 
     // ---- what is known of them

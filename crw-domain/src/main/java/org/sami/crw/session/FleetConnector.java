@@ -8,6 +8,7 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
+import org.sami.spn.value.GeoPoint;
 
 /**
  * The boats of a session and the ways to them: over TCP, or in a simulated world. By this and by its clock alone sessions in process
@@ -25,6 +26,15 @@ public interface FleetConnector extends BoatConnector, AutoCloseable {
 
     /** A boat of that name is known to be somewhere: it gets its proxy, whose commands wait until an address leads to it. */
     void expect(String boat);
+
+    /**
+     * Launches a simulated boat of an earlier process again, under its name.
+     *
+     * @throws IllegalStateException if it cannot be; the message says why
+     */
+    default void relaunch(String boat, GeoPoint at) {
+        throw new IllegalStateException("this session has nobody who makes simulated boats");
+    }
 
     /** Gives up a boat and its address: its commands fail, it is stopped if it can be told. Gives whether it was known. */
     CompletionStage<Boolean> disconnect(String boat);

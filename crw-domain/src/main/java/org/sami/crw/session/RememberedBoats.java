@@ -7,15 +7,17 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.TextValue;
 
 /**
- * Keeps in the engine's memory, and so in the journal, where boats are reached and which of them the operator only watches, so that a
- * session that is resumed has its boats again. Safe for use by several threads.
+ * Keeps in the engine's memory, and so in the journal, where boats are reached, which of them the operator only watches and which were
+ * simulated, so that a session that is resumed has its boats again. Safe for use by several threads.
  */
 final class RememberedBoats {
     private static final String ADDRESS = "address/";
     private static final String WATCHED = "watched/";
+    private static final String SIMULATED = "simulated/";
     private static final String YES = "yes";
     private static final String NO = "";
 
@@ -30,8 +32,13 @@ final class RememberedBoats {
      *
      * @param address where its server was; empty if it was disconnected
      * @param watched whether the operator had given its command away
+     * @param simulatedAt where it was launched, if it was simulated and ended with its process
      */
-    record Remembered(String boat, Optional<BoatAddress> address, boolean watched) {}
+    record Remembered(String boat, Optional<BoatAddress> address, boolean watched, Optional<GeoPoint> simulatedAt) {}
+
+    void simulatedAt(String boat, GeoPoint start) {
+        host.post(new Input.Remember(Ids.NONE, SIMULATED + boat, start));
+    }
 
     void reachedAt(String boat, BoatAddress address) {
         remember(ADDRESS + boat, address.toString());
@@ -40,6 +47,9 @@ final class RememberedBoats {
     void gone(String boat) {
         remember(ADDRESS + boat, NO);
         remember(WATCHED + boat, NO);
+        if (simulatedAt(boat).isPresent()) {
+            host.post(new Input.Remember(Ids.NONE, SIMULATED + boat, new TextValue(NO)));
+        }
     }
 
     void watched(String boat, boolean watched) {
@@ -58,9 +68,16 @@ final class RememberedBoats {
             boats.add(new Remembered(
                     boat,
                     address.isEmpty() ? Optional.empty() : Optional.of(BoatAddress.parse(address)),
-                    isWatched(boat)));
+                    isWatched(boat),
+                    simulatedAt(boat)));
         }
         return boats;
+    }
+
+    private Optional<GeoPoint> simulatedAt(String boat) {
+        return host.ask(view -> view.memory(Ids.NONE, SIMULATED + boat))
+                .filter(GeoPoint.class::isInstance)
+                .map(GeoPoint.class::cast);
     }
 
     private void remember(String key, String value) {

@@ -96,15 +96,18 @@ public final class Session implements AutoCloseable {
 
     /**
      * Connects again to the boats that the journal knows, as far as they were not disconnected; what missions want of them waits until
-     * they answer. To be called once, before {@link #begin}. Gives their ids.
+     * they answer. Boats that an earlier process simulated are launched again where they were last; they count as started anew. To be
+     * called once, before {@link #begin}. Gives their ids.
+     *
+     * @throws IOException if the journal cannot be read
      */
-    public List<String> reconnect() {
+    public List<String> reconnect() throws IOException {
         return reconnect(Set.of());
     }
 
     /** As {@link #reconnect()}, leaving out addresses to which the caller connects, or which hold no longer. */
-    public List<String> reconnect(Set<BoatAddress> except) {
-        return fleet.reconnect(except);
+    public List<String> reconnect(Set<BoatAddress> except) throws IOException {
+        return fleet.reconnect(except, parts.lastPositions(), parts.messages::notice);
     }
 
     /**
@@ -286,6 +289,11 @@ public final class Session implements AutoCloseable {
         parts.whoIsWanted(then);
     }
 
+    /** The caller writes down where boats were; else the session does. */
+    public void leavePosesToCaller() {
+        parts.poses.stop();
+    }
+
     /** What the session notes beside the engine's inputs. */
     public SessionTelemetry telemetry() {
         return parts.telemetry;
@@ -342,6 +350,10 @@ public final class Session implements AutoCloseable {
             LockSupport.parkNanos(LOOK_NANOS);
         }
         List<String> going = parts.onFleet(Session::whoGoesOn);
+        parts.onFleet(boats -> {
+            parts.poses.flush(parts.scheduler.nowMs());
+            return null;
+        });
         parts.listenNoLonger();
         return going;
     }

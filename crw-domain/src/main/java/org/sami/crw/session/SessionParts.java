@@ -1,6 +1,8 @@
 package org.sami.crw.session;
 
 import java.io.IOException;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -20,6 +22,7 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** The parts of a session, put together for its runtime. */
@@ -48,6 +51,7 @@ final class SessionParts {
     final FleetEvents events;
     final FleetListener boats;
     final BoatMonitor monitor;
+    final PoseLog poses;
     final PostedInputs posted;
     final Operators operators = new Operators();
     final CrwDomain domain;
@@ -73,7 +77,6 @@ final class SessionParts {
             loop = Optional.of(new RealTimeLoop(journal.cameToMillis(), real.clock()));
             scheduler = loop.get();
             executor = loop.get();
-            connector = new TcpFleet(real.links(), real.clock(), real.simulatedBoats());
             services = Optional.of(new ServiceThreads(ServiceThreads.STANDARD_LIMIT_MILLIS));
             ownFront = real.front().isPresent() ? Optional.empty() : Optional.of(newThread("session"));
             front = real.front().orElseGet(ownFront::get);
@@ -82,7 +85,6 @@ final class SessionParts {
             loop = Optional.empty();
             scheduler = one.clock();
             executor = one.executor();
-            connector = one.fleet();
             services = Optional.empty();
             ownFront = Optional.empty();
             front = one.executor();
@@ -104,9 +106,11 @@ final class SessionParts {
                 front, scheduler::nowMs, forMap.<Executor>map(map -> map).orElse(Runnable::run));
         messages = new SessionMessages(telemetry, models);
         remembered = loop.map(real -> new RememberedBoats(host));
+        connector = connector(setup.runtime());
         events = new FleetEvents(slowMillis);
         boats = new FleetListener(events, history, telemetry, messages, remembered, scheduler::nowMs);
         monitor = new BoatMonitor(history, telemetry, messages);
+        poses = new PoseLog(history, telemetry);
         connector.open(boats);
         domain = services.map(threads -> CrwDomain.installInRealTime(
                         host,
@@ -125,12 +129,34 @@ final class SessionParts {
         events.subscribe(models.fleetListener(connector.boats(), showMillis));
     }
 
+    private FleetConnector connector(SessionRuntime runtime) {
+        if (runtime instanceof SessionRuntime.OneThread one) {
+            return one.fleet();
+        }
+        SessionRuntime.RealTime real = (SessionRuntime.RealTime) runtime;
+        Optional<SimulatedBoats> simulated =
+                real.simulatedBoats().map(boats -> new RememberedSimulation(boats, remembered.orElseThrow()));
+        return new TcpFleet(real.links(), real.clock(), simulated);
+    }
+
     private static ExecutorService newThread(String name) {
         return Executors.newSingleThreadExecutor(work -> {
             Thread thread = new Thread(work, name);
             thread.setDaemon(true);
             return thread;
         });
+    }
+
+    /** Where earlier processes saw each boat last, by its name. */
+    Map<String, GeoPoint> lastPositions() throws IOException {
+        Map<String, GeoPoint> last = new HashMap<>();
+        SessionTelemetry.read(journal.earlier(), new SessionTelemetry.Reader() {
+            @Override
+            public void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {
+                last.put(boat, told.position());
+            }
+        });
+        return last;
     }
 
     void begin() {
@@ -167,7 +193,10 @@ final class SessionParts {
     }
 
     private void keepLookingAfterBoats() {
-        connector.executor().execute(() -> monitor.look(connector.boats()));
+        connector.executor().execute(() -> {
+            monitor.look(connector.boats());
+            poses.look(scheduler.nowMs());
+        });
         scheduler.after(LOOK_MS, this::keepLookingAfterBoats);
     }
 

@@ -156,25 +156,35 @@ public final class SessionTelemetry {
 
     /** Who wants to know what earlier processes wrote. */
     public interface Reader {
-        void begun();
+        /** A process began, or went on. */
+        default void begun() {}
 
-        void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM);
+        /** Where a boat was, and how far it had come in metres. */
+        default void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {}
 
-        void visited(long atMillis, String boat, GeoPoint location);
+        /** A boat was at a location. */
+        default void visited(long atMillis, String boat, GeoPoint location) {}
 
-        void linked(String boat, String bootId);
+        /** A link stood. */
+        default void linked(String boat, String bootId) {}
 
-        void lost(String boat);
+        /** A link was lost. */
+        default void lost(String boat) {}
 
-        void address(String boat, String address);
+        /** Where a boat's server listened. */
+        default void address(String boat, String address) {}
 
-        void uploads(String boat, UploadCount uploads);
+        /** How many waypoint lists a process had sent to a boat. */
+        default void uploads(String boat, UploadCount uploads) {}
 
-        void why(String boat, String text);
+        /** Why a boat moved or did not. */
+        default void why(String boat, String text) {}
 
-        void message(SessionNote note);
+        /** What was told. */
+        default void message(SessionNote note) {}
 
-        void reading(SensorValue reading);
+        /** What a boat measured. */
+        default void reading(SensorValue reading) {}
 
         /** A row of a kind that the session does not know: whoever wrote it does. */
         default void other(TelemetryRow row, JsonNode json) {}

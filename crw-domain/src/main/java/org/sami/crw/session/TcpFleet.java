@@ -66,21 +66,26 @@ final class TcpFleet implements FleetConnector {
 
     @Override
     public List<String> create(String name, String color, GeoPoint start, int count) {
-        SimulatedBoats yard = simulated.orElseThrow(
-                () -> new IllegalStateException("this session has nobody who makes simulated boats"));
         List<String> created = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             String boat = unused(count == 1 ? name : name.strip() + (i + 1));
-            try {
-                InetSocketAddress address = yard.launch(boat, start).toSocketAddress();
-                base.expect(boat); // its name is taken from now on
-                base.connect(address);
-            } catch (IOException noPort) {
-                throw new IllegalStateException(boat + " cannot be launched: " + noPort.getMessage(), noPort);
-            }
+            relaunch(boat, start);
             created.add(boat);
         }
         return created;
+    }
+
+    @Override
+    public void relaunch(String boat, GeoPoint at) {
+        SimulatedBoats launcher = simulated.orElseThrow(
+                () -> new IllegalStateException("this session has nobody who makes simulated boats"));
+        try {
+            InetSocketAddress address = launcher.launch(boat, at).toSocketAddress();
+            base.expect(boat); // its name is taken from now on
+            base.connect(address);
+        } catch (IOException noPort) {
+            throw new IllegalStateException(boat + " cannot be launched: " + noPort.getMessage(), noPort);
+        }
     }
 
     private String unused(String wanted) {

@@ -93,6 +93,7 @@ final class RunMonitor implements SessionListener {
         lifecycle = new RunLifecycle(plan, settings, parameters, session, records);
         progress = records.progress(RUNNING);
         session.addOperator(operator);
+        session.leavePosesToCaller(); // tracks are thinned first
     }
 
     private static List<PlannedInterrupt> planned(RunPlan plan, RunSettings settings, RunArea area)

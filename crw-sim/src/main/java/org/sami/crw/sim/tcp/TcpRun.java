@@ -1,15 +1,18 @@
 package org.sami.crw.sim.tcp;
 
 import java.io.IOException;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.handler.CrwServices;
 import org.sami.crw.proxy.ProxyConfig;
+import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionRuntime;
@@ -99,6 +102,7 @@ public final class TcpRun {
                     .map(RunArea::boats)
                     .or(() -> startedWith)
                     .ifPresent(boats -> boats.forEach(session.fleet()::expect));
+            reachBoatsOfPlans(session);
             FleetReadiness readiness = new FleetReadiness(session.fleet(), settings.connect());
             boolean ready = awaitBoats(readiness, startedWith.isPresent());
             RunMonitor watch;
@@ -121,6 +125,15 @@ public final class TcpRun {
             if (interrupted) {
                 Thread.currentThread().interrupt();
             }
+        }
+    }
+
+    /** Boats to which plans had connected in an earlier process. Those of the run's own addresses may listen elsewhere by now. */
+    private void reachBoatsOfPlans(Session session) throws IOException {
+        if (journal.resumedFrom().isPresent()) {
+            Set<BoatAddress> own = new HashSet<>(settings.connect());
+            own.addAll(journal.record().settings().connect());
+            session.reconnect(own);
         }
     }
 

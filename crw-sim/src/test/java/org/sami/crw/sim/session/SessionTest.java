@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -21,15 +22,22 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.BoatStatus;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.service.Geodesy;
+import org.sami.crw.session.FleetHistory;
 import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionJournal;
+import org.sami.crw.session.SessionListener;
 import org.sami.crw.session.SessionOperator;
+import org.sami.crw.session.SessionSetup;
+import org.sami.crw.session.SessionTelemetry;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Ids;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 
 /** What a window, a console and a run do with a session, on boats that are reached over TCP. */
@@ -321,5 +329,97 @@ class SessionTest {
         assertThat(TestSession.get(session.fleet().boats()))
                 .map(BoatStatus::boatId)
                 .containsAll(new ArrayList<>(boats));
+    }
+
+    @Test
+    void simulatedBoatsComeBackWhereTheyWereWhenASessionIsResumed() throws Exception {
+        Path journal = folder.resolve("session.journal");
+        Session session = world.opened(TestSession.library("clv"), journal);
+        session.begin();
+        TestSession.get(session.fleet().addSimulated("sim", TestSession.PIER, 2));
+        TestSession.until("both have joined", session, view -> view.proxies().size() == 2);
+        TestSession.get(session.drop("sim2"));
+        GeoPoint there = drivenAway(session, "sim1");
+        session.leave();
+        session.close();
+
+        Session again = world.resumed(journal);
+        assertThat(again.reconnect()).containsExactly("sim1");
+        again.begin();
+
+        GeoPoint here = awaitPosition(again, "sim1", at -> true);
+        assertThat(Geodesy.distanceM(there, here)).isLessThan(3);
+        assertThat(Geodesy.distanceM(TestSession.PIER, here)).isGreaterThan(3);
+        assertThat(TestSession.get(again.ask(EngineView::proxies))).containsExactly("sim1");
+    }
+
+    /** Drives a boat by hand until it is some metres away. Gives where it is told to be then. */
+    private static GeoPoint drivenAway(Session session, String boat) {
+        return awaitPosition(session, boat, at -> {
+            TestSession.get(session.fleet().teleoperate(boat, 1, 0));
+            return Geodesy.distanceM(TestSession.PIER, at) > 6;
+        });
+    }
+
+    private static GeoPoint awaitPosition(Session session, String boat, Predicate<GeoPoint> wanted) {
+        Await.until(
+                boat + " is there",
+                TestSession.WITHIN_S,
+                () -> session.fleet().history().last(boat).map(FleetHistory.Told::position).stream()
+                        .anyMatch(wanted));
+        return session.fleet().history().last(boat).orElseThrow().position();
+    }
+
+    @Test
+    void resumeSaysWhichSimulatedBoatsAreMissingWhereNobodySimulates() throws Exception {
+        Path journal = folder.resolve("session.journal");
+        Session session = world.opened(TestSession.library("clv"), journal);
+        session.begin();
+        TestSession.get(session.fleet().addSimulated("sim", TestSession.PIER, 1));
+        TestSession.until("it has joined", session, view -> view.proxies().size() == 1);
+        session.close();
+        List<String> notices = new CopyOnWriteArrayList<>();
+
+        try (Session again = Session.open(SessionSetup.resumed(SessionJournal.open(journal)))) {
+            again.addListener(new SessionListener() {
+                @Override
+                public void onNotice(String text) {
+                    notices.add(text);
+                }
+            });
+            again.reconnect();
+
+            Await.until("it is told", TestSession.WITHIN_S, () -> !notices.isEmpty());
+            assertThat(notices)
+                    .containsExactly(
+                            "sim was simulated by an earlier process and is missing: this session has nobody who "
+                                    + "makes simulated boats; connect a boat of that name, or drop it");
+        }
+    }
+
+    @Test
+    void tracksOfBoatsAreInTheJournal() throws Exception {
+        Path journal = folder.resolve("session.journal");
+        Session session = world.opened(TestSession.library("clv"), journal);
+        session.begin();
+        TestSession.get(session.fleet().addSimulated("sim", TestSession.PIER, 1));
+        awaitPosition(session, "sim", at -> true);
+        GeoPoint there = drivenAway(session, "sim");
+        session.leave();
+        session.close();
+
+        List<GeoPoint> track = new ArrayList<>();
+        try (SessionJournal read = SessionJournal.open(journal)) {
+            SessionTelemetry.read(read.earlier(), new SessionTelemetry.Reader() {
+                @Override
+                public void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {
+                    track.add(told.position());
+                }
+            });
+        }
+
+        assertThat(track).hasSizeBetween(3, 60);
+        assertThat(Geodesy.distanceM(track.get(0), TestSession.PIER)).isLessThan(5);
+        assertThat(Geodesy.distanceM(track.get(track.size() - 1), there)).isLessThan(5);
     }
 }
