@@ -74,6 +74,11 @@ public final class RowTable<R> extends JScrollPane {
             if (cell instanceof JLabel label) {
                 boolean right = columns.get(column).right();
                 label.setHorizontalAlignment(right ? SwingConstants.RIGHT : SwingConstants.LEFT);
+                label.setBorder(BorderFactory.createEmptyBorder(
+                        Look.px(Spacing.TIGHT),
+                        Look.px(Spacing.NORMAL),
+                        Look.px(Spacing.TIGHT),
+                        Look.px(Spacing.NORMAL)));
             }
             return cell;
         };

@@ -23,6 +23,7 @@ public final class MissionMonitor extends JPanel {
     private final OperatorContext context;
     private final JTabbedPane tabs = new JTabbedPane();
     private final Map<Long, MissionView> views = new LinkedHashMap<>();
+    private final PlansPanel plans;
     private final Set<Long> closed = new HashSet<>();
 
     /** The missions of the session. */
@@ -31,11 +32,22 @@ public final class MissionMonitor extends JPanel {
         this.context = context;
         tabs.setName("mission-tabs");
         tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
-        tabs.addTab("Plans", Icons.small("folder"), new PlansPanel(context, starter));
+        plans = new PlansPanel(context, starter);
+        tabs.addTab("Plans", Icons.small("folder"), plans);
         add(tabs);
         addCommands();
         context.models().missions().addListener(this::show);
         show(context.models().missions().snapshot());
+    }
+
+    /** Puts the focus where the first thing is done. */
+    public void focusFirst() {
+        plans.first().requestFocusInWindow();
+    }
+
+    /** Shows the plans of the newest project. */
+    public void reloadPlans() {
+        plans.reload();
     }
 
     private void addCommands() {

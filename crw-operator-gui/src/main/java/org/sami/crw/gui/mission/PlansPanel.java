@@ -11,6 +11,7 @@ import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.start.SessionOpener;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -89,14 +90,17 @@ public final class PlansPanel extends JPanel {
         title.setText(loaded.name().isEmpty() ? loaded.id() : loaded.name());
         table.show(loaded.plans());
         if (table.selected().isEmpty() && !loaded.plans().isEmpty()) {
-            table.table().setRowSelectionInterval(0, 0);
+            String offered = loaded.plan(SessionOpener.OFFERED_PLAN).isPresent()
+                    ? SessionOpener.OFFERED_PLAN
+                    : loaded.plans().get(0).id();
+            table.selectKeys(Set.of(offered));
+            context.commands().refresh();
         }
     }
 
-    /** Selects the plan of an id, as somebody offers to start it. */
-    public void select(String plan) {
-        table.selectKeys(Set.of(plan));
-        start.refresh();
+    /** Where the focus is to be when the window opens. */
+    JComponent first() {
+        return table.table();
     }
 
     private void startSelected() {

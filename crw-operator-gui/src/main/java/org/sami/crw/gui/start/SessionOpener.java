@@ -27,6 +27,9 @@ import org.sami.ui.EventThread;
 public final class SessionOpener {
     private static final String DOMAIN = "/org/sami/domain/crw";
     private static final String BEACH = DOMAIN + "/deployments/katara-beach.json";
+    /** The plan that is offered first, where the project has it. */
+    public static final String OFFERED_PLAN = "explore-team";
+
     private static final String FLEET = "fleet";
     private static final String BUILT_IN = "built-in";
 

@@ -47,8 +47,7 @@ public final class StatusStrip extends JPanel {
      * @param showAlarms brings the alarms to the front
      */
     public StatusStrip(OperatorContext context, FleetStopCommands fleetStop, Command showAlarms) {
-        super(new MigLayout(
-                "insets 6 12 6 8, gap 20, hidemode 3", "[][][][]20:push[grow 0, shrink 200]push[][][][][]", "[]"));
+        super(new MigLayout("insets 6 12 6 8, gap 20", "[][][][]20:push[grow 0, shrink 200]push[][][]", "[]"));
         this.context = context;
         this.fleetStop = fleetStop;
         setName("status-strip");
@@ -69,9 +68,12 @@ public final class StatusStrip extends JPanel {
         add(notice, "wmin 0");
         add(clock);
         add(alarms, "h 40!");
-        add(release);
-        add(confirm);
-        add(stop, "h 44!");
+        JPanel stops = new JPanel(new MigLayout("insets 0, gap 8, hidemode 3", "[][][]", "[]"));
+        stops.setOpaque(false);
+        stops.add(release);
+        stops.add(confirm);
+        stops.add(stop, "h 44!");
+        add(stops);
         fleetStop.onChange(this::refresh);
         context.notices().addListener(this::show);
         style();

@@ -15,6 +15,7 @@ import org.sami.crw.gui.boat.BoatsPanel;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.Notices;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.map.MapPanel;
 import org.sami.crw.gui.mission.AllocationPanel;
 import org.sami.crw.gui.mission.InterruptsPanel;
 import org.sami.crw.gui.mission.MissionMonitor;
@@ -43,6 +44,8 @@ public final class OperatorWindow {
     private final DataDirectory data;
     private final JFrame frame = new JFrame("SAMI operator");
     private final DockArea dock;
+    private final MapPanel map;
+    private final MissionMonitor missions;
     private final CommandKeys keys;
     private final Timer refresh;
 
@@ -56,16 +59,14 @@ public final class OperatorWindow {
         this.data = data;
         OperatorContext context = new OperatorContext(
                 session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
-        WindowCommands commands = new WindowCommands(context, frame, settings);
         FleetStopCommands fleetStop = new FleetStopCommands(context);
         BoatsPanel boats = new BoatsPanel(context);
         BoatPanel boat = new BoatPanel(context);
+        map = new MapPanel(context);
+        missions = new MissionMonitor(context, new MissionStarter(context, settings));
         List<DockPanel> panels = List.of(
-                new DockPanel(
-                        "missions",
-                        "Missions",
-                        "net",
-                        new MissionMonitor(context, new MissionStarter(context, settings))),
+                new DockPanel("map", "Map", "map", map),
+                new DockPanel("missions", "Missions", "net", missions),
                 new DockPanel("boats", "Boats", "fleet", boats),
                 new DockPanel("boat", "Boat", "boat", boat),
                 new DockPanel("messages", "Messages", "message", new MessagesPanel(context)),
@@ -73,6 +74,7 @@ public final class OperatorWindow {
                 new DockPanel("interrupts", "Interrupts", "interrupt", new InterruptsPanel(context)),
                 new DockPanel("allocation", "Allocation", "allocation", new AllocationPanel(context)));
         dock = new DockArea(frame, panels, FIRST, data.arrangement());
+        WindowCommands commands = new WindowCommands(context, frame, settings, missions::reloadPlans);
         commands.addPanels(dock);
         commands.addEnd(this::end);
         StatusStrip strip =
@@ -88,6 +90,7 @@ public final class OperatorWindow {
             strip.refresh();
             boats.refresh();
             boat.refresh();
+            map.refresh();
         });
         frame.addWindowListener(new WindowAdapter() {
             @Override
@@ -97,13 +100,14 @@ public final class OperatorWindow {
         });
     }
 
-    private static final Arrangement FIRST = Arrangement.of("boats")
-            .right("missions", "boats", 0.5)
-            .below("boat", "boats", 0.5)
-            .below("messages", "missions", 0.4)
+    private static final Arrangement FIRST = Arrangement.of("map")
+            .right("missions", "map", 0.42)
+            .below("boats", "map", 0.3)
+            .behind("boat", "boats")
+            .below("interrupts", "missions", 0.3)
+            .right("messages", "interrupts", 0.62)
             .behind("alarms", "messages")
-            .behind("allocation", "messages")
-            .right("interrupts", "messages", 0.35);
+            .behind("allocation", "messages");
 
     /** Shows it, as large as the screen allows. */
     public void open() {
@@ -112,6 +116,7 @@ public final class OperatorWindow {
         frame.setLocationRelativeTo(null);
         frame.setVisible(true);
         dock.arrange();
+        missions.focusFirst();
         refresh.start();
     }
 
@@ -120,6 +125,7 @@ public final class OperatorWindow {
         refresh.stop();
         keys.close();
         dock.close();
+        map.close();
         frame.dispose();
         boolean unfinished = !session.models().missions().snapshot().running().isEmpty();
         Thread farewell = new Thread(() -> leave(unfinished), "farewell");

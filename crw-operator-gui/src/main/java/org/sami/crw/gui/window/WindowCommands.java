@@ -25,8 +25,10 @@ final class WindowCommands {
     private final OperatorContext context;
     private final JFrame frame;
     private final WindowSettings settings;
+    private final Runnable projectLoaded;
 
-    WindowCommands(OperatorContext context, JFrame frame, WindowSettings settings) {
+    WindowCommands(OperatorContext context, JFrame frame, WindowSettings settings, Runnable projectLoaded) {
+        this.projectLoaded = projectLoaded;
         this.context = context;
         this.frame = frame;
         this.settings = settings;
@@ -126,7 +128,7 @@ final class WindowCommands {
             return;
         }
         context.tell(
-                context.session().load(reading.result().get()),
+                context.session().load(reading.result().get()).thenAccept(version -> projectLoaded.run()),
                 file.getFileName() + " is loaded; missions that start now have its plans");
     }
 }

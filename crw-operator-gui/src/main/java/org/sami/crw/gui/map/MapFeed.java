@@ -1,0 +1,148 @@
+package org.sami.crw.gui.map;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.markup.MapRelevance.Visualization;
+import org.sami.crw.operator.map.MapSnapshot;
+import org.sami.crw.operator.map.SensorLayer;
+import org.sami.crw.operator.map.ShownBoat;
+import org.sami.crw.operator.map.ShownLayer;
+import org.sami.crw.service.field.FieldGrid;
+import org.sami.spn.value.GeoPoint;
+import org.sami.ui.geo.GeoBounds;
+import org.sami.ui.map.AreaLayer;
+import org.sami.ui.map.HeatLayer;
+import org.sami.ui.map.HeatMap;
+import org.sami.ui.map.MapLayers;
+import org.sami.ui.map.PathLayer;
+import org.sami.ui.map.PlannedPath;
+import org.sami.ui.map.PointLayer;
+import org.sami.ui.map.ShownArea;
+import org.sami.ui.map.ShownVehicle;
+import org.sami.ui.map.Track;
+import org.sami.ui.map.TrackLayer;
+import org.sami.ui.map.VehicleLayer;
+
+/** Puts a snapshot of the map's model into the layers of a map. The layers follow the model: what is off there has nothing here. */
+final class MapFeed {
+    private final OperatorContext context;
+    private final HeatLayer data = new HeatLayer("data", "Sensor data");
+    private final AreaLayer areas = new AreaLayer("areas", "Areas");
+    private final TrackLayer tracks = new TrackLayer("tracks", "Past paths");
+    private final PathLayer paths = new PathLayer("paths", "Paths");
+    private final PointLayer places = new PointLayer("places", "Places");
+    private final VehicleLayer boats = new VehicleLayer("boats", "Boats");
+
+    MapFeed(OperatorContext context, MapLayers layers) {
+        this.context = context;
+        List.of(data, areas, tracks, paths, places, boats).forEach(layers::add);
+    }
+
+    void show(MapSnapshot map) {
+        data.show(map.data().stream().findFirst().map(MapFeed::heat));
+        areas.show(map.areas().stream()
+                .map(area -> new ShownArea(
+                        area.layer().name() + "/" + area.mission() + "/" + area.name(),
+                        area.name(),
+                        area.area(),
+                        kind(area.layer())))
+                .toList());
+        tracks.show(map.tracks().stream()
+                .map(track -> new Track(
+                        track.boat(),
+                        context.marks().of(track.boat()),
+                        track.points().stream().map(point -> point.position()).toList()))
+                .toList());
+        Map<String, GeoPoint> at = new HashMap<>();
+        map.boats().forEach(boat -> at.put(boat.boat(), boat.position()));
+        paths.show(map.paths().stream()
+                .map(path -> new PlannedPath(
+                        path.command(),
+                        context.marks().of(path.boat()),
+                        path.current() && path.visited() == 0
+                                ? fromBoat(at.get(path.boat()), path.points())
+                                : path.points(),
+                        !path.current() ? 0 : Math.min(path.points().size(), Math.max(1, path.visited()))))
+                .toList());
+        places.show(map.places().stream()
+                .map(place ->
+                        new PointLayer.MapPoint(place.mission() + "/" + place.name(), place.name(), place.point()))
+                .toList());
+        boats.show(map.boats().stream().map(this::vehicle).toList());
+    }
+
+    /** The first leg begins at the boat. */
+    private static List<GeoPoint> fromBoat(GeoPoint boat, List<GeoPoint> points) {
+        if (boat == null) {
+            return points;
+        }
+        List<GeoPoint> all = new ArrayList<>();
+        all.add(boat);
+        all.addAll(points);
+        return all;
+    }
+
+    private static ShownArea.Kind kind(ShownLayer layer) {
+        return switch (layer) {
+            case NO_GO -> ShownArea.Kind.NO_GO;
+            case FENCE -> ShownArea.Kind.FENCE;
+            default -> ShownArea.Kind.WORK;
+        };
+    }
+
+    private ShownVehicle vehicle(ShownBoat boat) {
+        return new ShownVehicle(
+                boat.boat(),
+                boat.boat(),
+                context.marks().of(boat.boat()),
+                boat.position(),
+                boat.headingRad(),
+                boat.headingRad(),
+                boat.speedMps(),
+                Math.max(0, context.nowMillis() - boat.poseAtMillis()) / 1000.0,
+                context.boats().contains(boat.boat()) || boat.highlighted());
+    }
+
+    /** The grid counts its rows from the south, the map from the north. */
+    private static HeatMap heat(SensorLayer layer) {
+        FieldGrid grid = layer.grid();
+        List<Double> values = new ArrayList<>();
+        for (int row = grid.rows() - 1; row >= 0; row--) {
+            for (int column = 0; column < grid.columns(); column++) {
+                values.add(grid.value(column, row).orElse(Double.NaN));
+            }
+        }
+        GeoPoint corner = grid.southWest();
+        GeoBounds bounds = new GeoBounds(
+                corner.latDeg(),
+                corner.lonDeg(),
+                corner.latDeg() + grid.rows() * grid.latStepDeg(),
+                corner.lonDeg() + grid.columns() * grid.lonStepDeg());
+        double most = grid.greatest() > grid.least() ? grid.greatest() : grid.least() + 1;
+        return new HeatMap(
+                layer.channel().toString(),
+                layer.channel().unit(),
+                bounds,
+                grid.columns(),
+                grid.rows(),
+                values,
+                grid.least(),
+                most,
+                layer.visualization() == Visualization.THRESHOLD
+                        ? OptionalDouble.of(layer.threshold())
+                        : OptionalDouble.empty());
+    }
+
+    /** The box around boats and areas, for the first look. */
+    static Optional<GeoBounds> bounds(MapSnapshot map) {
+        List<GeoPoint> points = new ArrayList<>();
+        map.boats().forEach(boat -> points.add(boat.position()));
+        map.areas().forEach(area -> points.addAll(area.area().outline()));
+        return GeoBounds.of(points);
+    }
+}

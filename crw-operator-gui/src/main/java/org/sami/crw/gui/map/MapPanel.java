@@ -1,0 +1,205 @@
+package org.sami.crw.gui.map;
+
+import java.awt.BorderLayout;
+import java.awt.Cursor;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import javax.swing.JButton;
+import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JFileChooser;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import net.miginfocom.swing.MigLayout;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.operator.MapModel;
+import org.sami.crw.operator.map.LayerState;
+import org.sami.crw.operator.map.MapSnapshot;
+import org.sami.crw.operator.map.ShownPart;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.Value;
+import org.sami.ui.command.Command;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.geo.GeoBounds;
+import org.sami.ui.look.Icons;
+import org.sami.ui.map.MapClick;
+import org.sami.ui.map.MapKey;
+import org.sami.ui.map.MapListener;
+import org.sami.ui.map.MapView;
+
+/** The map of the session: boats, ways, areas, measured fields; boats are chosen on it and sent somewhere. */
+public final class MapPanel extends JPanel {
+    private static final String HOME = "@home";
+
+    private final OperatorContext context;
+    private final MapView view = new MapView();
+    private final MapFeed feed;
+    private final GuidedMode guided;
+    private final JPanel tools = new JPanel(new MigLayout("insets 4 8 4 8, gap 4", "[]4[]4[]4[]push[]4[]", "[]"));
+    private boolean placed;
+    private boolean pointing;
+    private long partShown;
+
+    /** The map of a session. */
+    public MapPanel(OperatorContext context) {
+        super(new BorderLayout());
+        this.context = context;
+        feed = new MapFeed(context, view.layers());
+        guided = new GuidedMode(context);
+        addTools();
+        add(tools, BorderLayout.NORTH);
+        add(view);
+        view.addMapListener(new MapListener() {
+            @Override
+            public void clicked(MapClick click) {
+                MapPanel.this.clicked(click);
+            }
+
+            @Override
+            public void boxed(List<String> items) {
+                context.boats().select(boatsOf(items));
+            }
+
+            @Override
+            public void problem(String text) {
+                context.notices().refused(text);
+            }
+        });
+        context.boats().addListener(() -> refresh());
+        map().addListener(this::show);
+        show(map().snapshot());
+    }
+
+    private MapModel map() {
+        return context.models().map();
+    }
+
+    private void addTools() {
+        tool("boats-go", "Go here", "ctrl G", "go-to", this::beginPointing);
+        tool("boats-hold", "Hold", "ctrl H", "hold", () -> {
+            context.notices().told(guided.consequence());
+            guided.hold();
+        });
+        tool("boats-home", "Return home", "ctrl shift H", "home", this::goHome);
+        tool("boats-give-back", "Back to missions", "ctrl shift B", "resend", guided::giveBack);
+        JButton layers = new JButton("Layers", Icons.normal("layers"));
+        layers.setName("map-layers");
+        layers.setToolTipText("Choose what the map shows");
+        layers.addActionListener(e -> layersMenu().show(layers, 0, layers.getHeight()));
+        tools.add(layers, "hmin 40");
+        Command measure = new Command("map-measure", "Measure", () -> {
+                    view.canvas().requestFocusInWindow();
+                    view.press(MapKey.MEASURE);
+                })
+                .withKey("ctrl shift L")
+                .withIcon("measure");
+        context.commands().add(measure);
+        Command base = new Command("map-base", "Open a base map…", this::openBaseMap).withIcon("map");
+        tools.add(CommandButton.iconOnly(context.commands().add(base)));
+        Command fit = new Command("map-fit", "Show all", view::fitAll)
+                .withKey("ctrl shift F")
+                .withIcon("fit");
+        context.commands().add(fit);
+    }
+
+    private void tool(String id, String title, String key, String icon, Runnable run) {
+        Command command = context.commands()
+                .add(new Command(id, title, run).withKey(key).withIcon(icon).unless(this::whyNotGuided));
+        context.boats().addListener(command::refresh);
+        tools.add(new CommandButton(command));
+    }
+
+    private Optional<String> whyNotGuided() {
+        return context.boats().boats().isEmpty()
+                ? Optional.of("select boats first, by a click or a box with Shift held")
+                : Optional.empty();
+    }
+
+    private void beginPointing() {
+        pointing = true;
+        view.canvas().setCursor(Cursor.getPredefinedCursor(Cursor.CROSSHAIR_CURSOR));
+        context.notices().told("Click where to go. " + guided.consequence());
+    }
+
+    private void clicked(MapClick click) {
+        if (pointing) {
+            pointing = false;
+            view.canvas().setCursor(Cursor.getDefaultCursor());
+            guided.goTo(click.at());
+            return;
+        }
+        Set<String> next =
+                new LinkedHashSet<>(click.additive() ? context.boats().boats() : List.of());
+        next.addAll(boatsOf(click.item().stream().toList()));
+        context.boats().select(next);
+    }
+
+    private List<String> boatsOf(List<String> items) {
+        return items.stream()
+                .filter(item -> context.models().fleet().boat(item).isPresent())
+                .toList();
+    }
+
+    private void goHome() {
+        context.session().ask(EngineView::globals).thenAccept(globals -> {
+            Value home = globals.get(HOME);
+            if (home instanceof GeoPoint point) {
+                context.notices().told(guided.consequence());
+                guided.goTo(point);
+            } else {
+                context.notices().refused("the project has no point " + HOME + " to return to");
+            }
+        });
+    }
+
+    private JPopupMenu layersMenu() {
+        JPopupMenu menu = new JPopupMenu();
+        for (LayerState state : map().snapshot().layers()) {
+            JCheckBoxMenuItem item = new JCheckBoxMenuItem(state.layer().label(), state.on());
+            item.setName("layer-" + state.layer().label().replace(' ', '-'));
+            item.setToolTipText(state.why());
+            item.addActionListener(e -> map().show(state.layer(), Optional.of(item.isSelected())));
+            menu.add(item);
+        }
+        return menu;
+    }
+
+    private void openBaseMap() {
+        JFileChooser chooser = new JFileChooser();
+        chooser.setDialogTitle("Open a base map (.mbtiles, .geojson)");
+        if (chooser.showOpenDialog(this) == JFileChooser.APPROVE_OPTION) {
+            view.openBaseMap(chooser.getSelectedFile().toPath());
+        }
+    }
+
+    /** Shows the model as it is now; to be called a few times a second, as ages change by themselves. */
+    public void refresh() {
+        feed.show(map().snapshot());
+    }
+
+    private void show(MapSnapshot now) {
+        feed.show(now);
+        if (!placed) {
+            MapFeed.bounds(now).filter(box -> !now.boats().isEmpty()).ifPresent(box -> {
+                placed = true;
+                view.fit(box);
+            });
+        }
+        now.view().filter(part -> part.number() > partShown).ifPresent(this::showPart);
+    }
+
+    private void showPart(ShownPart part) {
+        partShown = part.number();
+        view.fit(new GeoBounds(part.southDeg(), part.westDeg(), part.northDeg(), part.eastDeg()));
+        if (!part.why().isEmpty()) {
+            context.notices().told(part.why());
+        }
+    }
+
+    /** Gives up its files. */
+    public void close() {
+        view.close();
+    }
+}
