@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
+import java.util.function.IntConsumer;
 import java.util.function.Supplier;
 import javax.swing.JOptionPane;
 import org.sami.crw.gui.start.DataDirectory;
@@ -20,7 +21,17 @@ import org.sami.ui.look.Look;
 final class WindowStart {
     private WindowStart() {}
 
+    /** Opens them; the process ends with the window. */
     static void open(StartOptions options, DataDirectory data) throws IOException {
+        open(options, data, System::exit);
+    }
+
+    /**
+     * Opens them.
+     *
+     * @param ended is told when the window was closed and all with it
+     */
+    static OperatorWindow open(StartOptions options, DataDirectory data, IntConsumer ended) throws IOException {
         WindowSettings settings = new WindowSettings(data.settings());
         onEventThread(() -> {
             Look.apply(options.theme().orElse(settings.theme()), options.scale().orElse(settings.scale()));
@@ -32,11 +43,13 @@ final class WindowStart {
         boolean goesOn = unfinished.isPresent()
                 && options.resume().orElseGet(() -> onEventThread(() -> asksToResume(unfinished.get())));
         Session session = goesOn ? opener.resume(unfinished.get()) : opener.openNew();
-        onEventThread(() -> {
-            new OperatorWindow(session, data, settings).open();
-            return null;
+        OperatorWindow window = onEventThread(() -> {
+            OperatorWindow made = new OperatorWindow(session, data, settings, ended);
+            made.open();
+            return made;
         });
         session.begin();
+        return window;
     }
 
     private static boolean asksToResume(Path journal) {

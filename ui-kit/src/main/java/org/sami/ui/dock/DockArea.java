@@ -17,7 +17,8 @@ import javax.swing.JPanel;
 
 /**
  * Where the panels of a window lie. The arrangement is kept in a file as it changes; a file that cannot be used gives the first one.
- * One a process, as Modern Docking keeps its state for the process. On the event thread.
+ * One a process, and no second one after it: Modern Docking keeps state
+ * for the process. On the event thread.
  */
 public final class DockArea extends JPanel implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(DockArea.class.getName());

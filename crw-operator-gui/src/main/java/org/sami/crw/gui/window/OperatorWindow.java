@@ -8,6 +8,7 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.util.List;
+import java.util.function.IntConsumer;
 import javax.swing.JFrame;
 import javax.swing.Timer;
 import org.sami.crw.gui.boat.BoatPanel;
@@ -42,6 +43,7 @@ public final class OperatorWindow {
 
     private final Session session;
     private final DataDirectory data;
+    private final IntConsumer ended;
     private final JFrame frame = new JFrame("SAMI operator");
     private final DockArea dock;
     private final MapPanel map;
@@ -53,8 +55,10 @@ public final class OperatorWindow {
      * A window that is not shown yet.
      *
      * @param data is closed with the window, as the session is
+     * @param ended is told when all is closed: 0, or 4 where something could not be
      */
-    public OperatorWindow(Session session, DataDirectory data, WindowSettings settings) {
+    public OperatorWindow(Session session, DataDirectory data, WindowSettings settings, IntConsumer ended) {
+        this.ended = ended;
         this.session = session;
         this.data = data;
         OperatorContext context = new OperatorContext(
@@ -120,8 +124,18 @@ public final class OperatorWindow {
         refresh.start();
     }
 
+    /** The frame, for those who drive it. */
+    public JFrame frame() {
+        return frame;
+    }
+
+    /** The session that it shows. */
+    public Session session() {
+        return session;
+    }
+
     /** Closes the window, and then, beside the event thread, the session; the process ends with it. */
-    private void end() {
+    public void end() {
         refresh.stop();
         keys.close();
         dock.close();
@@ -145,6 +159,6 @@ public final class OperatorWindow {
             System.err.println("crw-operator: " + fault.getMessage());
             code = 4;
         }
-        System.exit(code);
+        ended.accept(code);
     }
 }

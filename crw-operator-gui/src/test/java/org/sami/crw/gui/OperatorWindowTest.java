@@ -1,0 +1,147 @@
+package org.sami.crw.gui;
+
+import static java.awt.event.KeyEvent.VK_A;
+import static java.awt.event.KeyEvent.VK_CONTROL;
+import static java.awt.event.KeyEvent.VK_ENTER;
+import static java.awt.event.KeyEvent.VK_F12;
+import static java.awt.event.KeyEvent.VK_G;
+import static java.awt.event.KeyEvent.VK_P;
+import static java.awt.event.KeyEvent.VK_SHIFT;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowable;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.Component;
+import java.awt.GraphicsEnvironment;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.TestInstance.Lifecycle;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.BoatMode;
+import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.gui.start.StartOptions;
+import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.operator.MissionSnapshot;
+import org.sami.spn.protocol.Outcome;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.Theme;
+
+/** Drives the real window with its built-in fleet by pointer and keys: one window for all, as docking is for one a process. */
+@Tag("window")
+@TestInstance(Lifecycle.PER_CLASS)
+class OperatorWindowTest {
+    private Path folder;
+
+    private final CompletableFuture<Integer> ended = new CompletableFuture<>();
+    private WindowRobot robot;
+    private OperatorWindow window;
+
+    @BeforeAll
+    void open(@TempDir Path data) throws Exception {
+        assumeFalse(
+                GraphicsEnvironment.isHeadless(),
+                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        folder = data;
+        robot = new WindowRobot();
+        StartOptions options = new StartOptions(
+                List.of(), Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
+        window = WindowStart.open(options, DataDirectory.open(folder), ended::complete);
+        robot.untilSaid("boats-count", "5 of 5");
+    }
+
+    @AfterAll
+    void close() throws Exception {
+        if (window != null) {
+            WindowRobot.ask(() -> {
+                window.end();
+                return null;
+            });
+            ended.get(30, TimeUnit.SECONDS);
+        }
+    }
+
+    @Test
+    void oneClickStartsAMissionAndAKeyAbortsIt() {
+        robot.click("mission-start");
+        robot.untilSaid("mission-state", "runs since");
+        assertThat(missions()).hasSize(1);
+
+        robot.press(VK_A, VK_CONTROL, VK_SHIFT);
+
+        robot.untilSaid("mission-state", "aborted");
+        assertThat(missions().get(0).outcome()).contains(Outcome.ABORTED);
+    }
+
+    @Test
+    void oneKeyStopsEveryBoatAndTwoStepsReleaseThem() {
+        robot.press(VK_F12);
+        robot.until("all boats are stopped", () -> boats().stream().allMatch(OperatorWindowTest::isStopped));
+
+        robot.click("fleet-release");
+        assertThat(boats()).allMatch(OperatorWindowTest::isStopped);
+        robot.click("fleet-release-confirm");
+
+        robot.until("all boats are released", () -> boats().stream().noneMatch(OperatorWindowTest::isStopped));
+    }
+
+    @Test
+    void aBoatGoesWhereThePointerSays() {
+        robot.clickRow("boats-table", "emil");
+        BoatSnapshot before = boat("emil");
+
+        robot.press(VK_G, VK_CONTROL);
+        Component map = robot.find(Component.class, "map");
+        robot.clickAt(map, map.getWidth() * 3 / 4, map.getHeight() / 2);
+
+        robot.until("emil is under way", () -> boat("emil").points() == 1);
+        robot.until(
+                "emil has moved",
+                () -> boat("emil").pose().orElseThrow().position().lonDeg()
+                        > before.pose().orElseThrow().position().lonDeg() + 0.00002);
+        assertThat(boat("anna").command()).isEmpty();
+    }
+
+    @Test
+    void aCommandIsFoundByTypingAndChangesTheWindowAtOnce() {
+        robot.press(VK_P, VK_CONTROL, VK_SHIFT);
+        robot.find(Component.class, "command-search-text");
+        robot.type("theme sun");
+        robot.press(VK_ENTER);
+
+        robot.until("the theme is Sun", () -> Look.theme() == Theme.SUN);
+        assertThat(folder.resolve("window.properties")).content().contains("theme=sun");
+    }
+
+    @Test
+    void aSecondWindowNamesTheLock() {
+        assertThat(catchThrowable(() -> DataDirectory.open(folder)))
+                .hasMessageContaining(folder.resolve("lock").toString());
+        assertThat(Files.exists(folder.resolve("open-session"))).isTrue();
+    }
+
+    private List<BoatSnapshot> boats() {
+        return window.session().models().fleet().snapshot();
+    }
+
+    private BoatSnapshot boat(String name) {
+        return window.session().models().fleet().boat(name).orElseThrow();
+    }
+
+    private List<MissionSnapshot> missions() {
+        return window.session().models().missions().snapshot().missions();
+    }
+
+    private static boolean isStopped(BoatSnapshot boat) {
+        return boat.mode().map(mode -> mode == BoatMode.FLEET_STOP).orElse(false);
+    }
+}
