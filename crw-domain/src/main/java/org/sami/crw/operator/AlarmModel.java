@@ -1,7 +1,6 @@
 package org.sami.crw.operator;
 
 import java.util.Comparator;
-import java.util.EnumMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,18 +8,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
-import org.sami.boat.link.BatteryLevel;
+import java.util.function.Predicate;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.operator.Alarm.Kind;
-import org.sami.crw.proxy.BoatExplanation.Cause;
-import org.sami.crw.proxy.BoatPose;
-import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.tcp.LinkAlarm;
-import org.sami.crw.service.water.Water;
 
 /**
- * The alarms: the worst first, of equal ones the newest. Each kind is raised once a boat, stays while it is so, and is gone when it is
- * over and acknowledged. Follows the snapshots of boats and the fleet's events.
+ * The alarms: the worst first, of equal ones the newest. Each kind is raised once a boat, or once two boats, stays while it is so, and is
+ * gone when it is over and acknowledged. Follows the snapshots of boats, their command queues and the fleet's events.
  */
 public final class AlarmModel extends Model<List<Alarm>> {
     private static final Comparator<Alarm> ORDER = Comparator.comparing(
@@ -28,109 +23,167 @@ public final class AlarmModel extends Model<List<Alarm>> {
             .thenComparingLong(Alarm::sinceMillis)
             .reversed()
             .thenComparing(Alarm::kind)
-            .thenComparing(Alarm::boat);
+            .thenComparing(Alarm::boat)
+            .thenComparing(Alarm::other);
 
     private final Consumer<Runnable> inbox;
+    private final CommandModel commands;
+    private final OperatorLog log;
+    private final FenceCheck fence = new FenceCheck();
+    private final BoatAlarms boatAlarms = new BoatAlarms(fence);
+    private final ApproachCheck approaches = new ApproachCheck();
     private final Map<Key, Alarm> alarms = new LinkedHashMap<>();
+    private final Map<String, BoatSnapshot> boats = new LinkedHashMap<>();
     private final Set<Key> muted = new HashSet<>();
-    private Optional<Water> water = Optional.empty();
+    private volatile long sampledEveryMillis;
+    private long raised;
 
-    private record Key(Kind kind, String boat) {}
+    private record Key(Kind kind, String boat, String other) {
+        static Key of(Kind kind, String boat) {
+            return new Key(kind, boat, "");
+        }
 
-    AlarmModel(Consumer<Runnable> inbox) {
-        super(List.of());
-        this.inbox = inbox;
+        static Key of(Alarm alarm) {
+            return new Key(alarm.kind(), alarm.boat(), alarm.other());
+        }
+
+        boolean concerns(String one) {
+            return boat.equals(one) || other.equals(one);
+        }
     }
 
-    /** From now on boats that are outside of this area raise {@link Kind#FENCE}. */
+    AlarmModel(Consumer<Runnable> inbox, CommandModel commands, OperatorLog log) {
+        super(List.of());
+        this.inbox = inbox;
+        this.commands = commands;
+        this.log = log;
+    }
+
+    /** Boats are seen once in this time, if nothing happens. From any thread. */
+    void sampledEvery(long periodMillis) {
+        sampledEveryMillis = periodMillis;
+    }
+
+    /** From now on boats that are, or are sent, outside of this area raise {@link Kind#FENCE} and {@link Kind#FENCE_AHEAD}. */
     void setArea(OperatingArea area, long atMillis) {
         Optional<String> unusable = Optional.empty();
         try {
-            water = area.water();
+            fence.setWater(area.water());
         } catch (IllegalArgumentException crossed) {
-            water = Optional.empty();
+            fence.setWater(Optional.empty());
             unusable = Optional.of("No boat is held to the fence: " + crossed.getMessage());
         }
-        set(new Key(Kind.FENCE, ""), unusable, atMillis);
+        set(Key.of(Kind.FENCE, ""), unusable, atMillis);
+        boats.values().forEach(boat -> seen(boat, atMillis));
     }
 
-    /** The operator knows an alarm; if it is over, it goes. One that is gone changes nothing. From any thread. */
+    // ---- what the operator does; from any thread
+
+    /** The operator knows an alarm, by its number; if it is over, it goes. One that is gone changes nothing. */
+    public void acknowledge(long number) {
+        acknowledge(alarm -> alarm.number() == number);
+    }
+
+    /** The operator knows the alarms of a kind about a boat; those that are over go. */
     public void acknowledge(Kind kind, String boat) {
+        acknowledge(alarm -> alarm.kind() == kind && alarm.boat().equals(boat));
+    }
+
+    private void acknowledge(Predicate<Alarm> which) {
         inbox.accept(() -> {
-            Key key = new Key(kind, boat);
-            Alarm alarm = alarms.get(key);
-            if (alarm != null && !alarm.active()) {
-                alarms.remove(key);
-            } else if (alarm != null) {
-                put(key, alarm.text(), alarm.sinceMillis(), true, true);
+            for (Alarm alarm : List.copyOf(alarms.values())) {
+                if (which.test(alarm) && !alarm.acknowledged()) {
+                    log.add(OperatorLogEntry.Kind.ACKNOWLEDGED, alarm.text(), alarm.boat());
+                    if (alarm.active()) {
+                        put(new Alarm(
+                                alarm.number(),
+                                alarm.kind(),
+                                alarm.boat(),
+                                alarm.other(),
+                                alarm.text(),
+                                alarm.sinceMillis(),
+                                true,
+                                true,
+                                alarm.muted()));
+                    } else {
+                        alarms.remove(Key.of(alarm));
+                    }
+                }
             }
             change();
         });
     }
 
-    /** Alarms of a kind about a boat make no sound from now on, or do again. From any thread. */
+    /** Alarms of a kind about a boat make no sound from now on, or do again. */
     public void mute(Kind kind, String boat, boolean mute) {
         inbox.accept(() -> {
-            Key key = new Key(kind, boat);
-            if (mute) {
-                muted.add(key);
-            } else {
-                muted.remove(key);
+            Key key = Key.of(kind, boat);
+            boolean changed = mute ? muted.add(key) : muted.remove(key);
+            if (changed) {
+                log.add(
+                        OperatorLogEntry.Kind.MUTED,
+                        (mute ? "alarms make no sound: " : "alarms are heard again: ") + kind,
+                        boat);
             }
-            alarms.computeIfPresent(key, (k, a) -> alarm(key, a.text(), a.sinceMillis(), a.active(), a.acknowledged()));
+            for (Alarm alarm : List.copyOf(alarms.values())) {
+                put(
+                        alarm.number(),
+                        Key.of(alarm),
+                        alarm.text(),
+                        alarm.sinceMillis(),
+                        alarm.active(),
+                        alarm.acknowledged());
+            }
             change();
         });
     }
+
+    // ---- what happens; on the owner's thread
 
     /** A boat is known as this now. */
     void seen(BoatSnapshot boat, long atMillis) {
-        wrong(boat).forEach((kind, text) -> set(new Key(kind, boat.boat()), text, atMillis));
+        boats.put(boat.boat(), boat);
+        boatAlarms
+                .wrong(boat, commands.queue(boat.boat()))
+                .forEach((kind, text) -> set(Key.of(kind, boat.boat()), text, atMillis));
+        boat.pose()
+                .ifPresent(pose -> approaches
+                        .at(boat.boat(), pose, atMillis)
+                        .forEach((other, text) -> set(pair(boat.boat(), other), text, atMillis)));
     }
 
-    /** What is wrong with a boat, by each kind that its snapshot tells. */
-    private Map<Kind, Optional<String>> wrong(BoatSnapshot boat) {
-        Map<Kind, Optional<String>> wrong = new EnumMap<>(Kind.class);
-        Cause cause = boat.why().cause();
-        wrong.put(
-                Kind.LINK_LOST,
-                when(boat.link() == LinkState.LOST, "The link to " + boat.boat() + " is lost; its commands wait"));
-        wrong.put(
-                Kind.BATTERY_CRITICAL,
-                boat.battery()
-                        .filter(battery -> battery.level() == BatteryLevel.CRITICAL)
-                        .map(battery -> "The battery of " + boat.boat() + " is critical"));
-        wrong.put(
-                Kind.BOAT_CRITICAL,
-                when(
-                        cause == Cause.STARTED_ANEW || cause == Cause.REFUSES || cause == Cause.BATTERY_EMPTY,
-                        boat.why().text()));
-        wrong.put(
-                Kind.NO_PROGRESS, when(cause == Cause.NO_PROGRESS, boat.boat() + " comes no nearer to its next point"));
-        wrong.put(Kind.FENCE, when(isOutside(boat), boat.boat() + " is outside of the water in which boats may go"));
-        return wrong;
+    private static Key pair(String one, String two) {
+        return one.compareTo(two) < 0 ? new Key(Kind.APPROACH, one, two) : new Key(Kind.APPROACH, two, one);
     }
 
-    private boolean isOutside(BoatSnapshot boat) {
-        Optional<BoatPose> pose = boat.pose();
-        return water.isPresent()
-                && pose.isPresent()
-                && water.get().clearanceM(pose.get().position()) <= 0;
-    }
-
-    private static Optional<String> when(boolean is, String text) {
-        return is ? Optional.of(text) : Optional.empty();
+    /** Time has passed: a boat that says nothing is not seen. */
+    void tick(long nowMillis) {
+        boats.values()
+                .forEach(boat -> set(
+                        Key.of(Kind.STALE_POSE, boat.boat()),
+                        BoatAlarms.stale(boat, nowMillis, sampledEveryMillis),
+                        nowMillis));
     }
 
     void apply(FleetEvent event, long atMillis) {
         if (event instanceof FleetEvent.LinkAlarmed e) {
-            set(new Key(kindOf(e.alarm()), e.boat()), Optional.of(e.alarm().text()), atMillis);
+            set(Key.of(kindOf(e.alarm()), e.boat()), Optional.of(e.alarm().text()), atMillis);
         } else if (event instanceof FleetEvent.Moved) {
-            set(new Key(Kind.DUPLICATE_ID, event.boat()), Optional.empty(), atMillis);
+            set(Key.of(Kind.DUPLICATE_ID, event.boat()), Optional.empty(), atMillis);
+        } else if (event instanceof FleetEvent.QueueChanged || event instanceof FleetEvent.UploadAdvanced) {
+            Optional.ofNullable(boats.get(event.boat())).ifPresent(boat -> seen(boat, atMillis));
         } else if (event instanceof FleetEvent.Removed) {
-            for (Key key : List.copyOf(alarms.keySet())) {
-                if (key.boat().equals(event.boat())) {
-                    set(key, Optional.empty(), atMillis);
-                }
+            removed(event.boat(), atMillis);
+        }
+    }
+
+    private void removed(String boat, long atMillis) {
+        boats.remove(boat);
+        boatAlarms.remove(boat);
+        approaches.remove(boat);
+        for (Key key : List.copyOf(alarms.keySet())) {
+            if (key.concerns(boat)) {
+                set(key, Optional.empty(), atMillis);
             }
         }
     }
@@ -147,23 +200,39 @@ public final class AlarmModel extends Model<List<Alarm>> {
         Alarm before = alarms.get(key);
         if (text.isPresent()) {
             boolean goesOn = before != null && before.active();
-            put(key, text.get(), goesOn ? before.sinceMillis() : atMillis, true, goesOn && before.acknowledged());
+            long number = goesOn ? before.number() : ++raised;
+            put(
+                    number,
+                    key,
+                    text.get(),
+                    goesOn ? before.sinceMillis() : atMillis,
+                    true,
+                    goesOn && before.acknowledged());
         } else if (before != null && before.acknowledged()) {
             alarms.remove(key);
-        } else if (before != null) {
-            put(key, before.text(), before.sinceMillis(), false, false);
+        } else if (before != null && before.active()) {
+            put(before.number(), key, before.text(), before.sinceMillis(), false, false);
         } else {
             return;
         }
         change();
     }
 
-    private void put(Key key, String text, long sinceMillis, boolean active, boolean acknowledged) {
-        alarms.put(key, alarm(key, text, sinceMillis, active, acknowledged));
+    private void put(long number, Key key, String text, long sinceMillis, boolean active, boolean acknowledged) {
+        put(new Alarm(
+                number,
+                key.kind(),
+                key.boat(),
+                key.other(),
+                text,
+                sinceMillis,
+                active,
+                acknowledged,
+                muted.contains(Key.of(key.kind(), key.boat()))));
     }
 
-    private Alarm alarm(Key key, String text, long sinceMillis, boolean active, boolean acknowledged) {
-        return new Alarm(key.kind(), key.boat(), text, sinceMillis, active, acknowledged, muted.contains(key));
+    private void put(Alarm alarm) {
+        alarms.put(Key.of(alarm), alarm);
     }
 
     @Override

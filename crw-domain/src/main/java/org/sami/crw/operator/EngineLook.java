@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.crw.markup.MarkupReader;
 import org.sami.crw.operator.MissionSnapshot.Details;
 import org.sami.spn.engine.EnablingExplanation;
 import org.sami.spn.engine.EngineView;
@@ -13,10 +14,12 @@ import org.sami.spn.engine.InterruptButton;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventRole;
@@ -59,7 +62,7 @@ record EngineLook(Map<Long, Details> details, List<InterruptChoice> buttons) {
             Map<String, Boolean> offered,
             List<InterruptChoice> buttons) {
         offered.forEach((name, asks) -> buttons.add(
-                new InterruptChoice(mission.id(), name, asks, whyNot(view, vocabulary, mission, plan, name))));
+                button(vocabulary, mission, plan, name, asks, whyNot(view, vocabulary, mission, plan, name))));
         for (Place place : plan.places()) {
             for (OutputEventSpec output : place.outputs()) {
                 EventRole role = role(vocabulary, output.type());
@@ -67,14 +70,42 @@ record EngineLook(Map<Long, Details> details, List<InterruptChoice> buttons) {
                 boolean isButton = role == EventRole.GENERAL_INTERRUPT || role == EventRole.PROXY_INTERRUPT;
                 if (isButton && name.isPresent() && !offered.containsKey(name.get())) {
                     String placeName = place.name().isEmpty() ? place.id() : place.name();
-                    buttons.add(new InterruptChoice(
-                            mission.id(),
+                    buttons.add(button(
+                            vocabulary,
+                            mission,
+                            plan,
                             name.get(),
                             role == EventRole.PROXY_INTERRUPT,
                             "No token stands in '" + placeName + "'"));
                 }
             }
         }
+    }
+
+    /** With what the markup of the events says that offer it or take it. */
+    private static InterruptChoice button(
+            Vocabulary vocabulary, MissionView mission, Plan plan, String name, boolean asks, String whyNot) {
+        List<MarkupSpec> markups = new ArrayList<>();
+        for (Transition transition : plan.transitions()) {
+            transition.inputs().stream()
+                    .filter(input -> isPress(role(vocabulary, input.type())) && isNamed(input, name))
+                    .forEach(input -> markups.addAll(input.markups()));
+        }
+        for (Place place : plan.places()) {
+            place.outputs().stream()
+                    .filter(output ->
+                            name(output.fields().get(Reserved.INTERRUPT_NAME)).equals(Optional.of(name)))
+                    .forEach(output -> markups.addAll(output.markups()));
+        }
+        MarkupReader reader = new MarkupReader(markups);
+        return new InterruptChoice(
+                mission.id(),
+                plan.title(),
+                name,
+                asks,
+                reader.constant("Priority", "rank", Priority.class).orElse(Priority.MEDIUM),
+                reader.text("Description", "source"),
+                whyNot);
     }
 
     /** Why no transition could take a press; empty where one could, as far as it does not depend on the boats that are chosen. */

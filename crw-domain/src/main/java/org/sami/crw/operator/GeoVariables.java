@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.sami.crw.operator.map.ShownArea;
+import org.sami.crw.operator.map.NamedArea;
 import org.sami.crw.operator.map.ShownLayer;
 import org.sami.crw.operator.map.ShownPlace;
 import org.sami.spn.protocol.Effect;
@@ -64,19 +64,19 @@ final class GeoVariables {
         return OperatingArea.of(variables.get(Ids.NONE), remembered);
     }
 
-    List<ShownArea> areas() {
-        List<ShownArea> areas = new ArrayList<>();
+    List<NamedArea> areas() {
+        List<NamedArea> areas = new ArrayList<>();
         OperatingArea operating = operatingArea();
         variables.forEach((mission, values) -> values.forEach((name, value) -> {
             if (!(mission == Ids.NONE && name.equals(OperatingArea.FENCE))) {
                 ShownLayer layer = name.equals(OperatingArea.NO_GO) ? ShownLayer.NO_GO : ShownLayer.AREAS;
                 OperatingArea.areas(Optional.of(value))
-                        .forEach(area -> areas.add(new ShownArea(layer, mission, name, area)));
+                        .forEach(area -> areas.add(new NamedArea(layer, mission, name, area)));
             }
         }));
         operating
                 .fence()
-                .ifPresent(fence -> areas.add(new ShownArea(
+                .ifPresent(fence -> areas.add(new NamedArea(
                         ShownLayer.FENCE, Ids.NONE, operating.byHand() ? "fence" : OperatingArea.FENCE, fence)));
         return areas;
     }

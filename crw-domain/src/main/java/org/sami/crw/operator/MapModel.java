@@ -17,9 +17,9 @@ import org.sami.crw.markup.MapRelevance;
 import org.sami.crw.markup.MapRelevance.Visualization;
 import org.sami.crw.operator.map.LayerState;
 import org.sami.crw.operator.map.MapSnapshot;
+import org.sami.crw.operator.map.NamedArea;
 import org.sami.crw.operator.map.SensorChannel;
 import org.sami.crw.operator.map.SensorLayer;
-import org.sami.crw.operator.map.ShownArea;
 import org.sami.crw.operator.map.ShownBoat;
 import org.sami.crw.operator.map.ShownLayer;
 import org.sami.crw.operator.map.ShownPath;
@@ -300,12 +300,12 @@ public final class MapModel extends Model<MapSnapshot> {
         return event.relevance(List.of()).area();
     }
 
-    private List<ShownArea> areas(List<MarkedEvent> now) {
-        List<ShownArea> areas = new ArrayList<>(variables.areas());
+    private List<NamedArea> areas(List<MarkedEvent> now) {
+        List<NamedArea> areas = new ArrayList<>(variables.areas());
         now.forEach(event -> area(event)
                 .flatMap(MapRelevance.Area::area)
                 .ifPresent(area ->
-                        areas.add(new ShownArea(ShownLayer.RELEVANT_AREA, event.mission(), event.words(), area))));
+                        areas.add(new NamedArea(ShownLayer.RELEVANT_AREA, event.mission(), event.words(), area))));
         areas.removeIf(area -> area.mission() != 0 && !isShown(area.mission()));
         return areas;
     }

@@ -22,6 +22,7 @@ public final class MessageList extends Model<List<MessageEntry>> {
 
     private final int capacity;
     private final Consumer<Runnable> inbox;
+    private final OperatorLog log;
     private final TreeSet<MessageEntry> entries = new TreeSet<>(ORDER);
     private final Set<String> muted = new HashSet<>();
     private long told;
@@ -30,14 +31,16 @@ public final class MessageList extends Model<List<MessageEntry>> {
      * A list that keeps so many messages at most.
      *
      * @param inbox brings changes to the owner's thread
+     * @param log where the operator's acknowledgements go
      */
-    MessageList(int capacity, Consumer<Runnable> inbox) {
+    MessageList(int capacity, Consumer<Runnable> inbox, OperatorLog log) {
         super(List.of());
         if (capacity < 1) {
             throw new IllegalArgumentException("A message list keeps at least one message, not " + capacity);
         }
         this.capacity = capacity;
         this.inbox = inbox;
+        this.log = log;
     }
 
     void add(OperatorMessage message) {
@@ -55,8 +58,19 @@ public final class MessageList extends Model<List<MessageEntry>> {
 
     /** The operator knows a message; one that is gone changes nothing. From any thread; done a little later. */
     public void acknowledge(long number) {
-        inbox.accept(() -> replace(entry ->
-                entry.number() == number ? new MessageEntry(number, entry.message(), true, entry.muted()) : entry));
+        inbox.accept(() -> replace(entry -> entry.number() == number ? acknowledged(entry) : entry));
+    }
+
+    private MessageEntry acknowledged(MessageEntry entry) {
+        OperatorMessage message = entry.message();
+        if (!entry.acknowledged()) {
+            log.add(
+                    OperatorLogEntry.Kind.ACKNOWLEDGED,
+                    "message " + entry.number() + ": " + message.text(),
+                    message.mission(),
+                    message.boats());
+        }
+        return new MessageEntry(entry.number(), message, true, entry.muted());
     }
 
     /** Messages with a keyword are muted from now on, or no longer; those without one cannot be. From any thread. */

@@ -30,8 +30,6 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
-import org.sami.spn.protocol.NoteKind;
-import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -58,7 +56,10 @@ public final class OperatorModels implements HostListener, MessageSink {
     private final FleetModel fleet;
     private final CommandModel commands = new CommandModel();
     private final InterruptModel interrupts = new InterruptModel();
+    private final OperatorLog log;
+    private final OperatorSteps logged;
     private final AlarmModel alarms;
+    private final CommunicationModel communication = new CommunicationModel();
     private final AllocationModel allocation = new AllocationModel();
     private final ClickModel clicks = new ClickModel();
     private final Queue<CompletableFuture<Void>> awaitShown = new ArrayDeque<>(); // for the owner's thread
@@ -93,25 +94,41 @@ public final class OperatorModels implements HostListener, MessageSink {
         this.nowMillis = nowMillis;
         inbox = new ModelInbox(owner, this::publish);
         decisions = new DecisionQueue(inbox::post);
-        messages = new MessageList(MESSAGES_KEPT, inbox::post);
-        alarms = new AlarmModel(inbox::post);
+        log = new OperatorLog(inbox::post, nowMillis);
+        logged = new OperatorSteps(log);
+        messages = new MessageList(MESSAGES_KEPT, inbox::post, log);
+        alarms = new AlarmModel(inbox::post, commands, log);
         map = new MapModel(inbox::post, commands, variables, computing, nowMillis);
         fleet = new FleetModel(inbox::post, new FleetModel.Listener() {
             @Override
             public void seen(BoatSnapshot boat) {
                 alarms.seen(boat, nowMillis.getAsLong());
+                communication.seen(boat);
                 map.seen(boat);
             }
 
             @Override
             public void gone(String boat) {
+                communication.gone(boat);
                 map.gone(boat);
             }
         });
     }
 
     private void publish() {
-        List.of(decisions, messages, missions, fleet, commands, interrupts, alarms, allocation, clicks, map)
+        List.of(
+                        decisions,
+                        messages,
+                        missions,
+                        fleet,
+                        commands,
+                        interrupts,
+                        alarms,
+                        allocation,
+                        clicks,
+                        communication,
+                        map,
+                        log)
                 .forEach(Model::publish);
         for (CompletableFuture<Void> one = awaitShown.poll(); one != null; one = awaitShown.poll()) {
             one.complete(null);
@@ -170,6 +187,16 @@ public final class OperatorModels implements HostListener, MessageSink {
         return clicks;
     }
 
+    /** How boats stand in their missions, and their links. */
+    public CommunicationModel communication() {
+        return communication;
+    }
+
+    /** What operators did. */
+    public OperatorLog log() {
+        return log;
+    }
+
     /** What is to be drawn on the map. */
     public MapModel map() {
         return map;
@@ -179,10 +206,22 @@ public final class OperatorModels implements HostListener, MessageSink {
 
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        take(atMillis, input, effects, view, true);
+    }
+
+    /** As {@link #onStep}, for a step of an earlier process that is heard of again: what the operator did is in the log already. */
+    public void onPastStep(long atMillis, Input input, List<Effect> effects, EngineView view) {
+        take(atMillis, input, effects, view, false);
+    }
+
+    private void take(long atMillis, Input input, List<Effect> effects, EngineView view, boolean isNew) {
         steps.incrementAndGet();
         if (!effects.isEmpty() || !(input instanceof Input.Received)) {
             EngineStep step = EngineStep.of(atMillis, input, effects, view, plans);
-            inbox.post(() -> apply(step));
+            inbox.post(() -> {
+                logged.apply(input, effects, isNew);
+                apply(step);
+            });
         }
     }
 
@@ -195,6 +234,7 @@ public final class OperatorModels implements HostListener, MessageSink {
             operatingAreaChanged();
         }
         map.apply(step);
+        communication.apply(step);
         allocation.apply(step.input(), step.effects(), step.newTasks());
         for (Effect effect : step.effects()) {
             missions.apply(effect, step.plans(), step.atMillis());
@@ -202,8 +242,8 @@ public final class OperatorModels implements HostListener, MessageSink {
                 open(step.presentations().get(opened.decision().id()), step.atMillis());
             } else if (effect instanceof Effect.DecisionClosed closed) {
                 decisions.close(closed.decision(), closed.answer(), closed.by());
-            } else if (effect instanceof Effect.Noted noted && concernsOperator(noted)) {
-                messages.add(messageOf(noted, step.atMillis()));
+            } else {
+                EngineMessages.of(effect, step.atMillis()).ifPresent(messages::add);
             }
         }
     }
@@ -215,6 +255,17 @@ public final class OperatorModels implements HostListener, MessageSink {
 
     private void open(DecisionPresentation presentation, long atMillis) {
         decisions.open(new PendingDecision(presentation, atMillis, false));
+    }
+
+    /** Takes up the areas and places of the project, and where boats may go. As {@link #restore}; also where a state is replayed. */
+    public void restoreAreas(EngineView view) {
+        Map<String, Value> globals = view.globals();
+        Optional<Value> fence = view.memory(Ids.NONE, OperatingArea.MEMORY);
+        inbox.post(() -> {
+            variables.project(globals);
+            variables.remembered(fence);
+            operatingAreaChanged();
+        });
     }
 
     /** Shows what a restored state has: missions, decisions that wait, tasks. On the engine's thread or before the host works. */
@@ -234,18 +285,15 @@ public final class OperatorModels implements HostListener, MessageSink {
         tasks.stream().filter(task -> TaskQueues.isComplete(task, view)).forEach(complete::add);
         Map<TaskId, String> robots = view.allocation();
         Map<String, TaskQueue> queues = TaskQueues.remembered(view);
-        Map<String, Value> globals = view.globals();
-        Optional<Value> fence = view.memory(Ids.NONE, OperatingArea.MEMORY);
         List<MarkedEvent> marked = view.openActivations().stream()
                 .filter(activation -> !activation.markups().isEmpty())
                 .map(MarkedEvent::of)
                 .toList();
         inbox.post(() -> {
-            variables.project(globals);
-            variables.remembered(fence);
             started.forEach((mission, plan) -> variables.mission(mission, plan.variables()));
-            operatingAreaChanged();
             map.restore(marked);
+            communication.restore(marked, atMillis);
+            logged.restore(open.stream().map(DecisionPresentation::decision).toList());
             missions.restore(marking, started, atMillis);
             allocation.restore(tasks, robots, complete, queues);
             open.forEach(presentation -> open(presentation, atMillis));
@@ -275,32 +323,6 @@ public final class OperatorModels implements HostListener, MessageSink {
                 .exceptionally(stopped -> null); // the host takes no more questions: what was known stays
     }
 
-    /** News of a boat that no plan waits for is no news to the operator either: the journal has it. */
-    private static boolean concernsOperator(Effect.Noted noted) {
-        return noted.kind() != NoteKind.DISCARDED || noted.mission() != Ids.NONE;
-    }
-
-    private static OperatorMessage messageOf(Effect.Noted noted, long atMillis) {
-        return new OperatorMessage(
-                atMillis,
-                noted.mission(),
-                OperatorMessage.Source.ENGINE,
-                priorityOf(noted.kind()),
-                noted.message(),
-                List.of(),
-                "");
-    }
-
-    /** What stops a mission is critical; what the operator asked for and did not get is high. */
-    private static Priority priorityOf(NoteKind kind) {
-        return switch (kind) {
-            case LIVELOCK -> Priority.CRITICAL;
-            case HANDLER_FAILED, INTERRUPT_REFUSED, NOT_RETURNED, NO_AUTOMATIC_ANSWER -> Priority.HIGH;
-            case REJECTED_INPUT, NAMES_NOBODY, SHORT_OF_TOKENS, GLOBAL_KEPT -> Priority.MEDIUM;
-            case DISCARDED, LATE -> Priority.LOW;
-        };
-    }
-
     // ---- fed by handlers and by the fleet
 
     @Override
@@ -325,6 +347,7 @@ public final class OperatorModels implements HostListener, MessageSink {
     public Consumer<FleetEvent> fleetListener(ProxyRegistry boats, long periodMillis) {
         FleetSampler made = new FleetSampler(boats, nowMillis, periodMillis, fleet::seen);
         sampler = Optional.of(made);
+        alarms.sampledEvery(periodMillis);
         return event -> {
             made.happened(event);
             if (event instanceof FleetEvent.Measured measured) {
@@ -354,6 +377,7 @@ public final class OperatorModels implements HostListener, MessageSink {
             inbox.post(() -> {
                 ticking.set(false);
                 map.tick(now);
+                alarms.tick(now);
             });
         }
     }

@@ -8,6 +8,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.sami.crw.operator.OperatorLog;
+import org.sami.crw.operator.OperatorLogEntry.Kind;
 import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.BoatExplanation;
 import org.sami.crw.proxy.BoatProxy;
@@ -16,6 +18,7 @@ import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -26,6 +29,7 @@ public final class Fleet {
     private final FleetConnector connector;
     private final Replies replies;
     private final FleetHistory history;
+    private final OperatorLog log;
     private final Optional<RememberedBoats> remembered; // empty where a session is resumed by running its world again
     private final Runnable beforeTheFirst;
     private boolean stopped; // for the fleet's thread
@@ -36,11 +40,13 @@ public final class Fleet {
             Replies replies,
             FleetHistory history,
             Optional<RememberedBoats> remembered,
+            OperatorLog log,
             Runnable beforeTheFirst) {
         this.connector = connector;
         this.replies = replies;
         this.history = history;
         this.remembered = remembered;
+        this.log = log;
         this.beforeTheFirst = beforeTheFirst;
         listener.onEachBoat(this::found);
     }
@@ -62,6 +68,11 @@ public final class Fleet {
      * @return the boat's id, when it has answered
      */
     public CompletionStage<String> connect(BoatAddress address) {
+        log.add(Kind.BOAT, "connected to " + address);
+        return reach(address);
+    }
+
+    private CompletionStage<String> reach(BoatAddress address) {
         beforeTheFirst.run();
         Replies.Reply<String> reply = replies.open();
         connector.executor().execute(() -> {
@@ -79,12 +90,19 @@ public final class Fleet {
      * {@link Session#drop(String)} takes it out of them. Gives whether it was known.
      */
     public CompletionStage<Boolean> disconnect(String boat) {
-        return replies.of(connector.disconnect(boat));
+        return replies.of(connector.disconnect(boat)).thenApply(known -> disconnected(boat, known));
     }
 
     /** Gives up an address, and as {@link #disconnect(String)} the boat that it leads to. Gives whether it was known. */
     public CompletionStage<Boolean> disconnect(BoatAddress address) {
-        return replies.of(connector.disconnect(address));
+        return replies.of(connector.disconnect(address)).thenApply(known -> disconnected(address.toString(), known));
+    }
+
+    private boolean disconnected(String what, boolean known) {
+        if (known) {
+            log.add(Kind.BOAT, "disconnected " + what);
+        }
+        return known;
     }
 
     /**
@@ -100,7 +118,9 @@ public final class Fleet {
                 throw new RefusedException("1 boat or more can be added, not " + count);
             }
             try {
-                return connector.create(name, "", start, count);
+                List<String> made = connector.create(name, "", start, count);
+                log.add(Kind.BOAT, "added simulated boats: " + String.join(", ", made));
+                return made;
             } catch (IllegalStateException | IllegalArgumentException cannot) {
                 throw new RefusedException(cannot.getMessage());
             }
@@ -131,7 +151,7 @@ public final class Fleet {
                         positions.getOrDefault(boat.boat(), boat.simulatedAt().get());
                 connector.executor().execute(() -> relaunch(boat.boat(), at, notice));
             } else {
-                boat.address().filter(address -> !except.contains(address)).ifPresent(this::connect);
+                boat.address().filter(address -> !except.contains(address)).ifPresent(this::reach);
             }
         }
         return known.stream().map(RememberedBoats.Remembered::boat).toList();
@@ -177,7 +197,7 @@ public final class Fleet {
 
     /** Commands a boat from now on, whoever did before. The boat's answer is told to listeners. */
     public CompletionStage<Void> takeCommand(String boat) {
-        return tell(boat, proxy -> {
+        return tell(boat, "took the command of " + boat, proxy -> {
             checkLinked(proxy);
             remembered.ifPresent(memory -> memory.watched(boat, false));
             proxy.takeCommand();
@@ -186,7 +206,7 @@ public final class Fleet {
 
     /** Asks whoever commands a boat for its command. The answer is told to listeners. */
     public CompletionStage<Void> askForCommand(String boat) {
-        return tell(boat, proxy -> {
+        return tell(boat, "asked for the command of " + boat, proxy -> {
             checkLinked(proxy);
             proxy.askForCommand();
         });
@@ -194,7 +214,7 @@ public final class Fleet {
 
     /** Only watches a boat from now on: whoever wishes may command it. What missions want of it waits. */
     public CompletionStage<Void> handOver(String boat) {
-        return tell(boat, proxy -> {
+        return tell(boat, "only watches " + boat, proxy -> {
             checkLinked(proxy);
             remembered.ifPresent(memory -> memory.watched(boat, true));
             proxy.observe();
@@ -203,7 +223,7 @@ public final class Fleet {
 
     /** Gives a boat's command to another base, by its client id, and watches. */
     public CompletionStage<Void> handOver(String boat, String clientId) {
-        return tell(boat, proxy -> {
+        return tell(boat, "gave the command of " + boat + " to " + clientId, proxy -> {
             checkCommanding(proxy);
             proxy.grantCommand(clientId);
         });
@@ -221,25 +241,29 @@ public final class Fleet {
             return CompletableFuture.failedFuture(
                     new RefusedException("thrust and rudder are -1 to 1, not " + thrust + " and " + rudder));
         }
-        return tell(boat, proxy -> {
+        return onBoat(boat, proxy -> {
             checkCommanding(proxy);
+            if (!proxy.isTakenOver()) { // it is driven many times a second
+                log.add(Kind.BOAT, "drives " + boat + " by hand", boat);
+            }
             proxy.teleoperate(thrust, rudder);
+            return null;
         });
     }
 
     /** Gives a boat that was driven by hand back to the missions; it stops if none wants anything of it. */
     public CompletionStage<Void> handBack(String boat) {
-        return tell(boat, BoatProxy::release);
+        return tell(boat, "gave " + boat + " back to the missions", BoatProxy::release);
     }
 
     /** Stops the motors of one boat, latched on it until {@link #release}. */
     public CompletionStage<Void> stop(String boat) {
-        return tell(boat, BoatProxy::fleetStop);
+        return tell(boat, "stopped " + boat, BoatProxy::fleetStop);
     }
 
     /** Ends the stop of one boat, which goes on with what missions want of it. */
     public CompletionStage<Void> release(String boat) {
-        return tell(boat, BoatProxy::fleetRelease);
+        return tell(boat, "released " + boat, BoatProxy::fleetRelease);
     }
 
     /** Stops the motors of every boat, latched on each, and of every boat that is found until {@link #releaseAll}. Gives whom it told. */
@@ -247,6 +271,7 @@ public final class Fleet {
         return onFleet(boats -> {
             stopped = true;
             boats.fleetStop();
+            log.add(Kind.FLEET_STOP, "stopped the fleet", Ids.NONE, boats.boatIds());
             return boats.boatIds();
         });
     }
@@ -256,6 +281,7 @@ public final class Fleet {
         return onFleet(boats -> {
             stopped = false;
             boats.fleetRelease();
+            log.add(Kind.FLEET_STOP, "released the fleet", Ids.NONE, boats.boatIds());
             return boats.boatIds();
         });
     }
@@ -275,9 +301,11 @@ public final class Fleet {
         }
     }
 
-    private CompletionStage<Void> tell(String boat, Consumer<BoatProxy> what) {
+    /** @param done what the operator did then, for the log */
+    private CompletionStage<Void> tell(String boat, String done, Consumer<BoatProxy> what) {
         return onBoat(boat, proxy -> {
             what.accept(proxy);
+            log.add(Kind.BOAT, done, boat);
             return null;
         });
     }

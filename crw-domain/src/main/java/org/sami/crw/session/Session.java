@@ -15,12 +15,16 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.operator.OperatingArea;
+import org.sami.crw.operator.OperatorLogEntry;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.service.water.Water;
+import org.sami.crw.task.TaskMove;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.finding.Finding;
@@ -34,6 +38,9 @@ import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
 /**
@@ -61,7 +68,13 @@ public final class Session implements AutoCloseable {
         this.setup = setup;
         parts = new SessionParts(setup);
         fleet = new Fleet(
-                parts.connector, parts.boats, parts.replies, parts.history, parts.remembered, this::noteBegin);
+                parts.connector,
+                parts.boats,
+                parts.replies,
+                parts.history,
+                parts.remembered,
+                parts.models.log(),
+                this::noteBegin);
     }
 
     /**
@@ -230,6 +243,58 @@ public final class Session implements AutoCloseable {
         return drop(boat, Ids.NONE)
                 .thenCompose(dropped -> fleet.disconnect(boat))
                 .thenAccept(known -> {});
+    }
+
+    // ---- what operators do beside missions
+
+    /**
+     * Gives a task to another boat, or to nobody. Refused where the task is not of a running mission or is complete, or where the boat
+     * takes no part in the mission.
+     */
+    public CompletionStage<Void> moveTask(TaskId task, Optional<String> boat) {
+        return ask(view -> TaskMove.refusal(task, boat, view)).thenCompose(refusal -> {
+            if (refusal.isPresent()) {
+                return CompletableFuture.failedFuture(new RefusedException(refusal.get()));
+            }
+            return post(new Input.AllocateTasks(Map.of(task, boat)))
+                    .thenAccept(moved -> parts.models
+                            .log()
+                            .add(
+                                    OperatorLogEntry.Kind.TASK,
+                                    "moved task " + task.name() + " to " + boat.orElse("nobody"),
+                                    task.mission(),
+                                    boat.stream().toList()));
+        });
+    }
+
+    /** Sets the area in which boats are to stay, instead of the project's. One that is no simple polygon is refused. */
+    public CompletionStage<Void> setFence(GeoArea area) {
+        try {
+            Water.of(area.outline().get(0), List.of(), Optional.of(area));
+        } catch (IllegalArgumentException crossed) {
+            return CompletableFuture.failedFuture(new RefusedException(crossed.getMessage()));
+        }
+        return fence(
+                OperatingArea.remember(area), "set the fence: " + area.outline().size() + " corners");
+    }
+
+    /** Takes the fence away: boats may go everywhere but into no-go areas. */
+    public CompletionStage<Void> removeFence() {
+        return fence(OperatingArea.rememberNone(), "took the fence away");
+    }
+
+    /** The project's fence counts again ({@link OperatingArea}). */
+    public CompletionStage<Void> useProjectFence() {
+        return fence(OperatingArea.rememberProject(), "took the project's fence");
+    }
+
+    private CompletionStage<Void> fence(Input input, String words) {
+        return post(input).thenAccept(done -> parts.models.log().add(OperatorLogEntry.Kind.FENCE, words));
+    }
+
+    /** Writes something down in the operator's log, maybe about a place. */
+    public void note(String text, Optional<GeoPoint> position) {
+        parts.models.log().note(text, position);
     }
 
     private CompletionStage<Void> post(Input input) {

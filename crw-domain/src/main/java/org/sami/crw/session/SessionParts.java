@@ -112,6 +112,14 @@ final class SessionParts {
         monitor = new BoatMonitor(history, telemetry, messages);
         poses = new PoseLog(history, telemetry);
         connector.open(boats);
+        if (loop.isPresent()) { // a run in process is resumed by running its world again, with all that was done in it
+            models.log().restore(OperatorLogRows.read(journal.earlier()));
+            models.log()
+                    .keepWith(entry -> connector
+                            .executor()
+                            .execute(() -> telemetry.add(
+                                    entry.atMillis(), "", OperatorLogRows.KIND, OperatorLogRows.json(entry))));
+        }
         domain = services.map(threads -> CrwDomain.installInRealTime(
                         host,
                         connector.boats(),
@@ -162,6 +170,7 @@ final class SessionParts {
     void begin() {
         host.ask(view -> {
             operators.restore(view, scheduler.nowMs());
+            models.restoreAreas(view);
             if (!replayed) { // else the models have heard it
                 models.restore(view, scheduler.nowMs());
             }
@@ -178,7 +187,7 @@ final class SessionParts {
         replayed = true;
         journal.replay(engine, (index, atMillis, input, effects, view) -> {
             listener.onStep(index, atMillis, input, effects, view);
-            models.onStep(index, atMillis, input, effects, view);
+            models.onPastStep(atMillis, input, effects, view);
             operators.onStep(index, atMillis, input, effects, view);
         });
     }
@@ -249,6 +258,7 @@ final class SessionParts {
         listenNoLonger();
         halted = true;
         services.ifPresent(ServiceThreads::close);
+        onFleet(known -> known.boatIds()); // what the operator did last has been written down
         connector.close();
         telemetry.flush();
         host.close();

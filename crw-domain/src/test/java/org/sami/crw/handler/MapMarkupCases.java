@@ -10,8 +10,8 @@ import org.sami.crw.operator.MapModel;
 import org.sami.crw.operator.map.LayerState;
 import org.sami.crw.operator.map.LayerState.Reason;
 import org.sami.crw.operator.map.MapSnapshot;
+import org.sami.crw.operator.map.NamedArea;
 import org.sami.crw.operator.map.SensorLayer;
-import org.sami.crw.operator.map.ShownArea;
 import org.sami.crw.operator.map.ShownBoat;
 import org.sami.crw.operator.map.ShownLayer;
 import org.sami.crw.operator.map.ShownPart;
@@ -130,7 +130,7 @@ final class MapMarkupCases {
                 "RelevantArea.area",
                 "the area is drawn",
                 () -> assertThat(looked(toArea()).areas())
-                        .contains(new ShownArea(
+                        .contains(new NamedArea(
                                 ShownLayer.RELEVANT_AREA,
                                 PlanScene.MISSION,
                                 "OperatorInterruptReceived of mission 1",

@@ -81,7 +81,7 @@ class DecisionModelsTest {
 
     @Test
     void aNewMessageOfLittleWeightDoesNotDisplaceAnOlderCriticalOne() {
-        MessageList list = new MessageList(3, Runnable::run);
+        MessageList list = new MessageList(3, Runnable::run, new OperatorLog(Runnable::run, () -> 0));
 
         list.add(message("a", Priority.CRITICAL, ""));
         list.add(message("b", Priority.LOW, ""));
@@ -95,7 +95,7 @@ class DecisionModelsTest {
 
     @Test
     void aMessageReplacesTheOneWithItsKeyword() {
-        MessageList list = new MessageList(10, Runnable::run);
+        MessageList list = new MessageList(10, Runnable::run, new OperatorLog(Runnable::run, () -> 0));
 
         list.add(message("boat 1 critical", Priority.CRITICAL, "comm-1"));
         list.add(message("boat 2 critical", Priority.CRITICAL, "comm-2"));
@@ -111,7 +111,7 @@ class DecisionModelsTest {
 
     @Test
     void aMessageIsAcknowledgedAndItsKeywordMutedForThoseThatCome() {
-        MessageList list = new MessageList(10, Runnable::run);
+        MessageList list = new MessageList(10, Runnable::run, new OperatorLog(Runnable::run, () -> 0));
         List<List<MessageEntry>> heard = new ArrayList<>();
         list.addListener(heard::add);
         list.add(message("boat 1 critical", Priority.CRITICAL, "comm-1"));
@@ -138,7 +138,8 @@ class DecisionModelsTest {
 
     @Test
     void aListThatKeepsNothingIsRefused() {
-        assertThatThrownBy(() -> new MessageList(0, Runnable::run)).hasMessageContaining("0");
+        assertThatThrownBy(() -> new MessageList(0, Runnable::run, new OperatorLog(Runnable::run, () -> 0)))
+                .hasMessageContaining("0");
     }
 
     private static void open(DecisionQueue queue, Decision decision, long atMillis) {

@@ -22,7 +22,7 @@ public record MapSnapshot(
         List<ShownBoat> boats,
         List<ShownTrack> tracks,
         List<ShownPath> paths,
-        List<ShownArea> areas,
+        List<NamedArea> areas,
         List<ShownPlace> places,
         List<SensorLayer> data,
         List<SensorChannel> channels,

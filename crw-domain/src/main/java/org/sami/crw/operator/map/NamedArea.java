@@ -10,8 +10,8 @@ import org.sami.spn.value.GeoArea;
  * @param mission that speaks of it; {@code Ids.NONE} for one of the project's or the session's
  * @param name of the variable, event or purpose
  */
-public record ShownArea(ShownLayer layer, long mission, String name, GeoArea area) {
-    public ShownArea {
+public record NamedArea(ShownLayer layer, long mission, String name, GeoArea area) {
+    public NamedArea {
         Objects.requireNonNull(layer, "layer");
         Objects.requireNonNull(name, "name");
         Objects.requireNonNull(area, "area");

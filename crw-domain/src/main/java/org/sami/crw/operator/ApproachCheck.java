@@ -1,0 +1,85 @@
+package org.sami.crw.operator;
+
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.crw.proxy.BoatPose;
+import org.sami.crw.service.LocalPlane;
+
+/**
+ * Whether boats come too near to each other, by their closest point of approach if both keep course and speed. For one thread.
+ */
+final class ApproachCheck {
+    private static final double NEAR_M = 3;
+    private static final double WITHIN_S = 10;
+    private static final double MOVING_MPS = 0.3;
+    private static final long PERIOD_MILLIS = 1000;
+
+    private final Map<String, Moving> boats = new LinkedHashMap<>();
+    private final Map<String, Long> lookedAtMillis = new HashMap<>();
+    private Optional<LocalPlane> plane = Optional.empty();
+
+    private record Moving(double x, double y, double east, double north) {
+        boolean stands() {
+            return Math.hypot(east, north) < MOVING_MPS;
+        }
+    }
+
+    /**
+     * A boat has said where it is and how it moves. Gives for each other boat whether they come too near, in words; empty where nobody
+     * was looked at, as the last look was a moment ago.
+     */
+    Map<String, Optional<String>> at(String boat, BoatPose pose, long atMillis) {
+        LocalPlane at = plane.orElseGet(() -> new LocalPlane(pose.position()));
+        plane = Optional.of(at);
+        Moving one = new Moving(
+                at.x(pose.position()),
+                at.y(pose.position()),
+                pose.speedMps() * Math.sin(pose.headingRad()),
+                pose.speedMps() * Math.cos(pose.headingRad()));
+        boats.put(boat, one);
+        if (atMillis - lookedAtMillis.getOrDefault(boat, Long.MIN_VALUE / 2) < PERIOD_MILLIS) {
+            return Map.of();
+        }
+        lookedAtMillis.put(boat, atMillis);
+        Map<String, Optional<String>> found = new LinkedHashMap<>();
+        boats.forEach((other, two) -> {
+            if (!other.equals(boat)) {
+                found.put(other, approach(boat, one, other, two));
+            }
+        });
+        return found;
+    }
+
+    void remove(String boat) {
+        boats.remove(boat);
+        lookedAtMillis.remove(boat);
+    }
+
+    private static Optional<String> approach(String boat, Moving one, String other, Moving two) {
+        if (one.stands() && two.stands()) {
+            return Optional.empty(); // boats that lie at the quay
+        }
+        double x = two.x() - one.x();
+        double y = two.y() - one.y();
+        double east = two.east() - one.east();
+        double north = two.north() - one.north();
+        double squared = east * east + north * north;
+        double closestS = squared == 0 ? 0 : -(x * east + y * north) / squared;
+        if (closestS < 0 || closestS > WITHIN_S) {
+            return Optional.empty(); // they part, or there is time
+        }
+        double closestM = Math.hypot(x + closestS * east, y + closestS * north);
+        return closestM >= NEAR_M
+                ? Optional.empty()
+                : Optional.of(String.format(
+                        Locale.ROOT,
+                        "%s and %s come within %.0f m of each other in %.0f s",
+                        boat,
+                        other,
+                        closestM,
+                        closestS));
+    }
+}
