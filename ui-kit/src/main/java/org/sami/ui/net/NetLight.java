@@ -1,0 +1,15 @@
+package org.sami.ui.net;
+
+import java.util.Set;
+import java.util.function.ToDoubleFunction;
+
+/**
+ * What of a net is shown in other colours than usual.
+ *
+ * @param selected ids of what is selected
+ * @param highlighted ids of what somebody speaks of
+ * @param firing how strongly a transition shines since it fired, by its id: 1 now, 0 no more
+ */
+record NetLight(Set<String> selected, Set<String> highlighted, ToDoubleFunction<String> firing) {
+    static final NetLight NONE = new NetLight(Set.of(), Set.of(), transition -> 0);
+}

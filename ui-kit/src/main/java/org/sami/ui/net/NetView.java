@@ -1,0 +1,345 @@
+package org.sami.ui.net;
+
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.event.ActionEvent;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Function;
+import javax.swing.AbstractAction;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import org.sami.spn.drawing.DrawingBox;
+import org.sami.spn.drawing.NetDrawing;
+import org.sami.spn.drawing.NetDrawing.Vertex;
+import org.sami.spn.drawing.NetLayout;
+import org.sami.spn.drawing.TextStyle;
+import org.sami.spn.model.Plan;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.vocabulary.Vocabulary;
+import org.sami.ui.look.IdentityMarks;
+
+/**
+ * The net of a plan: where its author has laid it out, with tokens, firing, selection, tooltips and an overview in its corner. It pans
+ * by dragging, zooms by the wheel, and does all of it by keys ({@link NetKey}). An editor gives it tools ({@link NetTool}). Lives on the
+ * event thread.
+ */
+public final class NetView extends JPanel {
+    private static final double PAN_PX = 80;
+    private static final double STEP = 1.25;
+    private static final int CORNER_PX = 8;
+
+    private final transient NetPainter painter;
+    private final NetViewer viewer = new NetViewer(this::paintNet, this::tip);
+    private final transient NetViewport viewport = new NetViewport(viewer, this::viewChanged);
+    private final transient NetPulse pulse = new NetPulse(System::nanoTime, viewer::repaint);
+    private final NetOverview overview = new NetOverview(this, viewport);
+    private final transient List<NetListener> listeners = new CopyOnWriteArrayList<>();
+    private transient NetContent content = NetContent.NONE;
+    private transient NetMarking marking = NetMarking.EMPTY;
+    private transient NetMode mode = NetMode.NOMINAL;
+    private transient Set<String> selected = Set.of();
+    private transient Set<String> highlighted = Set.of();
+    private transient NetScene scene = content.scene(mode, selected);
+    private transient NetTool tool = new NetSelectTool(this);
+    private transient Function<String, Optional<String>> explanation = id -> Optional.empty();
+    private transient Function<Token, String> tokenName = NetTips::name;
+    private boolean toFit;
+    private boolean withOverview = true;
+
+    /**
+     * Makes a view that shows nothing yet.
+     *
+     * @param marks which colour and shape stand for each proxy
+     */
+    public NetView(IdentityMarks marks) {
+        super(null);
+        setName("net");
+        painter = new NetPainter(marks);
+        viewer.setGraphMouse(new NetMouse(this, viewport));
+        viewer.getAccessibleContext().setAccessibleName("Net");
+        add(overview);
+        add(viewer);
+        bindKeys();
+    }
+
+    private void bindKeys() {
+        for (NetKey key : NetKey.values()) {
+            for (KeyStroke stroke : key.strokes()) {
+                viewer.getInputMap(JComponent.WHEN_FOCUSED).put(stroke, key.id());
+            }
+            viewer.getActionMap().put(key.id(), new AbstractAction(key.label()) {
+                @Override
+                public void actionPerformed(ActionEvent e) {
+                    press(key);
+                }
+            });
+        }
+    }
+
+    /** Shows a plan where its author has laid it out, in layers where it does not say so of each vertex. */
+    public void show(Plan plan, Vocabulary vocabulary) {
+        show(plan, vocabulary, NetLayout.given(plan, vocabulary, NetFonts::width));
+    }
+
+    /** Shows a plan in layers from left to right; its own layout stays as it is. */
+    public void showLayered(Plan plan, Vocabulary vocabulary) {
+        show(plan, vocabulary, NetLayout.layered(plan, vocabulary, NetFonts::width));
+        fit();
+    }
+
+    /**
+     * Shows a plan as it was drawn elsewhere, such as beside the event thread. Another version of the plan that is shown keeps view
+     * and selection.
+     */
+    public void show(Plan plan, Vocabulary vocabulary, NetDrawing drawing) {
+        boolean another = !plan.id().equals(content.plan().id());
+        content = new NetContent(plan, vocabulary, drawing);
+        viewer.setGraphLayout(NetGraph.layout(plan, drawing));
+        if (another) {
+            marking = NetMarking.EMPTY;
+            selected = Set.of();
+            highlighted = Set.of();
+            fit();
+        }
+        changed();
+    }
+
+    /** How wide a text will be on a net, for whoever draws a plan elsewhere. */
+    public static double textWidth(String text, TextStyle style) {
+        return NetFonts.width(text, style);
+    }
+
+    private void changed() {
+        scene = content.scene(mode, selected);
+        viewer.repaint();
+        overview.repaint();
+    }
+
+    /** Shows what stands where. */
+    public void setMarking(NetMarking marking) {
+        this.marking = marking;
+        viewer.repaint();
+        overview.repaint();
+    }
+
+    /** What stands where. */
+    public NetMarking marking() {
+        return marking;
+    }
+
+    /** Lets a transition shine for a quarter of a second, unless that is turned off. */
+    public void fired(String transition) {
+        pulse.fired(transition);
+        viewer.repaint();
+    }
+
+    /** Turns the shining of transitions that fire on or off. */
+    public void setPulse(boolean on) {
+        pulse.setOn(on);
+    }
+
+    /** Shows nominal parts, recovery parts or all. */
+    public void setMode(NetMode mode) {
+        this.mode = mode;
+        changed();
+    }
+
+    /** How much is shown. */
+    public NetMode mode() {
+        return mode;
+    }
+
+    /** Selects vertices and edges instead of those before, by their ids. */
+    public void select(Set<String> ids) {
+        if (!selected.equals(ids)) {
+            selected = Set.copyOf(ids);
+            changed();
+            listeners.forEach(listener -> listener.selected(selected));
+        }
+    }
+
+    /** What is selected. */
+    public Set<String> selected() {
+        return selected;
+    }
+
+    /** Marks what somebody speaks of, such as a finding, and shows it. */
+    public void highlight(Set<String> ids) {
+        highlighted = Set.copyOf(ids);
+        content.drawing().vertices().stream()
+                .filter(vertex -> ids.contains(vertex.id()))
+                .findFirst()
+                .filter(vertex -> !viewport.shown()
+                        .contains(vertex.centre().x(), vertex.centre().y()))
+                .ifPresent(vertex ->
+                        viewport.centre(vertex.centre().x(), vertex.centre().y()));
+        viewer.repaint();
+    }
+
+    /** Asks somebody for one more line in tooltips: why a transition does not fire, by its id. */
+    public void setExplanation(Function<String, Optional<String>> explanation) {
+        this.explanation = explanation;
+    }
+
+    /** Asks somebody for what people call a token. */
+    public void setTokenName(Function<Token, String> tokenName) {
+        this.tokenName = tokenName;
+    }
+
+    /** Gives the pointer another meaning. */
+    public void setTool(NetTool tool) {
+        this.tool = tool;
+        viewer.repaint();
+    }
+
+    NetTool tool() {
+        return tool;
+    }
+
+    /** What is shown. */
+    public NetScene scene() {
+        return scene;
+    }
+
+    /** Where it lies. */
+    public NetDrawing drawing() {
+        return content.drawing();
+    }
+
+    /** The component that has the focus when keys are to act on the net. */
+    public JComponent canvas() {
+        return viewer;
+    }
+
+    /** Adds somebody who hears what is done with the net. */
+    public void addNetListener(NetListener listener) {
+        listeners.add(listener);
+    }
+
+    void tellOpened(String id) {
+        listeners.forEach(listener -> listener.opened(id));
+    }
+
+    void tellMenu(String id, int x, int y) {
+        listeners.forEach(listener -> listener.menu(id, x, y));
+    }
+
+    /** Shows all of it, not larger than its own size; as soon as the view has a size. */
+    public void fit() {
+        toFit = getWidth() == 0 || getHeight() == 0;
+        if (!toFit) {
+            viewport.fit(content.drawing().bounds());
+        }
+    }
+
+    /** Shows the overview in the lower right corner while not all of the net is seen, or never. */
+    public void setOverview(boolean shown) {
+        withOverview = shown;
+        viewChanged();
+    }
+
+    /** Where a point of the drawing is, in pixels of {@link #canvas}. */
+    public Point2D pixel(double x, double y) {
+        return viewport.pixel(x, y);
+    }
+
+    /** How large the net is shown: 1 at its own size. */
+    public double zoom() {
+        return viewport.zoom();
+    }
+
+    /** Does what a key does. */
+    public void press(NetKey key) {
+        double x = viewer.getWidth() / 2.0;
+        double y = viewer.getHeight() / 2.0;
+        switch (key) {
+            case LEFT -> viewport.pan(-PAN_PX, 0);
+            case RIGHT -> viewport.pan(PAN_PX, 0);
+            case UP -> viewport.pan(0, -PAN_PX);
+            case DOWN -> viewport.pan(0, PAN_PX);
+            case ZOOM_IN -> viewport.scale(STEP, x, y);
+            case ZOOM_OUT -> viewport.scale(1 / STEP, x, y);
+            case ACTUAL_SIZE -> viewport.setZoom(1);
+            case FIT -> fit();
+            case NEXT -> step(1);
+            case PREVIOUS -> step(-1);
+            case OPEN -> selected.stream().findFirst().ifPresent(this::tellOpened);
+            case CLEAR -> select(Set.of());
+            case OVERVIEW -> setOverview(!withOverview);
+            case MODE -> setMode(mode.next());
+        }
+    }
+
+    private void step(int by) {
+        List<Vertex> vertices = new ArrayList<>(scene.vertices());
+        vertices.addAll(scene.silhouettes());
+        if (vertices.isEmpty()) {
+            return;
+        }
+        List<String> ids = vertices.stream().map(Vertex::id).toList();
+        int now = selected.stream().mapToInt(ids::indexOf).max().orElse(-1);
+        Vertex next = vertices.get(Math.floorMod(now < 0 && by < 0 ? -1 : now + by, vertices.size()));
+        select(new LinkedHashSet<>(Set.of(next.id())));
+        if (!viewport.shown().contains(next.centre().x(), next.centre().y())) {
+            viewport.centre(next.centre().x(), next.centre().y());
+        }
+    }
+
+    private void paintNet(Graphics2D g, double scale) {
+        painter.paint(g, scale, scene, marking, new NetLight(selected, highlighted, pulse::of));
+        tool.paint(g);
+    }
+
+    private String tip(MouseEvent e) {
+        Point2D at = viewport.point(e.getX(), e.getY());
+        String id = scene.vertexAt(at.getX(), at.getY(), 0)
+                .map(Vertex::id)
+                .or(() -> scene.edgeAt(at.getX(), at.getY(), 4).map(NetDrawing.Edge::id))
+                .orElse("");
+        List<String> lines = new ArrayList<>(NetTips.of(content.plan(), content.vocabulary(), marking, id, tokenName));
+        if (lines.isEmpty()) {
+            return null;
+        }
+        explanation.apply(id).ifPresent(lines::add);
+        return NetTips.html(lines);
+    }
+
+    private void viewChanged() {
+        overview.setVisible(withOverview && !shownWhole());
+        overview.repaint();
+    }
+
+    /** Whether all of the net is seen, so that an overview would only hide some of it; a small view has none either. */
+    private boolean shownWhole() {
+        DrawingBox all = content.drawing().bounds();
+        Rectangle2D shown = viewport.shown();
+        boolean small = getWidth() < 3 * overview.getWidth() || getHeight() < 3 * overview.getHeight();
+        return small || shown.contains(all.x(), all.y(), Math.max(1e-9, all.width()), Math.max(1e-9, all.height()));
+    }
+
+    @Override
+    public void doLayout() {
+        viewer.setBounds(0, 0, getWidth(), getHeight());
+        Dimension size = overview.getPreferredSize();
+        overview.setBounds(
+                getWidth() - size.width - CORNER_PX, getHeight() - size.height - CORNER_PX, size.width, size.height);
+        if (toFit) {
+            fit();
+        }
+        viewChanged();
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return viewer.getPreferredSize();
+    }
+}

@@ -1,0 +1,120 @@
+package org.sami.ui.net;
+
+import edu.uci.ics.jung.visualization.Layer;
+import edu.uci.ics.jung.visualization.VisualizationServer;
+import edu.uci.ics.jung.visualization.transform.MutableTransformer;
+import java.awt.Component;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.NoninvertibleTransformException;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import org.sami.spn.drawing.DrawingBox;
+import org.sami.ui.look.Look;
+
+/** Which part of a net a viewer shows, and how large: JUNG's transformation of the view, and nothing else of it. */
+final class NetViewport {
+    private static final double LEAST = 0.05;
+    private static final double MOST = 4;
+    private static final double MARGIN = 24;
+
+    private final VisualizationServer<String, String> viewer;
+    private final Component component;
+    private final Runnable changed;
+
+    /**
+     * Makes the viewport of a viewer.
+     *
+     * @param changed is run after another part is shown
+     */
+    <V extends Component & VisualizationServer<String, String>> NetViewport(V viewer, Runnable changed) {
+        this.viewer = viewer;
+        this.component = viewer;
+        this.changed = changed;
+    }
+
+    private MutableTransformer transformer() {
+        return viewer.getRenderContext().getMultiLayerTransformer().getTransformer(Layer.VIEW);
+    }
+
+    /** How many pixels a drawing unit has. */
+    double scale() {
+        return transformer().getScale();
+    }
+
+    /** How large the net is shown, 1 at its own size in the scale of the look. */
+    double zoom() {
+        return scale() * 100 / Look.scalePercent();
+    }
+
+    void setZoom(double zoom) {
+        scale(zoom / zoom(), component.getWidth() / 2.0, component.getHeight() / 2.0);
+    }
+
+    /** Shows all larger or smaller by a factor; what is at a pixel stays there. */
+    void scale(double factor, double px, double py) {
+        double bounded = Math.max(LEAST, Math.min(MOST, zoom() * factor)) / zoom();
+        AffineTransform change = AffineTransform.getTranslateInstance(px, py);
+        change.scale(bounded, bounded);
+        change.translate(-px, -py);
+        transformer().preConcatenate(change);
+        component.repaint();
+        changed.run();
+    }
+
+    /** Moves what is shown by some pixels. */
+    void pan(double dx, double dy) {
+        transformer().preConcatenate(AffineTransform.getTranslateInstance(-dx, -dy));
+        component.repaint();
+        changed.run();
+    }
+
+    /** Shows a box in the middle, as large as it fits, and not larger than its own size. */
+    void fit(DrawingBox box) {
+        double width = Math.max(1, component.getWidth() - 2 * MARGIN);
+        double height = Math.max(1, component.getHeight() - 2 * MARGIN);
+        double own = Look.scalePercent() / 100.0;
+        double scale = Math.max(
+                LEAST * own,
+                Math.min(own, Math.min(width / Math.max(1, box.width()), height / Math.max(1, box.height()))));
+        show(box.x() + box.width() / 2, box.y() + box.height() / 2, scale);
+    }
+
+    /** Shows a point of the drawing in the middle. */
+    void centre(double x, double y) {
+        show(x, y, scale());
+    }
+
+    private void show(double x, double y, double scale) {
+        transformer().setToIdentity();
+        AffineTransform view =
+                AffineTransform.getTranslateInstance(component.getWidth() / 2.0, component.getHeight() / 2.0);
+        view.scale(scale, scale);
+        view.translate(-x, -y);
+        transformer().preConcatenate(view);
+        component.repaint();
+        changed.run();
+    }
+
+    /** The point of the drawing at a pixel. */
+    Point2D point(double px, double py) {
+        try {
+            return transformer().getTransform().inverseTransform(new Point2D.Double(px, py), null);
+        } catch (NoninvertibleTransformException e) {
+            throw new IllegalStateException("a net is never shown at the scale 0", e);
+        }
+    }
+
+    /** The pixel of a point of the drawing. */
+    Point2D pixel(double x, double y) {
+        return transformer().getTransform().transform(new Point2D.Double(x, y), null);
+    }
+
+    /** What is shown, in drawing units. */
+    Rectangle2D shown() {
+        Point2D corner = point(0, 0);
+        Point2D opposite = point(component.getWidth(), component.getHeight());
+        Rectangle2D shown = new Rectangle2D.Double();
+        shown.setFrameFromDiagonal(corner, opposite);
+        return shown;
+    }
+}
