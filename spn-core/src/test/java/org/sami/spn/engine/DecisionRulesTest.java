@@ -12,10 +12,12 @@ import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Priority;
+import org.sami.spn.protocol.Question;
 import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.Session;
 import org.sami.spn.value.DurationValue;
@@ -129,6 +131,95 @@ class DecisionRulesTest {
         s.decide(new Answer.Proxies(List.of("B")));
 
         assertThat(s.fired()).containsExactly("t");
+    }
+
+    private static Session choice(MarkupSpec... markups) {
+        return new Session(new NetBuilder("net")
+                .start("s")
+                .output("s", "Choose", markups)
+                .transition("t", "Chosen")
+                .in("s", "t", "relevant all")
+                .out("t", "x", "take all relevant")
+                .build());
+    }
+
+    private static Input drop(String robot) {
+        return new Input.ProxyDropped(robot, Ids.NONE);
+    }
+
+    @Test
+    void choiceIsAskedAnewWithoutARobotThatIsDropped() {
+        Session s = choice();
+        s.join("A", "B").start("net");
+        Decision before = s.onlyDecision();
+
+        List<Effect> told = s.step(drop("A"));
+
+        Decision after = s.onlyDecision();
+        assertThat(told)
+                .contains(
+                        new Effect.DecisionClosed(before.id(), Optional.empty(), Optional.empty()),
+                        new Effect.DecisionOpened(after));
+        assertThat(after.question()).isEqualTo(new Question.ChooseProxies(List.of("B"), 1, Integer.MAX_VALUE));
+        assertThat(after.automatic()).contains(new Answer.Proxies(List.of("B")));
+        s.step(new Input.AnswerDecision(before.id(), new Answer.Proxies(List.of("A")), Answerer.OPERATOR));
+        assertThat(s.notes()).containsExactly(NoteKind.REJECTED_INPUT);
+        s.decide(new Answer.Proxies(List.of("B")));
+        assertThat(s.fired()).containsExactly("t");
+    }
+
+    @Test
+    void choiceThatIsAskedAnewKeepsItsDeadline() {
+        Session s = choice(trigger("TIMER", 2000));
+        s.join("A", "B").start("net");
+        s.advance(500);
+
+        s.step(drop("A"));
+
+        assertThat(s.onlyDecision().deadlineMillis()).hasValue(2000);
+        s.advance(1500);
+        assertThat(s.fired()).containsExactly("t");
+    }
+
+    @Test
+    void choiceOfWhichNobodyIsLeftSaysSo() {
+        Session s = choice();
+        s.join("A").start("net");
+
+        List<Effect> told = s.step(drop("A"));
+
+        assertThat(told)
+                .contains(new Effect.Noted(
+                        NoteKind.NAMES_NOBODY, 1, "Nobody is left to choose for 'Choose (s)': 'A' was dropped"));
+        assertThat(s.onlyDecision().question()).isEqualTo(new Question.ChooseProxies(List.of(), 1, Integer.MAX_VALUE));
+    }
+
+    @Test
+    void choiceForAnInterruptIsGivenUpWhenNobodyIsLeft() {
+        Session s = new Session(new NetBuilder("net")
+                .start("s")
+                .output(
+                        "button",
+                        "ProxyInterrupt",
+                        Map.of("interruptName", new FieldSource.Fixed(new TextValue("Pull"))),
+                        Map.of())
+                .transition("begin")
+                .in("s", "begin", "always")
+                .out("begin", "work", "take all proxy")
+                .out("begin", "button", "take 1 generic")
+                .transition("pull", "ProxyInterruptReceived")
+                .in("button", "pull", "generic >= 1")
+                .in("work", "pull", "relevant >= 1")
+                .out("pull", "dock", "take all relevant")
+                .build());
+        s.join("A").start("net");
+        s.press("Pull");
+        assertThat(s.view().decisions()).hasSize(1);
+
+        s.step(drop("A"));
+
+        assertThat(s.view().decisions()).isEmpty();
+        assertThat(s.notes()).containsExactly(NoteKind.INTERRUPT_REFUSED);
     }
 
     @Test

@@ -15,6 +15,7 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
+import org.sami.spn.protocol.Question;
 
 /** What must be equal after each input. */
 final class Comparison {
@@ -149,7 +150,11 @@ final class Comparison {
                 Decision decision = d.decision();
                 found.add(decision.id() + " of mission " + decision.mission() + " for activation "
                         + decision.activation() + " "
-                        + decision.question().getClass().getSimpleName() + " until " + decision.deadlineMillis());
+                        + decision.question().getClass().getSimpleName()
+                        + (decision.question() instanceof Question.ChooseProxies choice
+                                ? " of " + choice.proxies()
+                                : "")
+                        + " until " + decision.deadlineMillis());
             }
         }
         return found;

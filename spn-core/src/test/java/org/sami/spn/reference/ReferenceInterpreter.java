@@ -456,6 +456,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
             left.get(m).forEach(place -> places.lookAfterLeaving(m, place));
             struck.get(m).forEach(t -> world.lookAt(m, t));
         }
+        roles.askWithout(proxy, concerned);
         places.lookAtWithdrawn();
     }
 

@@ -260,6 +260,55 @@ final class Roles {
         });
     }
 
+    /** Choices of missions that offered a boat are asked without it (R-DEC-8). */
+    void askWithout(String boat, List<Mission> missions) {
+        for (World.Question q : List.copyOf(world.questions)) {
+            Decision old = q.decision();
+            boolean theirs = missions.stream().anyMatch(m -> m.id == old.mission());
+            if (!theirs || !(old.question() instanceof Question.ChooseProxies choice)) {
+                continue;
+            }
+            List<String> others = new ArrayList<>(choice.proxies());
+            if (!others.remove(boat)) {
+                continue;
+            }
+            boolean runs =
+                    world.clocks.stream().anyMatch(clock -> clock.timer().isEmpty() && clock.decision() == old.id());
+            close(q, Optional.empty(), Optional.empty());
+            if (others.isEmpty() && old.activation() == Ids.NONE) {
+                world.note(NoteKind.INTERRUPT_REFUSED, old.mission(), "");
+                continue;
+            }
+            Question question = new Question.ChooseProxies(others, choice.min(), choice.max());
+            Decision decision = new Decision(
+                    world.nextDecision++,
+                    old.mission(),
+                    old.activation(),
+                    old.type(),
+                    old.prompt(),
+                    question,
+                    old.activation() == Ids.NONE
+                            ? Optional.empty()
+                            : automatic(world.eventType(old.type()).decision().orElseThrow(), question),
+                    runs ? old.deadlineMillis() : OptionalLong.empty(),
+                    Priority.MEDIUM,
+                    old.markups());
+            world.questions.add(new World.Question(decision, q.visit()));
+            world.effects.add(new Effect.DecisionOpened(decision));
+            if (runs) {
+                world.clocks.add(new World.Clock(
+                        old.deadlineMillis().orElseThrow(),
+                        world.nextClock++,
+                        Optional.empty(),
+                        Optional.empty(),
+                        decision.id()));
+            }
+            if (others.isEmpty()) {
+                world.note(NoteKind.NAMES_NOBODY, old.mission(), "");
+            }
+        }
+    }
+
     Optional<World.Question> find(long decision) {
         return world.questions.stream()
                 .filter(q -> q.decision().id() == decision)

@@ -35,7 +35,7 @@ import org.sami.spn.vocabulary.Reserved;
 /**
  * Questions to the operator: opened, answered once by the operator or by autonomy, closed.
  *
- * <p>Implements R-DEC-1, R-DEC-2, R-DEC-3, R-DEC-5, R-DEC-6, R-DEC-7.
+ * <p>Implements R-DEC-1, R-DEC-2, R-DEC-3, R-DEC-5, R-DEC-6, R-DEC-7, R-DEC-8.
  */
 public final class Decisions {
     private final Rules rules;
@@ -301,6 +301,58 @@ public final class Decisions {
             });
         }
         return values;
+    }
+
+    /** A robot was dropped from missions: choices that offer it are asked anew without it. */
+    void dropped(String robot, List<MissionState> missions) {
+        for (OpenDecision open : List.copyOf(rules.state.decisions.values())) {
+            if (missions.contains(open.mission)
+                    && open.decision.question() instanceof Question.ChooseProxies choice
+                    && choice.proxies().contains(robot)) {
+                List<String> left = choice.proxies().stream()
+                        .filter(other -> !other.equals(robot))
+                        .toList();
+                if (left.isEmpty() && open.purpose == OpenDecision.Purpose.INTERRUPT_CHOICE) {
+                    close(open);
+                    rules.note(
+                            NoteKind.INTERRUPT_REFUSED,
+                            open.mission.id,
+                            "Nobody is left for the interrupt '" + open.subject + "': '" + robot + "' was dropped");
+                } else {
+                    askAnew(open, new Question.ChooseProxies(left, choice.min(), choice.max()), robot);
+                }
+            }
+        }
+    }
+
+    private void askAnew(OpenDecision open, Question.ChooseProxies question, String dropped) {
+        Decision before = open.decision;
+        OptionalLong deadline = open.deadline == null ? OptionalLong.empty() : before.deadlineMillis();
+        close(open);
+        Decision decision = new Decision(
+                ++rules.state.lastDecision,
+                before.mission(),
+                before.activation(),
+                before.type(),
+                before.prompt(),
+                question,
+                open.sent == null ? Optional.empty() : Questions.automatic(open.sent.output.decision, question),
+                deadline,
+                before.priority(),
+                before.markups());
+        OpenDecision again =
+                new OpenDecision(decision, open.purpose, open.mission, open.sent, open.instance, open.subject);
+        if (open.sent != null) {
+            open.sent.decision = again;
+        }
+        add(again);
+        deadline.ifPresent(at -> again.deadline = rules.timers.deadline(again, at - rules.state.now));
+        if (question.proxies().isEmpty()) {
+            rules.note(
+                    NoteKind.NAMES_NOBODY,
+                    open.mission.id,
+                    "Nobody is left to choose for '" + before.prompt() + "': '" + dropped + "' was dropped");
+        }
     }
 
     /** Nobody waits for the answer any longer. */

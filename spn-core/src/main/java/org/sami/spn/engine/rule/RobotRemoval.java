@@ -49,6 +49,7 @@ public final class RobotRemoval {
                 drop(m, token);
             }
         }
+        rules.decisions.dropped(input.proxy(), concerned);
         rules.work.addWithdrawn();
         return Optional.empty();
     }
