@@ -142,6 +142,25 @@ class ThemeTest {
     }
 
     @ParameterizedTest
+    @EnumSource(Theme.class)
+    void buttonsAreReadInEveryState(Theme theme) {
+        Look.apply(theme, 100);
+
+        double least = theme == Theme.SUN ? 7 : 4.5;
+        for (String kind : List.of("Button", "Button.default")) {
+            for (String state : List.of("background", "focusedBackground", "hoverBackground", "pressedBackground")) {
+                Color below = UIManager.getColor(kind + "." + state);
+                Color words = UIManager.getColor(
+                        kind + "." + state.replace("background", "foreground").replace("Background", "Foreground"));
+                Color shown = words == null ? UIManager.getColor(kind + ".foreground") : words;
+                if (below != null) {
+                    assertThat(Contrast.of(shown, below)).as(kind + " " + state).isGreaterThanOrEqualTo(least);
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
     @ValueSource(ints = {80, 100, 150, 200})
     void textGrowsWithTheScale(int percent) {
         Look.apply(Theme.LIGHT, percent);
