@@ -15,21 +15,23 @@ import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.look.IdentityMark;
 
 /** Maps with something on them, for tests and benchmarks, and how one is painted without a display. */
-final class MapScenes {
-    static final GeoPoint LAKE = GeoPoint.of(45.70, 10.72);
+public final class MapScenes {
+    /** The middle of it all. */
+    public static final GeoPoint LAKE = GeoPoint.of(45.70, 10.72);
+
     private static final double DEGREES_PER_M = 1 / 111_200.0;
 
     private MapScenes() {}
 
     /** The point so many metres east and north of the lake's middle. */
-    static GeoPoint at(double eastM, double northM) {
+    public static GeoPoint at(double eastM, double northM) {
         return GeoPoint.of(
                 LAKE.latDeg() + northM * DEGREES_PER_M,
                 LAKE.lonDeg() + eastM * DEGREES_PER_M / Math.cos(Math.toRadians(LAKE.latDeg())));
     }
 
     /** A map with vehicles, their tracks of {@code trackPoints} points and paths, areas, a fence and a heat map. */
-    static MapView fleet(int vehicles, int trackPoints) {
+    public static MapView fleet(int vehicles, int trackPoints) {
         MapView map = new MapView();
         Random random = new Random(7);
         AreaLayer areas = map.layers().add(new AreaLayer("areas", "Areas"));
@@ -79,7 +81,8 @@ final class MapScenes {
         "nora", "otto", "paula", "quirin", "rosa", "sven", "tilda"
     };
 
-    static GeoArea square(double eastM, double northM, double halfM) {
+    /** A square around a point so many metres east and north of the middle. */
+    public static GeoArea square(double eastM, double northM, double halfM) {
         return new GeoArea(
                 List.of(
                         at(eastM - halfM, northM - halfM),
@@ -89,7 +92,7 @@ final class MapScenes {
                 List.of());
     }
 
-    static HeatMap heat() {
+    private static HeatMap heat() {
         List<Double> values = new ArrayList<>();
         for (int row = 0; row < 24; row++) {
             for (int column = 0; column < 24; column++) {
@@ -112,7 +115,7 @@ final class MapScenes {
     }
 
     /** Gives a component a size and lays it out, as a window would. */
-    static void size(Component component, int width, int height) {
+    public static void size(Component component, int width, int height) {
         component.setSize(width, height);
         layOut(component);
     }
@@ -127,7 +130,7 @@ final class MapScenes {
     }
 
     /** A picture of a component that was laid out. */
-    static BufferedImage paint(Component component) {
+    public static BufferedImage paint(Component component) {
         BufferedImage image =
                 new BufferedImage(component.getWidth(), component.getHeight(), BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
