@@ -1,6 +1,7 @@
 package org.sami.crw.session;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -25,13 +26,10 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.service.water.Water;
 import org.sami.crw.task.TaskMove;
-import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.engine.EngineView;
-import org.sami.spn.finding.Finding;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.host.Registration;
-import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
@@ -208,20 +206,21 @@ public final class Session implements AutoCloseable {
 
     /**
      * Loads a project beside the missions that run: those keep the plans with which they started, missions that start from now on have
-     * these. Its plans are checked on the calling thread; one with an error is refused, and nothing changes.
+     * these. Its plans are checked on a thread of the session's; one with an error is refused, and nothing changes.
      *
      * @return the session's number for the project: that with which it began is 1
      */
     public CompletionStage<Integer> load(Project project) {
-        Optional<Finding> wrong = PlanChecks.check(project, setup.vocabulary()).stream()
-                .filter(Finding::isError)
-                .findFirst();
-        if (wrong.isPresent()) {
-            return CompletableFuture.failedFuture(new RefusedException("the project is not loaded: "
-                    + wrong.get().pointer() + ": " + wrong.get().message()));
-        }
-        String document = new ProjectWriter(setup.vocabulary()).text(project);
-        return parts.posted.post(new Input.LoadProject(document), Session::loaded);
+        return post(parts.replies.on(parts.files, () -> parts.projects.checked(project)));
+    }
+
+    /** Reads a project's file or folder on a thread of the session's, and loads it as {@link #load(Project)} does. */
+    public CompletionStage<Integer> load(Path file) {
+        return post(parts.replies.on(parts.files, () -> parts.projects.checked(parts.projects.read(file))));
+    }
+
+    private CompletionStage<Integer> post(CompletionStage<String> document) {
+        return document.thenCompose(text -> parts.posted.post(new Input.LoadProject(text), Session::loaded));
     }
 
     private static int loaded(List<Effect> effects) {
@@ -231,6 +230,18 @@ public final class Session implements AutoCloseable {
             }
         }
         throw new RefusedException("the project is not loaded");
+    }
+
+    /**
+     * Makes the values that global variables have now their initial ones in a project's file or folder, which is written on a thread of
+     * the session's; everything else in it stays.
+     *
+     * @return what changed in the file; a refusal where it cannot be read or written, or gives a global another type
+     */
+    public CompletionStage<SavedGlobals> saveGlobals(Path file) {
+        return parts.replies
+                .of(parts.host.query(EngineView::globals))
+                .thenCompose(values -> parts.replies.on(parts.files, () -> parts.projects.save(values, file)));
     }
 
     /** Takes a boat out of one mission, which waits for it no longer; the boat goes on with what others want of it. */

@@ -56,12 +56,15 @@ final class SessionParts {
     final Operators operators = new Operators();
     final CrwDomain domain;
     final Optional<RememberedBoats> remembered;
+    final ProjectFiles projects;
+    final Executor files;
 
     private final Vocabulary vocabulary;
     private final SessionJournal journal;
     private final Optional<RealTimeLoop> loop;
     private final Optional<ServiceThreads> services;
     private final Optional<ExecutorService> ownFront;
+    private final Optional<ExecutorService> ownFiles;
     private final long showMillis;
     private final Optional<ExecutorService> forMap;
     private final CompletableFuture<Void> ended = new CompletableFuture<>();
@@ -99,6 +102,9 @@ final class SessionParts {
                 .slowListenerMillis(slowMillis)
                 .build();
         replies = new Replies(front);
+        projects = new ProjectFiles(vocabulary);
+        ownFiles = loop.map(real -> newThread("files"));
+        files = ownFiles.<Executor>map(own -> own).orElse(executor);
         posted = new PostedInputs(host, replies);
         telemetry = new SessionTelemetry(journal, scheduler::nowMs);
         forMap = loop.map(real -> newThread("map"));
@@ -264,6 +270,7 @@ final class SessionParts {
         host.close();
         replies.close();
         ownFront.ifPresent(ExecutorService::shutdown);
+        ownFiles.ifPresent(ExecutorService::shutdown);
         forMap.ifPresent(ExecutorService::shutdown);
         journal.close();
     }

@@ -1,6 +1,5 @@
 package org.sami.crw.sim.console;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,13 +15,10 @@ import org.sami.crw.operator.EngineText;
 import org.sami.crw.operator.MissionSnapshot;
 import org.sami.crw.operator.MissionsSnapshot;
 import org.sami.crw.proxy.LinkState;
+import org.sami.crw.session.SavedGlobals;
 import org.sami.crw.sim.run.ValueText;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.finding.Finding;
-import org.sami.spn.json.GlobalsFile;
-import org.sami.spn.json.ProjectReader;
-import org.sami.spn.json.Reading;
-import org.sami.spn.model.Project;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.Value;
@@ -118,27 +114,15 @@ final class SessionCommands {
 
     private void save(Arguments arguments, Consumer<String> out) {
         Path file = file(arguments);
-        Map<String, Value> values = context.await(context.session().ask(EngineView::globals));
-        Reading<List<GlobalsFile.Change>> saved;
-        try {
-            saved = new GlobalsFile(context.vocabulary()).save(values, file);
-        } catch (IOException fault) {
-            throw new ConsoleFault(file + " cannot be written: " + fault.getMessage());
-        }
-        if (saved.result().isEmpty()) {
-            throw new ConsoleFault("nothing is saved: " + words(file, saved.findings()));
-        }
-        saved.result().get().forEach(change -> out.accept(change.name() + " = " + EngineText.value(change.after())));
-        out.accept(saved.result().get().isEmpty() ? file + " has these values already" : "saved to " + file);
+        SavedGlobals saved = context.await(context.session().saveGlobals(file));
+        saved.changes().forEach(change -> out.accept(change.name() + " = " + EngineText.value(change.after())));
+        saved.warnings().forEach(warning -> out.accept(warning.message()));
+        out.accept(saved.changes().isEmpty() ? file + " has these values already" : "saved to " + file);
     }
 
     private void load(Arguments arguments, Consumer<String> out) {
         Path file = file(arguments);
-        Reading<Project> read = new ProjectReader(context.vocabulary()).read(file);
-        if (read.result().isEmpty() || read.hasErrors()) {
-            throw new ConsoleFault("nothing is loaded: " + words(file, read.findings()));
-        }
-        int version = context.await(context.session().load(read.result().get()));
+        int version = context.await(context.session().load(file));
         out.accept("loaded " + file + " as project " + version + "; missions that start now have its plans: "
                 + String.join(", ", context.plans()));
     }
@@ -150,13 +134,6 @@ final class SessionCommands {
             throw new ConsoleFault("there is no file " + file);
         }
         return file;
-    }
-
-    /** The first thing that is wrong, and how much there is. */
-    private static String words(Path file, List<Finding> findings) {
-        Finding first = findings.stream().filter(Finding::isError).findFirst().orElse(findings.get(0));
-        String where = first.location().map(place -> place.toString() + ": ").orElse(file + ": ");
-        return where + first.message() + (findings.size() > 1 ? " (and " + (findings.size() - 1) + " more)" : "");
     }
 
     private void await(Arguments arguments, Consumer<String> out) {

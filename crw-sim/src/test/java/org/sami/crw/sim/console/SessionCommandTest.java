@@ -221,7 +221,7 @@ class SessionCommandTest {
         assertThat(ran.out())
                 .contains("mission 1 of wait has begun", "mission 2 of wait has begun", "as project 2; ")
                 .contains("@depth = 4", "saved to " + project, project + " has these values already")
-                .contains("crw: nothing is loaded: ", "crw: there is no file ");
+                .contains("crw: the project is not loaded: ", "crw: there is no file ");
         assertThat(ran.out().lines().filter(line -> line.startsWith("crw: "))).hasSize(2);
         assertThat(project).content().contains("\"initial\": 4");
     }

@@ -3,6 +3,7 @@ package org.sami.crw.sim.session;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -34,6 +35,9 @@ import org.sami.crw.session.SessionTelemetry;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.MissionView;
+import org.sami.spn.json.GlobalsFile;
+import org.sami.spn.json.ProjectWriter;
+import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Ids;
@@ -421,5 +425,28 @@ class SessionTest {
         assertThat(track).hasSizeBetween(3, 60);
         assertThat(Geodesy.distanceM(track.get(0), TestSession.PIER)).isLessThan(5);
         assertThat(Geodesy.distanceM(track.get(track.size() - 1), there)).isLessThan(5);
+    }
+
+    @Test
+    void globalsAreSavedToTheProjectsFileAndLoadedFromIt() throws Exception {
+        Path file = folder.resolve("project.json");
+        Project project = TestSession.project(connecting(TestSession.address(world.boat("anna"))));
+        Session session = world.opened(project);
+        session.begin();
+        Files.writeString(file, new ProjectWriter(session.setup().vocabulary()).text(project));
+        TestSession.get(session.setVariable(Ids.NONE, "@meeting", TestSession.PIER));
+
+        assertThat(TestSession.get(session.saveGlobals(file)).changes())
+                .extracting(GlobalsFile.Change::name)
+                .containsExactly("@meeting");
+
+        assertThat(Files.readString(file)).contains("45.4").doesNotContain("45.7");
+        assertThat(TestSession.get(session.saveGlobals(file)).changes()).isEmpty();
+        assertThat(TestSession.get(session.load(file))).isEqualTo(2);
+        assertThatThrownBy(() -> TestSession.get(session.saveGlobals(folder.resolve("none.json"))))
+                .hasRootCauseInstanceOf(RefusedException.class)
+                .hasMessageContaining("nothing is saved");
+        Files.writeString(file, "{");
+        assertThatThrownBy(() -> TestSession.get(session.load(file))).hasMessageContaining("the project is not loaded");
     }
 }
