@@ -6,12 +6,10 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import javax.swing.JButton;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JFileChooser;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
-import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.MapModel;
 import org.sami.crw.operator.map.LayerState;
@@ -22,8 +20,8 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
+import org.sami.ui.command.CommandRow;
 import org.sami.ui.geo.GeoBounds;
-import org.sami.ui.look.Icons;
 import org.sami.ui.map.MapClick;
 import org.sami.ui.map.MapKey;
 import org.sami.ui.map.MapListener;
@@ -37,7 +35,7 @@ public final class MapPanel extends JPanel {
     private final MapView view = new MapView();
     private final MapFeed feed;
     private final GuidedMode guided;
-    private final JPanel tools = new JPanel(new MigLayout("insets 4 8 4 8, gap 4", "[]4[]4[]4[]push[]4[]", "[]"));
+    private final CommandRow tools = new CommandRow();
     private boolean placed;
     private boolean pointing;
     private long partShown;
@@ -84,11 +82,11 @@ public final class MapPanel extends JPanel {
         });
         tool("boats-home", "Return home", "ctrl shift H", "home", this::goHome);
         tool("boats-give-back", "Back to missions", "ctrl shift B", "resend", guided::giveBack);
-        JButton layers = new JButton("Layers", Icons.normal("layers"));
-        layers.setName("map-layers");
-        layers.setToolTipText("Choose what the map shows");
-        layers.addActionListener(e -> layersMenu().show(layers, 0, layers.getHeight()));
-        tools.add(layers, "hmin 40");
+        Command layers = new Command(
+                        "map-layers", "Layers", () -> layersMenu().show(tools, tools.getWidth() / 2, tools.getHeight()))
+                .withKey("ctrl L")
+                .withIcon("layers");
+        tools.right(new CommandButton(context.commands().add(layers)));
         Command measure = new Command("map-measure", "Measure", () -> {
                     view.canvas().requestFocusInWindow();
                     view.press(MapKey.MEASURE);
@@ -96,8 +94,8 @@ public final class MapPanel extends JPanel {
                 .withKey("ctrl shift L")
                 .withIcon("measure");
         context.commands().add(measure);
-        Command base = new Command("map-base", "Open a base map…", this::openBaseMap).withIcon("map");
-        tools.add(CommandButton.iconOnly(context.commands().add(base)));
+        Command base = new Command("map-base", "Base map…", this::openBaseMap).withIcon("map");
+        tools.right(new CommandButton(context.commands().add(base)));
         Command fit = new Command("map-fit", "Show all", view::fitAll)
                 .withKey("ctrl shift F")
                 .withIcon("fit");
@@ -108,7 +106,7 @@ public final class MapPanel extends JPanel {
         Command command = context.commands()
                 .add(new Command(id, title, run).withKey(key).withIcon(icon).unless(this::whyNotGuided));
         context.boats().addListener(command::refresh);
-        tools.add(new CommandButton(command));
+        tools.left(new CommandButton(command));
     }
 
     private Optional<String> whyNotGuided() {

@@ -1,24 +1,27 @@
 package org.sami.crw.gui.mission;
 
 import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Rectangle;
 import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
+import javax.swing.Scrollable;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.InterruptChoice;
 import org.sami.ui.look.Icons;
-import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.Look;
 import org.sami.ui.look.Spacing;
+import org.sami.ui.value.WrappedText;
 
 /** The buttons that running missions offer. Those for boats are pressed for the selected ones; where none is selected the plan asks. */
 public final class InterruptsPanel extends JPanel {
     private final OperatorContext context;
-    private final JPanel column = new JPanel(new MigLayout("insets 8, wrap 1, fillx", "[grow]", ""));
+    private final JPanel column = new Column();
 
     /** The interrupts of the session. */
     public InterruptsPanel(OperatorContext context) {
@@ -40,9 +43,8 @@ public final class InterruptsPanel extends JPanel {
             column.add(button(choice), "growx, hmin 40, wmin 0");
         }
         if (choices.isEmpty()) {
-            JLabel nothing = new JLabel(
-                    "<html>No running mission offers an interrupt. Each that does has its button here.</html>");
-            nothing.setForeground(SemanticColor.MUTED.get());
+            WrappedText nothing =
+                    new WrappedText("No running mission offers an interrupt. Each that does has its button here.");
             column.add(nothing, "growx, wmin 0");
         }
         column.revalidate();
@@ -62,5 +64,37 @@ public final class InterruptsPanel extends JPanel {
         button.addActionListener(e -> context.tell(
                 context.session().press(choice.name(), choice.mission(), boats), "Pressed " + choice.name() + whom));
         return button;
+    }
+
+    /** As wide as what it is seen through: it scrolls upwards and downwards only. */
+    private static final class Column extends JPanel implements Scrollable {
+        Column() {
+            super(new MigLayout("insets 8, wrap 1, fillx", "[grow]", ""));
+        }
+
+        @Override
+        public Dimension getPreferredScrollableViewportSize() {
+            return getPreferredSize();
+        }
+
+        @Override
+        public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
+            return Look.px(Spacing.HIT_TARGET_FIELD);
+        }
+
+        @Override
+        public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
+            return visible.height;
+        }
+
+        @Override
+        public boolean getScrollableTracksViewportWidth() {
+            return true;
+        }
+
+        @Override
+        public boolean getScrollableTracksViewportHeight() {
+            return false;
+        }
     }
 }

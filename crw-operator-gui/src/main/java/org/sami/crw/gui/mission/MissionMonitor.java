@@ -24,12 +24,15 @@ public final class MissionMonitor extends JPanel {
     private final JTabbedPane tabs = new JTabbedPane();
     private final Map<Long, MissionView> views = new LinkedHashMap<>();
     private final PlansPanel plans;
+    private final PhaseFollower phases;
     private final Set<Long> closed = new HashSet<>();
 
     /** The missions of the session. */
     public MissionMonitor(OperatorContext context, MissionStarter starter) {
         super(new BorderLayout());
         this.context = context;
+        phases = new PhaseFollower(context.vocabulary(), this::phasesChanged);
+        context.session().addListener(phases);
         tabs.setName("mission-tabs");
         tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
         plans = new PlansPanel(context, starter);
@@ -104,6 +107,13 @@ public final class MissionMonitor extends JPanel {
         });
     }
 
+    private void phasesChanged(long mission) {
+        MissionView view = views.get(mission);
+        if (view != null) {
+            view.show(phases.of(mission));
+        }
+    }
+
     private void show(MissionsSnapshot missions) {
         for (MissionSnapshot mission : missions.missions()) {
             if (mission.parent() == Ids.NONE && !closed.contains(mission.id())) {
@@ -118,6 +128,7 @@ public final class MissionMonitor extends JPanel {
 
     private MissionView added(MissionSnapshot mission) {
         MissionView view = new MissionView(context, mission);
+        view.show(phases.of(mission.id()));
         tabs.addTab(mission.title(), view);
         tabs.setSelectedComponent(view);
         return view;

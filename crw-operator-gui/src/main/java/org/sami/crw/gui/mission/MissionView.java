@@ -4,10 +4,12 @@ import java.awt.BorderLayout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
-import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.notice.SessionClock;
 import org.sami.crw.operator.EngineText;
@@ -16,6 +18,7 @@ import org.sami.crw.operator.MissionsSnapshot;
 import org.sami.crw.operator.Wait;
 import org.sami.spn.value.Value;
 import org.sami.ui.command.CommandButton;
+import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
@@ -26,10 +29,11 @@ final class MissionView extends JPanel {
     private final long mission;
     private final String title;
     private final JLabel state = new JLabel();
-    private final JPanel buttons = new JPanel(new MigLayout("insets 0", "[][]", "[]"));
+    private final List<CommandButton> ending;
     private final CommandButton close;
     private final RowTable<Line> places;
     private final RowTable<Line> variables;
+    private final PhasesView phases = new PhasesView();
     private boolean ended;
 
     /** A line of a table: what, and what is so. */
@@ -49,18 +53,17 @@ final class MissionView extends JPanel {
         CommandButton complete = new CommandButton(context.commands().get("mission-complete"));
         CommandButton abort = new CommandButton(context.commands().get("mission-abort"));
         close = new CommandButton(context.commands().get("mission-close"));
-        buttons.add(complete);
-        buttons.add(abort);
-        buttons.setOpaque(false);
-        JPanel head = new JPanel(new MigLayout("insets 6 12 6 6, hidemode 3", "[grow]push[][]", "[]"));
+        CommandRow head = new CommandRow();
         state.setFont(Fonts.strong());
         state.setName("mission-state");
-        head.add(state, "wmin 0");
-        head.add(buttons);
-        head.add(close);
+        head.left(state).right(complete).right(abort).right(close);
+        ending = List.of(complete, abort);
         JTabbedPane parts = new JTabbedPane();
         parts.setName("mission-parts");
-        parts.addTab("Where it stands", places);
+        JScrollPane scrolledPhases = new JScrollPane(phases);
+        scrolledPhases.setBorder(BorderFactory.createEmptyBorder());
+        parts.addTab("Waits", places);
+        parts.addTab("Phases", scrolledPhases);
         parts.addTab("Variables", variables);
         add(head, BorderLayout.NORTH);
         add(parts);
@@ -89,10 +92,15 @@ final class MissionView extends JPanel {
         return ended;
     }
 
+    /** Shows how far it is in the phases of its plan. */
+    void show(Optional<PhaseFollower.Phases> now) {
+        phases.show(now);
+    }
+
     /** Shows how it stands now. */
     void show(MissionSnapshot now, MissionsSnapshot all) {
         ended = now.hasEnded();
-        buttons.setVisible(!ended);
+        ending.forEach(button -> button.setVisible(!ended));
         close.setVisible(ended);
         state.setText(now.outcome()
                         .map(outcome -> outcome.name().toLowerCase(Locale.ROOT) + " at "

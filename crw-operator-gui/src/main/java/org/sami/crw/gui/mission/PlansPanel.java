@@ -9,7 +9,6 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
-import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.start.SessionOpener;
 import org.sami.spn.engine.EngineView;
@@ -17,6 +16,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
+import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
@@ -62,14 +62,12 @@ public final class PlansPanel extends JPanel {
         table.table().getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke("ENTER"), "start");
         table.table().getActionMap().put("start", start);
         title.setFont(Fonts.strong());
-        JPanel head = new JPanel(new MigLayout("insets 6 12 6 6", "[]push[][]", "[]"));
-        head.add(title);
-        head.add(new CommandButton(startWith));
         CommandButton startButton = new CommandButton(start);
-        startButton.setFont(Fonts.strong());
         startButton.putClientProperty(
-                "FlatLaf.style", "background: $Button.default.background; foreground: $Button.default.foreground");
-        head.add(startButton);
+                "FlatLaf.style",
+                "background: $Button.default.background; foreground: $Button.default.foreground; font: bold");
+        CommandRow head = new CommandRow();
+        head.left(title).right(startButton).right(new CommandButton(startWith));
         head.setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
         add(head, BorderLayout.NORTH);
         add(table);

@@ -4,13 +4,13 @@ import java.awt.BorderLayout;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JPanel;
-import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.Alarm;
 import org.sami.crw.operator.AlarmModel;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
+import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
@@ -41,7 +41,7 @@ public final class AlarmsPanel extends JPanel {
                         .withIcon("check")
                         .unless(this::whyNotAcknowledge));
         mute = context.commands()
-                .add(new Command("alarm-mute", "Mute or sound the selected alarm", this::muteSelected)
+                .add(new Command("alarm-mute", "Mute or unmute", this::muteSelected)
                         .withIcon("mute")
                         .unless(() -> table.selected().isPresent()
                                 ? Optional.empty()
@@ -50,9 +50,9 @@ public final class AlarmsPanel extends JPanel {
             acknowledge.refresh();
             mute.refresh();
         });
-        JPanel tools = new JPanel(new MigLayout("insets 4", "push[][]", "[]"));
-        tools.add(CommandButton.iconOnly(mute));
-        tools.add(new CommandButton(acknowledge));
+        CommandRow tools = new CommandRow();
+        tools.right(new CommandButton(mute));
+        tools.right(new CommandButton(acknowledge));
         add(table);
         add(tools, BorderLayout.SOUTH);
         alarms().addListener(this::show);

@@ -4,12 +4,12 @@ import java.awt.BorderLayout;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JPanel;
-import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.MessageEntry;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
+import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
@@ -44,8 +44,8 @@ public final class MessagesPanel extends JPanel {
                         .withIcon("check")
                         .unless(this::whyNotAcknowledge));
         table.addSelectionListener(acknowledge::refresh);
-        JPanel tools = new JPanel(new MigLayout("insets 4", "push[]", "[]"));
-        tools.add(new CommandButton(acknowledge));
+        CommandRow tools = new CommandRow();
+        tools.right(new CommandButton(acknowledge));
         add(table);
         add(tools, BorderLayout.SOUTH);
         context.models().messages().addListener(this::show);
