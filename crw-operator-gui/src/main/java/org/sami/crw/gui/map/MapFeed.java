@@ -138,11 +138,11 @@ final class MapFeed {
                         : OptionalDouble.empty());
     }
 
-    /** The box around boats and areas, for the first look. */
+    /** The box around boats and places, for the first look. */
     static Optional<GeoBounds> bounds(MapSnapshot map) {
         List<GeoPoint> points = new ArrayList<>();
         map.boats().forEach(boat -> points.add(boat.position()));
-        map.areas().forEach(area -> points.addAll(area.area().outline()));
+        map.places().forEach(place -> points.add(place.point()));
         return GeoBounds.of(points);
     }
 }

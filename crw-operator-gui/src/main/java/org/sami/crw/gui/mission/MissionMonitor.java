@@ -117,7 +117,7 @@ public final class MissionMonitor extends JPanel {
     private void show(MissionsSnapshot missions) {
         for (MissionSnapshot mission : missions.missions()) {
             if (mission.parent() == Ids.NONE && !closed.contains(mission.id())) {
-                MissionView view = views.computeIfAbsent(mission.id(), id -> added(mission));
+                MissionView view = views.computeIfAbsent(mission.id(), id -> added(mission, missions));
                 view.show(mission, missions);
                 int index = tabs.indexOfComponent(view);
                 tabs.setIconAt(index, icon(mission));
@@ -126,11 +126,12 @@ public final class MissionMonitor extends JPanel {
         refreshCommands();
     }
 
-    private MissionView added(MissionSnapshot mission) {
-        MissionView view = new MissionView(context, mission);
+    private MissionView added(MissionSnapshot mission, MissionsSnapshot all) {
+        MissionView view = new MissionView(context, mission, all);
         view.show(phases.of(mission.id()));
         tabs.addTab(mission.title(), view);
         tabs.setSelectedComponent(view);
+        view.focusFirst();
         return view;
     }
 

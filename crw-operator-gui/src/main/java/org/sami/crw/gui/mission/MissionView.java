@@ -33,13 +33,15 @@ final class MissionView extends JPanel {
     private final CommandButton close;
     private final RowTable<Line> places;
     private final RowTable<Line> variables;
+    private final JTabbedPane parts = new JTabbedPane();
+    private final MissionNet net;
     private final PhasesView phases = new PhasesView();
     private boolean ended;
 
     /** A line of a table: what, and what is so. */
     private record Line(String what, String text, boolean wrong) {}
 
-    MissionView(OperatorContext context, MissionSnapshot first) {
+    MissionView(OperatorContext context, MissionSnapshot first, MissionsSnapshot all) {
         super(new BorderLayout());
         mission = first.id();
         title = first.title();
@@ -58,10 +60,11 @@ final class MissionView extends JPanel {
         state.setName("mission-state");
         head.left(state).right(complete).right(abort).right(close);
         ending = List.of(complete, abort);
-        JTabbedPane parts = new JTabbedPane();
         parts.setName("mission-parts");
         JScrollPane scrolledPhases = new JScrollPane(phases);
         scrolledPhases.setBorder(BorderFactory.createEmptyBorder());
+        net = new MissionNet(context, all, mission);
+        parts.addTab("Net", net);
         parts.addTab("Waits", places);
         parts.addTab("Phases", scrolledPhases);
         parts.addTab("Variables", variables);
@@ -78,6 +81,11 @@ final class MissionView extends JPanel {
                         RowColumn.words(what, 180, Line::what),
                         RowColumn.<Line>words(text, 0, Line::text)
                                 .colored(line -> line.wrong() ? SemanticColor.MUTED : SemanticColor.TEXT)));
+    }
+
+    /** Puts the focus on what is shown, not on what would end the mission. */
+    void focusFirst() {
+        parts.requestFocusInWindow();
     }
 
     long mission() {
@@ -108,6 +116,7 @@ final class MissionView extends JPanel {
                         .orElse("runs since " + SessionClock.text(now.startedAtMillis()))
                 + ", " + now.firings() + " firings");
         state.setForeground((ended ? SemanticColor.MUTED : SemanticColor.OK).get());
+        net.show(all);
         places.show(lines(now.details().blocked()));
         List<Line> values = new ArrayList<>();
         now.variables().forEach((name, value) -> values.add(line(name, value)));

@@ -12,7 +12,7 @@ import org.sami.spn.value.GeoPoint;
 /** The five simulated boats that a window without real ones has, in the shallows of Katara Beach. */
 final class BuiltInFleet {
     private static final GeoPoint QUAY = GeoPoint.of(25.3597, 51.5268);
-    private static final double APART_DEG = 0.00009; // 10 m
+    private static final double APART_DEG = 0.0002; // 22 m
     private static final List<String> NAMES = List.of("anna", "bert", "carl", "dora", "emil");
 
     private BuiltInFleet() {}

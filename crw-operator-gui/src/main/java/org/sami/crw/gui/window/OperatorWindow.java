@@ -22,6 +22,7 @@ import org.sami.crw.gui.mission.InterruptsPanel;
 import org.sami.crw.gui.mission.MissionMonitor;
 import org.sami.crw.gui.mission.MissionStarter;
 import org.sami.crw.gui.notice.AlarmsPanel;
+import org.sami.crw.gui.notice.LogPanel;
 import org.sami.crw.gui.notice.MessagesPanel;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.WindowSettings;
@@ -76,7 +77,8 @@ public final class OperatorWindow {
                 new DockPanel("messages", "Messages", "message", new MessagesPanel(context)),
                 new DockPanel("alarms", "Alarms", "alarm", new AlarmsPanel(context)),
                 new DockPanel("interrupts", "Interrupts", "interrupt", new InterruptsPanel(context)),
-                new DockPanel("allocation", "Allocation", "allocation", new AllocationPanel(context)));
+                new DockPanel("allocation", "Allocation", "allocation", new AllocationPanel(context)),
+                new DockPanel("log", "Log", "log", new LogPanel(context)));
         dock = new DockArea(frame, panels, FIRST, data.arrangement());
         WindowCommands commands = new WindowCommands(context, frame, settings, missions::reloadPlans);
         commands.addPanels(dock);
@@ -111,7 +113,8 @@ public final class OperatorWindow {
             .below("interrupts", "missions", 0.3)
             .right("messages", "interrupts", 0.62)
             .behind("alarms", "messages")
-            .behind("allocation", "messages");
+            .behind("allocation", "messages")
+            .behind("log", "messages");
 
     /** Shows it, as large as the screen allows. */
     public void open() {

@@ -1,0 +1,211 @@
+package org.sami.crw.gui.mission;
+
+import java.awt.BorderLayout;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import javax.swing.JComboBox;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.operator.EngineText;
+import org.sami.crw.operator.MissionSnapshot;
+import org.sami.crw.operator.MissionsSnapshot;
+import org.sami.spn.model.Plan;
+import org.sami.spn.value.TaskId;
+import org.sami.ui.net.NetKey;
+import org.sami.ui.net.NetListener;
+import org.sami.ui.net.NetMarking;
+import org.sami.ui.net.NetMode;
+import org.sami.ui.net.NetView;
+
+/**
+ * The net of a mission with its tokens, as authors know it: what fires shines, a transition says why it does not. Sub-missions that run are one
+ * choice, or a double click on their place, away.
+ */
+final class MissionNet extends JPanel {
+    private final OperatorContext context;
+    private final long root;
+    private final NetView net;
+    private final JComboBox<Shown> which = new JComboBox<>();
+    private final JComboBox<Mode> mode = new JComboBox<>();
+    private final Map<Long, Long> firings = new HashMap<>();
+    private MissionsSnapshot missions;
+    private long drawn;
+    private Optional<Plan> plan = Optional.empty();
+    private String active = "";
+    private boolean filling;
+
+    /** A mission in the list of those that can be shown. */
+    private record Shown(long mission, String title) {
+        @Override
+        public String toString() {
+            return title;
+        }
+    }
+
+    /** A mode in the list. */
+    private record Mode(NetMode mode) {
+        @Override
+        public String toString() {
+            return mode.label() + " parts";
+        }
+    }
+
+    MissionNet(OperatorContext context, MissionsSnapshot missions, long root) {
+        super(new BorderLayout());
+        this.context = context;
+        this.missions = missions;
+        this.root = root;
+        net = new NetView(context.marks());
+        net.setName("mission-net");
+        net.setTokenName(EngineText::token);
+        net.setExplanation(this::whyNotFiring);
+        net.addNetListener(new NetListener() {
+            @Override
+            public void opened(String id) {
+                openSubMission(id);
+            }
+        });
+        which.setName("mission-shown");
+        which.getAccessibleContext().setAccessibleName("Mission or sub-mission that is shown");
+        which.addActionListener(e -> draw());
+        mode.setName("mission-net-mode");
+        mode.getAccessibleContext().setAccessibleName("Parts of the net that are shown");
+        for (NetMode each : NetMode.values()) {
+            mode.addItem(new Mode(each));
+        }
+        mode.setSelectedItem(new Mode(net.mode()));
+        mode.addActionListener(e -> {
+            if (mode.getSelectedItem() instanceof Mode chosen) {
+                net.setMode(chosen.mode());
+            }
+        });
+        JPanel head = new JPanel(new MigLayout("insets 4 8 4 8", "[grow, 100::]push[]", "[]"));
+        head.add(which, "wmin 80");
+        head.add(mode, "wmin 80");
+        add(head, BorderLayout.NORTH);
+        add(net);
+        show(missions);
+    }
+
+    /** Shows how all stand now. */
+    void show(MissionsSnapshot now) {
+        missions = now;
+        fill();
+        draw();
+    }
+
+    private void fill() {
+        List<Shown> wanted = new ArrayList<>();
+        now(root).ifPresent(mission -> collect(mission, 0, wanted));
+        List<Shown> there = new ArrayList<>();
+        for (int i = 0; i < which.getItemCount(); i++) {
+            there.add(which.getItemAt(i));
+        }
+        if (!wanted.equals(there)) {
+            filling = true;
+            Object before = which.getSelectedItem();
+            which.removeAllItems();
+            wanted.forEach(which::addItem);
+            which.setSelectedItem(wanted.contains(before) ? before : wanted.isEmpty() ? null : wanted.get(0));
+            which.setVisible(wanted.size() > 1);
+            filling = false;
+        }
+    }
+
+    private void collect(MissionSnapshot mission, int depth, List<Shown> into) {
+        into.add(new Shown(mission.id(), "   ".repeat(depth) + mission.title()));
+        missions.running().stream()
+                .filter(other -> other.parent() == mission.id())
+                .forEach(child -> collect(child, depth + 1, into));
+    }
+
+    private Optional<MissionSnapshot> now(long mission) {
+        return missions.mission(mission);
+    }
+
+    private void openSubMission(String place) {
+        missions.running().stream()
+                .filter(mission ->
+                        mission.parent() == drawn && mission.parentPlace().equals(place))
+                .findFirst()
+                .ifPresent(child -> {
+                    for (int i = 0; i < which.getItemCount(); i++) {
+                        if (which.getItemAt(i).mission() == child.id()) {
+                            which.setSelectedIndex(i);
+                        }
+                    }
+                });
+    }
+
+    private void draw() {
+        if (filling || !(which.getSelectedItem() instanceof Shown shown)) {
+            return;
+        }
+        if (drawn != shown.mission()) {
+            drawn = shown.mission();
+            long wanted = drawn;
+            context.session().ask(view -> view.planOf(wanted)).thenAccept(found -> {
+                if (drawn == wanted) {
+                    plan = found;
+                    found.ifPresent(one -> net.show(one, context.vocabulary()));
+                    net.press(NetKey.ACTUAL_SIZE);
+                    net.press(NetKey.ZOOM_OUT);
+                    active = "";
+                    mark();
+                }
+            });
+        } else {
+            mark();
+        }
+    }
+
+    private void mark() {
+        now(drawn).filter(mission -> plan.isPresent()).ifPresent(mission -> {
+            Map<TaskId, String> robots = new HashMap<>();
+            context.models()
+                    .allocation()
+                    .snapshot()
+                    .queues()
+                    .forEach((boat, tasks) -> tasks.forEach(task -> robots.put(task, boat)));
+            net.setMarking(new NetMarking(mission.marking(), mission.visitedByNobody(), robots));
+            follow(mission);
+            long before = firings.getOrDefault(drawn, mission.firings());
+            long fresh = mission.firings() - before;
+            List<MissionSnapshot.Firing> last = mission.lastFirings();
+            last.subList((int) Math.max(0, last.size() - fresh), last.size())
+                    .forEach(firing -> net.fired(firing.transition()));
+            firings.put(drawn, mission.firings());
+        });
+    }
+
+    /** Keeps in sight where tokens came last. */
+    private void follow(MissionSnapshot mission) {
+        String latest = "";
+        for (String place : mission.marking().keySet()) {
+            latest = place;
+        }
+        if (!latest.isEmpty() && !latest.equals(active)) {
+            active = latest;
+            net.highlight(Set.of(active));
+            net.highlight(Set.of()); // it is in sight now; what is highlighted is for others to say
+        }
+    }
+
+    private Optional<String> whyNotFiring(String transition) {
+        return now(drawn).stream()
+                .flatMap(mission -> mission.details().blocked().stream())
+                .flatMap(wait -> wait.transitions().stream())
+                .filter(blocked -> plan.flatMap(one -> one.transition(transition))
+                        .map(found -> blocked.name().equals(found.name())
+                                || blocked.name().equals(found.id()))
+                        .orElse(false))
+                .filter(blocked -> !blocked.reasons().isEmpty())
+                .map(blocked -> "Cannot fire: " + String.join("; ", blocked.reasons()))
+                .findFirst();
+    }
+}
