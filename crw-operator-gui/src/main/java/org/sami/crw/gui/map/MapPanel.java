@@ -11,6 +11,7 @@ import javax.swing.JFileChooser;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.decision.DecisionMap;
 import org.sami.crw.operator.MapModel;
 import org.sami.crw.operator.map.LayerState;
 import org.sami.crw.operator.map.MapSnapshot;
@@ -194,6 +195,11 @@ public final class MapPanel extends JPanel {
         if (!part.why().isEmpty()) {
             context.notices().told(part.why());
         }
+    }
+
+    /** Where the shown decision is seen on this map; to be asked for once. */
+    public DecisionMap decisionMap() {
+        return new DecisionOverlay(view, context.marks());
     }
 
     /** Gives up its files. */

@@ -16,6 +16,8 @@ import org.sami.crw.gui.boat.BoatsPanel;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.Notices;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.decision.DecisionsPanel;
+import org.sami.crw.gui.decision.SessionDecisions;
 import org.sami.crw.gui.map.MapPanel;
 import org.sami.crw.gui.mission.AllocationPanel;
 import org.sami.crw.gui.mission.InterruptsPanel;
@@ -29,6 +31,7 @@ import org.sami.crw.gui.start.WindowSettings;
 import org.sami.crw.gui.status.FleetStopCommands;
 import org.sami.crw.gui.status.StatusStrip;
 import org.sami.crw.session.Session;
+import org.sami.spn.json.DomainLibrary;
 import org.sami.ui.command.CommandKeys;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.Arrangement;
@@ -49,6 +52,7 @@ public final class OperatorWindow {
     private final DockArea dock;
     private final MapPanel map;
     private final MissionMonitor missions;
+    private final DecisionsPanel decisions;
     private final CommandKeys keys;
     private final Timer refresh;
 
@@ -69,9 +73,14 @@ public final class OperatorWindow {
         BoatPanel boat = new BoatPanel(context);
         map = new MapPanel(context);
         missions = new MissionMonitor(context, new MissionStarter(context, settings));
+        decisions = SessionDecisions.panel(
+                context,
+                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow().components(),
+                map.decisionMap());
         List<DockPanel> panels = List.of(
                 new DockPanel("map", "Map", "map", map),
                 new DockPanel("missions", "Missions", "net", missions),
+                new DockPanel("decisions", "Decisions", "decision", decisions),
                 new DockPanel("boats", "Boats", "fleet", boats),
                 new DockPanel("boat", "Boat", "boat", boat),
                 new DockPanel("messages", "Messages", "message", new MessagesPanel(context)),
@@ -97,6 +106,7 @@ public final class OperatorWindow {
             boats.refresh();
             boat.refresh();
             map.refresh();
+            decisions.refresh();
         });
         frame.addWindowListener(new WindowAdapter() {
             @Override
@@ -110,7 +120,8 @@ public final class OperatorWindow {
             .right("missions", "map", 0.42)
             .below("boats", "map", 0.3)
             .behind("boat", "boats")
-            .below("interrupts", "missions", 0.3)
+            .below("decisions", "missions", 0.6)
+            .below("interrupts", "decisions", 0.3)
             .right("messages", "interrupts", 0.62)
             .behind("alarms", "messages")
             .behind("allocation", "messages")

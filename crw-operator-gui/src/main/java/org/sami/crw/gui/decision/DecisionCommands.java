@@ -1,0 +1,54 @@
+package org.sami.crw.gui.decision;
+
+import java.util.List;
+import org.sami.ui.command.Command;
+import org.sami.ui.command.CommandRegistry;
+
+/** What the operator can have done with decisions, each with its key. */
+final class DecisionCommands {
+    private final Command answer;
+    private final Command refuse;
+    private final Command later;
+    private final Command earlier;
+    private final Command focus;
+
+    DecisionCommands(CommandRegistry registry, DecisionsPanel panel) {
+        answer = registry.add(new Command("decision-answer", "Answer", panel::answer)
+                .withKey("alt ENTER")
+                .withIcon("check")
+                .unless(panel::whyNot));
+        refuse = registry.add(
+                new Command("decision-refuse", "None of these", panel::refuse).unless(panel::whyNotRefuse));
+        later = registry.add(new Command("decision-later", "Next decision", () -> panel.browse(1))
+                .withKey("alt DOWN")
+                .withIcon("down")
+                .unless(panel::whyNotBrowse));
+        earlier = registry.add(new Command("decision-earlier", "Decision before", () -> panel.browse(-1))
+                .withKey("alt UP")
+                .withIcon("up")
+                .unless(panel::whyNotBrowse));
+        focus = registry.add(
+                new Command("decision-focus", "Go to the decision", panel::focusDecision).withKey("ctrl D"));
+    }
+
+    Command answer() {
+        return answer;
+    }
+
+    Command refuse() {
+        return refuse;
+    }
+
+    Command later() {
+        return later;
+    }
+
+    Command earlier() {
+        return earlier;
+    }
+
+    /** Asks all anew whether they can be run. */
+    void refresh() {
+        List.of(answer, refuse, later, earlier, focus).forEach(Command::refresh);
+    }
+}

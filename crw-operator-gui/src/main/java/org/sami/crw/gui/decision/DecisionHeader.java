@@ -1,0 +1,81 @@
+package org.sami.crw.gui.decision;
+
+import java.util.List;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.sami.crw.operator.PendingDecision;
+import org.sami.spn.protocol.Priority;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.value.WrappedText;
+
+/** What is asked, by whom, since when, and what autonomy will answer and when. */
+final class DecisionHeader extends JPanel {
+    private final JLabel age = new JLabel(" ");
+    private final JLabel asker = new JLabel(" ");
+    private final WrappedText title = new WrappedText("");
+    private final WrappedText description = new WrappedText("");
+    private final JPanel autonomy =
+            new JPanel(new MigLayout("novisualpadding, insets 6 8 6 8, gap 8, fillx", "[grow,fill][]"));
+    private final WrappedText countdown = new WrappedText("");
+
+    DecisionHeader() {
+        super(new MigLayout("novisualpadding, insets 0, gap 4 4, fillx, hidemode 3, wrap 1", "[grow,fill]"));
+        setOpaque(false);
+        title.setName("decision-title");
+        title.setHeading(true);
+        description.setName("decision-description");
+        description.setColor(SemanticColor.MUTED);
+        asker.setName("decision-asker");
+        age.setName("decision-age");
+        countdown.setName("decision-autonomy");
+        autonomy.add(countdown, "wmin 60");
+        add(asker);
+        add(age);
+        add(title, "wmin 60");
+        add(description, "wmin 60");
+        add(autonomy);
+        dress();
+    }
+
+    private void dress() {
+        if (autonomy == null) { // the superclass sets the look before there are parts
+            return;
+        }
+        asker.setFont(Fonts.small());
+        asker.setForeground(SemanticColor.MUTED.get());
+        age.setFont(Fonts.small());
+        autonomy.setBackground(SemanticColor.SURFACE_RAISED.get());
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        dress();
+    }
+
+    /** Shows a decision as it is now. */
+    void show(PendingDecision pending, long nowMillis) {
+        set(title, pending.presentation().title());
+        List<String> lines = pending.presentation().description();
+        set(description, String.join("\n", lines));
+        description.setVisible(!lines.isEmpty());
+        asker.setText(DecisionWords.asker(pending.presentation()));
+        Priority priority = pending.decision().priority();
+        age.setText(DecisionWords.age(pending, nowMillis));
+        age.setForeground((priority == Priority.CRITICAL
+                        ? SemanticColor.CRITICAL
+                        : priority == Priority.HIGH ? SemanticColor.WARNING : SemanticColor.MUTED)
+                .get());
+        String words = DecisionWords.autonomy(pending, nowMillis);
+        set(countdown, words);
+        autonomy.setVisible(!words.isEmpty());
+    }
+
+    private static void set(WrappedText text, String words) {
+        if (!text.getText().equals(words)) {
+            text.setText(words);
+        }
+    }
+}

@@ -1,0 +1,60 @@
+package org.sami.crw.gui.decision;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalLong;
+import org.sami.crw.decision.DecisionPresentation;
+import org.sami.crw.operator.PendingDecision;
+import org.sami.spn.protocol.Priority;
+
+/** What is said of a decision beside its question: who asks, for how long it has waited, what autonomy will do. */
+final class DecisionWords {
+    private static final long SECOND = 1000;
+    private static final long MINUTE = 60;
+
+    private DecisionWords() {}
+
+    /** A time that passes: {@code 12 s}, {@code 3 min 05 s}, {@code 1 h 02 min}. */
+    static String span(long millis) {
+        long seconds = Math.max(0, millis) / SECOND;
+        if (seconds < MINUTE) {
+            return seconds + " s";
+        }
+        return seconds < MINUTE * MINUTE
+                ? String.format(Locale.ROOT, "%d min %02d s", seconds / MINUTE, seconds % MINUTE)
+                : String.format(Locale.ROOT, "%d h %02d min", seconds / MINUTE / MINUTE, seconds / MINUTE % MINUTE);
+    }
+
+    /** Who asks, in one line: mission and place, as far as they are known. */
+    static String asker(DecisionPresentation decision) {
+        List<String> parts = new ArrayList<>(
+                List.of(decision.asker().mission(), decision.asker().placeName()));
+        parts.removeIf(String::isBlank);
+        return parts.isEmpty() ? "Asked by the system" : String.join(" · ", parts);
+    }
+
+    /** How long it has waited, and how urgent it is where that is not as usual. */
+    static String age(PendingDecision pending, long nowMillis) {
+        String waits = "asked " + span(pending.ageMillis(nowMillis)) + " ago";
+        Priority priority = pending.decision().priority();
+        return switch (priority) {
+            case CRITICAL -> "▲ critical · " + waits;
+            case HIGH -> "△ urgent · " + waits;
+            default -> waits;
+        };
+    }
+
+    /** What autonomy does with it, in one sentence; empty text where it does nothing and was never to. */
+    static String autonomy(PendingDecision pending, long nowMillis) {
+        DecisionPresentation decision = pending.presentation();
+        OptionalLong left = decision.autonomy().remainingMillis(nowMillis);
+        if (left.isPresent()) {
+            String answer = decision.autonomy().words().isBlank()
+                    ? "has no answer and gives up"
+                    : "answers " + decision.autonomy().words();
+            return "Autonomy " + answer + " in " + span(left.getAsLong() + SECOND - 1);
+        }
+        return decision.autonomy().isHeld() ? "The timer was stopped: only you answer" : "";
+    }
+}

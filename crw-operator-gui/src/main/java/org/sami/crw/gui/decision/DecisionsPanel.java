@@ -1,0 +1,316 @@
+package org.sami.crw.gui.decision;
+
+import java.awt.BorderLayout;
+import java.awt.CardLayout;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import java.util.stream.Collectors;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.Timer;
+import net.miginfocom.swing.MigLayout;
+import org.sami.crw.markup.Attention;
+import org.sami.crw.operator.PendingDecision;
+import org.sami.crw.session.RefusedException;
+import org.sami.spn.component.ComponentChoice;
+import org.sami.spn.component.Interactions;
+import org.sami.spn.protocol.Answer;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.command.CommandRegistry;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.value.ValueEditors;
+import org.sami.ui.value.WrappedText;
+
+/**
+ * What waits for the operator: the most urgent decision in full, with the components that are chosen for it, and the others as a list. Digits
+ * choose options, Enter gives the answer that is filled in, Escape leaves. Why an answer would be refused stands above the button
+ * before it is given. On the event thread.
+ */
+public final class DecisionsPanel extends JPanel {
+    private static final String NONE = "none";
+    private static final String ONE = "one";
+    private static final int BLINK_MS = 500;
+
+    private final DecisionActions actions;
+    private final DecisionMap map;
+    private final Interactions interactions;
+    private final ComponentChoice choice;
+    private final ValueEditors editors;
+    private final ShownDecision shown;
+    private final Map<Long, DecisionView> views = new HashMap<>();
+    private final CardLayout cards = new CardLayout();
+    private final JPanel deck = new JPanel(cards);
+    private final JPanel body = new JPanel(new BorderLayout());
+    private final DecisionHeader header;
+    private final WrappedText problem = new WrappedText("");
+    private final JLabel position = new JLabel(" ");
+    private final WaitingList waiting;
+    private final DecisionCommands commands;
+    private final CommandButton refuse;
+    private final Timer settle = new Timer((int) ShownDecision.REST_MILLIS + 10, event -> settle());
+    private Optional<DecisionView> current = Optional.empty();
+    private boolean underWay;
+    private String refusal = "";
+
+    DecisionsPanel(
+            CommandRegistry registry,
+            DecisionActions actions,
+            Interactions interactions,
+            ComponentChoice choice,
+            ValueEditors editors,
+            DecisionMap map) {
+        super(new BorderLayout());
+        this.actions = actions;
+        this.map = map;
+        this.interactions = interactions;
+        this.choice = choice;
+        this.editors = editors;
+        shown = new ShownDecision(() -> System.nanoTime() / 1_000_000);
+        commands = new DecisionCommands(registry, this);
+        refuse = new CommandButton(commands.refuse());
+        header = new DecisionHeader();
+        waiting = new WaitingList(this::select);
+        settle.setRepeats(false);
+        setName("decisions");
+        deck.add(empty(), NONE);
+        deck.add(one(), ONE);
+        add(deck);
+        DecisionKeys.bind(this);
+        PointerWatch.on(this, shown::pointerDown, () -> {
+            shown.pointerUp();
+            settle.restart();
+        });
+        refresh();
+    }
+
+    private static JComponent empty() {
+        JPanel empty = new JPanel(new MigLayout("insets 16, fill", "[grow,fill]", "[center]"));
+        empty.setOpaque(false);
+        WrappedText text = new WrappedText(
+                "Nothing waits for you. When a mission asks for boats, an area, a choice between allocations or a "
+                        + "yes, the most urgent question appears here, and the others in a list below it.");
+        text.setName("decisions-empty");
+        text.setColor(SemanticColor.MUTED);
+        empty.add(text, "wmin 60");
+        return empty;
+    }
+
+    private JComponent one() {
+        JPanel column = new JPanel(new MigLayout(
+                "novisualpadding, insets 8 12 8 12, gap 8 8, fill, hidemode 3, wrap 1",
+                "[grow,fill]",
+                "[][grow,fill][][][]"));
+        column.setOpaque(false);
+        body.setOpaque(false);
+        JScrollPane scroll = new JScrollPane(new WidthTrackingPanel(body));
+        scroll.setBorder(BorderFactory.createEmptyBorder());
+        scroll.getVerticalScrollBar().setUnitIncrement(Look.px(16));
+        problem.setName("decision-problem");
+        problem.setColor(SemanticColor.MUTED);
+        column.add(header);
+        column.add(scroll, "hmin 60");
+        column.add(problem, "wmin 60");
+        column.add(buttons());
+        column.add(waiting);
+        return column;
+    }
+
+    private JComponent buttons() {
+        JPanel buttons = new JPanel(new MigLayout("novisualpadding, insets 0, gap 8, hidemode 3", "[][]push[][][]"));
+        buttons.setOpaque(false);
+        position.setName("decision-position");
+        CommandButton answer = new CommandButton(commands.answer());
+        answer.putClientProperty("JButton.buttonType", "default");
+        buttons.add(answer);
+        buttons.add(refuse);
+        buttons.add(position);
+        buttons.add(CommandButton.iconOnly(commands.earlier()));
+        buttons.add(CommandButton.iconOnly(commands.later()));
+        return buttons;
+    }
+
+    /** What waits has changed. */
+    void queue(List<PendingDecision> pending) {
+        shown.queue(pending);
+        views.keySet()
+                .retainAll(pending.stream().map(one -> one.decision().id()).collect(Collectors.toSet()));
+        refresh();
+    }
+
+    private void settle() {
+        shown.settle();
+        refresh();
+    }
+
+    /** Shows what is true now; called a few times a second, as ages and timers run. */
+    public void refresh() {
+        shown.settle();
+        Optional<PendingDecision> pending = shown.shown();
+        boolean other = !pending.map(one -> one.decision().id())
+                .equals(current.map(view -> view.decision().id()));
+        if (other) {
+            turnTo(pending);
+        }
+        pending.ifPresent(one -> {
+            header.show(one, actions.nowMillis());
+            drawAttention(one);
+        });
+        waiting.show(shown.others(), actions.nowMillis());
+        tellProblem();
+        position.setText(shown.waiting() < 2 || shown.isOver() ? " " : shown.position() + 1 + " of " + shown.waiting());
+        commands.refresh();
+        refuse.setVisible(whyNotRefuse().isEmpty());
+    }
+
+    private void turnTo(Optional<PendingDecision> pending) {
+        boolean focused = DecisionKeys.hasFocusIn(this);
+        refusal = "";
+        body.removeAll();
+        current = pending.map(one -> views.computeIfAbsent(one.decision().id(), id -> view(one)));
+        current.ifPresent(view -> body.add(view.component()));
+        cards.show(deck, current.isPresent() ? ONE : NONE);
+        body.revalidate();
+        body.repaint();
+        current.ifPresentOrElse(view -> map.show(view.decision(), view.editor().values()), map::clear);
+        if (focused) {
+            current.ifPresent(view -> view.editor().focusTarget().requestFocusInWindow());
+        }
+    }
+
+    private DecisionView view(PendingDecision pending) {
+        DecisionView made = new DecisionView(pending.presentation(), interactions, choice, editors, actions);
+        made.editor().addListener(() -> edited(made));
+        made.editor().onPressed(this::answer);
+        return made;
+    }
+
+    private void edited(DecisionView view) {
+        if (current.filter(view::equals).isPresent()) {
+            if (view.editor().isTouched()) {
+                shown.keep();
+                attend();
+            }
+            refusal = "";
+            map.show(view.decision(), view.editor().values());
+            tellProblem();
+            commands.refresh();
+        }
+    }
+
+    private void tellProblem() {
+        String text = shown.isOver() ? "This decision was answered meanwhile" : refusal;
+        if (text.isEmpty()) {
+            text = whyNot().orElse("");
+        }
+        problem.setColor(refusal.isEmpty() ? SemanticColor.MUTED : SemanticColor.CRITICAL);
+        if (!problem.getText().equals(text)) {
+            problem.setText(text);
+        }
+    }
+
+    private void drawAttention(PendingDecision pending) {
+        Optional<Attention> attention = pending.attention().filter(one -> one.target() == Attention.Target.COMPONENT);
+        boolean lit = attention.isPresent()
+                && (attention.get().type() == Attention.Type.HIGHLIGHT
+                        || System.nanoTime() / 1_000_000 / BLINK_MS % 2 == 0);
+        setBorder(BorderFactory.createLineBorder(
+                (lit ? SemanticColor.WARNING_FILL : SemanticColor.SURFACE).get(), Look.px(4)));
+    }
+
+    private void attend() {
+        shown.shown()
+                .filter(pending -> pending.attention().isPresent())
+                .ifPresent(pending -> actions.attend(pending.decision().id()));
+    }
+
+    // ---- what keys and buttons do
+
+    /** Why the answer that is filled in cannot be given now; empty where it can. */
+    Optional<String> whyNot() {
+        if (current.isEmpty()) {
+            return Optional.of("no decision waits");
+        }
+        if (shown.isOver()) {
+            return Optional.of("this decision was answered meanwhile");
+        }
+        return underWay ? Optional.of("an answer is under way") : current.get().whyNot(actions);
+    }
+
+    /** Why no decision can be looked at besides the shown one; empty where one can. */
+    Optional<String> whyNotBrowse() {
+        return shown.waiting() > 1 ? Optional.empty() : Optional.of("no other decision waits");
+    }
+
+    /** Why "none of these" is no answer now; empty where it is. */
+    Optional<String> whyNotRefuse() {
+        return current.filter(DecisionView::refusable).isPresent() && !shown.isOver() && !underWay
+                ? Optional.empty()
+                : Optional.of("this decision asks for a choice");
+    }
+
+    /** Gives the answer that is filled in. */
+    void answer() {
+        if (whyNot().isEmpty()) {
+            give(current.get().editor().answer().orElseThrow());
+        } else {
+            tellProblem();
+        }
+    }
+
+    /** Answers with none of what is offered. */
+    void refuse() {
+        give(new Answer.Rejected());
+    }
+
+    private void give(Answer answer) {
+        underWay = true;
+        attend();
+        CompletionStage<Void> given =
+                actions.answer(current.orElseThrow().decision().id(), answer);
+        given.whenComplete((done, fault) -> {
+            underWay = false;
+            refusal = fault == null ? "" : "▲ " + RefusedException.reason(fault);
+            if (fault == null) {
+                shown.follow();
+            }
+            refresh();
+        });
+        commands.refresh();
+    }
+
+    /** Shows another decision, and answers nothing. */
+    void browse(int step) {
+        shown.browse(step);
+        refresh();
+    }
+
+    private void select(long decision) {
+        shown.select(decision);
+        refresh();
+    }
+
+    /** Chooses an option of the shown decision, from 0; gives no answer. */
+    void choose(int option) {
+        current.filter(view -> !shown.isOver()).ifPresent(view -> view.editor().choose(option));
+    }
+
+    /** Leaves the shown decision: what was filled in is forgotten, and the most urgent one is shown again. */
+    void leave() {
+        current.ifPresent(view -> views.remove(view.decision().id()));
+        current = Optional.empty();
+        shown.follow();
+        refresh();
+    }
+
+    /** Brings the keyboard's focus to what is to be filled in. */
+    public void focusDecision() {
+        current.ifPresentOrElse(view -> view.editor().focusTarget().requestFocusInWindow(), this::requestFocusInWindow);
+    }
+}

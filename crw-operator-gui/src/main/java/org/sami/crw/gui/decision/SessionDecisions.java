@@ -1,0 +1,56 @@
+package org.sami.crw.gui.decision;
+
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.spn.component.ComponentChoice;
+import org.sami.spn.component.ComponentLibrary;
+import org.sami.spn.component.Interactions;
+import org.sami.spn.protocol.Answer;
+import org.sami.ui.value.ValueContext;
+import org.sami.ui.value.ValueEditors;
+
+/** The decisions of a session: makes the panel, and keeps it as the queue is. */
+public final class SessionDecisions {
+    private SessionDecisions() {}
+
+    /**
+     * The panel of a session's decisions. On the event thread.
+     *
+     * @param components that the domain declares
+     * @param map where decisions are seen
+     */
+    public static DecisionsPanel panel(OperatorContext context, ComponentLibrary components, DecisionMap map) {
+        ComponentChoice choice =
+                new ComponentChoice(components, context.vocabulary().types());
+        ValueEditors editors =
+                new ValueEditors(choice, new ValueContext(context.vocabulary().types(), new SessionNames(context)));
+        DecisionsPanel panel = new DecisionsPanel(
+                context.commands(), new Actions(context), new Interactions(context.vocabulary()), choice, editors, map);
+        context.models().decisions().addListener(panel::queue);
+        panel.queue(context.models().decisions().snapshot());
+        return panel;
+    }
+
+    private record Actions(OperatorContext context) implements DecisionActions {
+        @Override
+        public CompletionStage<Void> answer(long decision, Answer answer) {
+            return context.session().answer(decision, answer, OperatorContext.OPERATOR);
+        }
+
+        @Override
+        public Optional<String> check(long decision, Answer answer) {
+            return context.models().decisions().check(decision, answer, context.vocabulary());
+        }
+
+        @Override
+        public void attend(long decision) {
+            context.models().decisions().attend(decision);
+        }
+
+        @Override
+        public long nowMillis() {
+            return context.nowMillis();
+        }
+    }
+}

@@ -1,0 +1,56 @@
+package org.sami.crw.gui.decision;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.sami.crw.operator.PendingDecision;
+import org.sami.spn.model.MarkupSpec;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.protocol.Question;
+import org.sami.spn.value.EnumValue;
+
+class DecisionWordsTest {
+    private static PendingDecision pending(Optional<Answer> automatic, OptionalLong deadline, Priority priority) {
+        List<MarkupSpec> timer =
+                List.of(new MarkupSpec("MixedInitiativeTrigger", Map.of("trigger", new EnumValue("Trigger", "TIMER"))));
+        Question question = new Question.ChooseProxies(List.of("anna", "bert"), 1, 2);
+        return new PendingDecision(
+                new Decision(1, 1, 1, "Select", "Which boats?", question, automatic, deadline, priority, timer), 1000);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0,0 s", "-5,0 s", "59999,59 s", "60000,1 min 00 s", "3599000,59 min 59 s", "7320000,2 h 02 min"})
+    void timesAreWrittenInTwoUnitsAtMost(long millis, String text) {
+        assertThat(DecisionWords.span(millis)).isEqualTo(text);
+    }
+
+    @Test
+    void ageSaysHowUrgentItIs() {
+        assertThat(DecisionWords.age(pending(Optional.empty(), OptionalLong.empty(), Priority.MEDIUM), 13_000))
+                .isEqualTo("asked 12 s ago");
+        assertThat(DecisionWords.age(pending(Optional.empty(), OptionalLong.empty(), Priority.CRITICAL), 13_000))
+                .isEqualTo("▲ critical · asked 12 s ago");
+    }
+
+    @Test
+    void autonomySaysWhatItAnswersAndWhen() {
+        Optional<Answer> all = Optional.of(new Answer.Proxies(List.of("anna", "bert")));
+        PendingDecision running = pending(all, OptionalLong.of(20_000), Priority.MEDIUM);
+
+        assertThat(DecisionWords.autonomy(running, 8_000))
+                .startsWith("Autonomy answers ")
+                .contains("anna")
+                .endsWith(" in 12 s");
+        assertThat(DecisionWords.autonomy(running, 19_999)).endsWith(" in 1 s");
+        assertThat(DecisionWords.autonomy(pending(all, OptionalLong.empty(), Priority.MEDIUM), 8_000))
+                .isEqualTo("The timer was stopped: only you answer");
+    }
+}

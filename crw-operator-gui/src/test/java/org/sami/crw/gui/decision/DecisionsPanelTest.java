@@ -1,0 +1,93 @@
+package org.sami.crw.gui.decision;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Map;
+import javax.swing.AbstractButton;
+import javax.swing.JTextArea;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The panel before a real session with simulated boats: what is asked is answered by what it shows. */
+@Timeout(120)
+class DecisionsPanelTest {
+    @Test
+    void aMissionIsAskedThroughFromBoatsToTheChosenAllocation() throws Exception {
+        try (PanelWorld world = new PanelWorld("clv", "anna", "bert")) {
+            world.until(
+                    "boats are asked for",
+                    () -> world.find("value-decision-option-2", AbstractButton.class)
+                            .isPresent());
+            assertThat(world.text("decision-asker")).startsWith("clv");
+            assertThat(world.enabled("decision-answer")).as("all are proposed").isTrue();
+
+            world.key("choose-1");
+            world.key("choose-2");
+            assertThat(world.text("decision-problem")).isEqualTo("Choose at least 1");
+            assertThat(world.enabled("decision-answer")).isFalse();
+            world.key("choose-1");
+            world.key("choose-2");
+            assertThat(world.text("decision-problem")).isEmpty();
+            world.press("decision-answer");
+
+            world.type("value-locations-text", "45.4005, 10.9\n45.4, 10.9005\nquay");
+            assertThat(world.text("decision-problem"))
+                    .isEqualTo("Locations: Line 3: \"quay\" is not a place; one is 45.7, 10.72");
+            assertThat(world.enabled("decision-answer")).isFalse();
+            world.type("value-locations-text", "45.4005, 10.9\n45.4, 10.9005\n45.3995, 10.9");
+            world.key("answer");
+
+            world.press("value-decision-option-1");
+            world.press("decision-answer");
+
+            world.until(
+                    "a boat is on its way",
+                    () -> world.context.models().fleet().snapshot().stream().anyMatch(boat -> boat.points() > 0));
+            world.until(
+                    "nothing waits",
+                    () -> world.find("decisions-empty", JTextArea.class).isPresent());
+        }
+    }
+
+    @Test
+    void browsingAnswersNothingAndLosesNothing() throws Exception {
+        try (PanelWorld world = new PanelWorld("clv", "anna")) {
+            world.session.start("clv", "second", Map.of()).toCompletableFuture().join();
+            world.until("two wait", () -> "1 of 2".equals(world.text("decision-position")));
+            assertThat(world.text("decision-asker")).startsWith("clv");
+            world.key("choose-1");
+            assertThat(world.enabled("decision-answer")).as("nobody is chosen").isFalse();
+
+            world.press("decision-later");
+            assertThat(world.text("decision-asker")).startsWith("second");
+            assertThat(world.enabled("decision-answer")).as("all are proposed").isTrue();
+
+            world.press("decision-earlier");
+            assertThat(world.text("decision-asker")).startsWith("clv");
+            assertThat(world.enabled("decision-answer"))
+                    .as("what was taken off stays off")
+                    .isFalse();
+            assertThat(world.context.models().decisions().snapshot()).hasSize(2);
+
+            world.key("leave");
+            assertThat(world.enabled("decision-answer"))
+                    .as("what was done to it is forgotten")
+                    .isTrue();
+        }
+    }
+
+    @Test
+    void aDecisionThatEndsElsewhereGivesWay() throws Exception {
+        try (PanelWorld world = new PanelWorld("clv", "anna")) {
+            world.until(
+                    "boats are asked for", () -> world.text("decision-asker").startsWith("clv"));
+            world.key("choose-1");
+
+            world.session.abortAll();
+
+            world.until(
+                    "nothing waits",
+                    () -> world.find("decisions-empty", JTextArea.class).isPresent());
+        }
+    }
+}
