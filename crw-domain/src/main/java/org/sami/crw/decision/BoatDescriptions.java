@@ -5,10 +5,11 @@ import org.sami.spn.engine.EngineView;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.value.TextValue;
+import org.sami.spn.vocabulary.Reserved;
 
 /** What plans have called boats, such as SHORE or WATER; kept in the session's journal (Proxy Set Description). */
 public final class BoatDescriptions {
-    private static final String KEY = "description/";
+    private static final String KEY = Reserved.DESCRIPTION_KEY;
 
     private BoatDescriptions() {}
 

@@ -25,14 +25,13 @@ public final class DecisionPresenter {
     /** How a decision is to be shown that is open, or was in this step. On the engine's thread. */
     public static DecisionPresentation of(Decision decision, EngineView view) {
         Optional<Activation> asking = view.activation(decision.activation());
-        Decision offered = BoatFilter.narrowed(decision, view);
-        MarkupReader markups = new MarkupReader(offered.markups());
+        MarkupReader markups = new MarkupReader(decision.markups());
         List<String> all = view.proxies();
         List<OfferedOption> choices = OfferedOptions.of(
-                offered, markups, all, boat -> BoatDescriptions.of(view, boat).orElse(""));
+                decision, markups, all, boat -> BoatDescriptions.of(view, boat).orElse(""));
         return of(
-                offered,
-                asker(offered, asking, view),
+                decision,
+                asker(decision, asking, view),
                 markups,
                 choices,
                 asking.map(Activation::proxies).orElse(List.of()),

@@ -1,5 +1,5 @@
 /**
- * How decisions are answered: what is narrowed before the operator sees it, answers files, and an operator that is simulated.
+ * How decisions are shown and answered: their presentation as their markups say, answers files, and an operator that is simulated.
  *
  * <p>Does not belong here: what lies before the operator ({@code org.sami.crw.operator}), when an answer is given (the host's clock
  * decides), what decisions mean to a plan ({@code spn.engine}).

@@ -11,4 +11,7 @@ public interface DecisionListener {
 
     /** A decision waits no longer; without an answer, its visit or mission ended. */
     void closed(PendingDecision decision, Optional<Answer> answer, Optional<Answerer> by);
+
+    /** The operator has stopped the timer of a decision: autonomy does not answer it any longer. */
+    default void held(PendingDecision decision) {}
 }

@@ -79,6 +79,20 @@ public final class DecisionQueue extends Model<List<PendingDecision>> {
         }
     }
 
+    /** The timer of a decision was stopped; one that does not wait changes nothing. */
+    void hold(long decision) {
+        replace(
+                decision,
+                pending -> new PendingDecision(
+                        pending.presentation().withDecision(pending.decision().withoutDeadline()),
+                        pending.openedAtMillis(),
+                        pending.attended()));
+        PendingDecision held = byId.get(decision);
+        if (held != null) {
+            listeners.each(listener -> listener.held(held));
+        }
+    }
+
     @Override
     List<PendingDecision> take() {
         return List.copyOf(ordered);

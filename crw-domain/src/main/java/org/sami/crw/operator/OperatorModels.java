@@ -242,6 +242,8 @@ public final class OperatorModels implements HostListener, MessageSink {
                 open(step.presentations().get(opened.decision().id()), step.atMillis());
             } else if (effect instanceof Effect.DecisionClosed closed) {
                 decisions.close(closed.decision(), closed.answer(), closed.by());
+            } else if (effect instanceof Effect.DecisionHeld held) {
+                decisions.hold(held.decision());
             } else {
                 EngineMessages.of(effect, step.atMillis()).ifPresent(messages::add);
             }

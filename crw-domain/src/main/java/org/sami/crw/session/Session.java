@@ -190,6 +190,11 @@ public final class Session implements AutoCloseable {
         return parts.posted.post(input, effects -> answered(decision, effects));
     }
 
+    /** Stops the timer of a decision: autonomy does not answer it any longer. Refused where no timer runs. */
+    public CompletionStage<Void> hold(long decision) {
+        return post(new Input.HoldDecision(decision));
+    }
+
     private static Void answered(long decision, List<Effect> effects) {
         for (Effect effect : effects) {
             if (effect instanceof Effect.DecisionClosed closed && closed.decision() == decision) {

@@ -146,6 +146,10 @@ public final class Engine {
             OpenDecision open = rules.state.decisions.get(answer.decision());
             mission = open == null ? Ids.NONE : open.decision.mission();
             refused = rules.decisions.answer(answer);
+        } else if (input instanceof Input.HoldDecision hold) {
+            OpenDecision open = rules.state.decisions.get(hold.decision());
+            mission = open == null ? Ids.NONE : open.decision.mission();
+            refused = rules.decisions.hold(hold.decision());
         } else if (input instanceof Input.Interrupt press) {
             rules.interrupts.interrupt(press);
         } else if (input instanceof Input.AbortMission abort) {

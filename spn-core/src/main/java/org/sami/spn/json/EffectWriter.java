@@ -45,6 +45,8 @@ final class EffectWriter {
             node.put("effect", "mission-ended").put("mission", e.mission()).put("outcome", Words.of(e.outcome()));
         } else if (effect instanceof Effect.DecisionOpened e) {
             node.put("effect", "decision-opened").set("decision", DecisionWriter.write(e.decision()));
+        } else if (effect instanceof Effect.DecisionHeld e) {
+            node.put("effect", "decision-held").put("decision", e.decision());
         } else if (effect instanceof Effect.DecisionClosed e) {
             node.put("effect", "decision-closed").put("decision", e.decision());
             e.answer().ifPresent(a -> node.set("answer", InputWriter.answer(a)));

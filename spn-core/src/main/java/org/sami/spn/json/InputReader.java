@@ -48,6 +48,7 @@ final class InputReader {
             case "abort-mission" -> Optional.of(new Input.AbortMission(m.whole("mission")));
             case "complete-mission" -> Optional.of(new Input.CompleteMission(m.whole("mission")));
             case "answer-decision" -> answerDecision(m);
+            case "hold-decision" -> Optional.of(new Input.HoldDecision(m.whole("decision")));
             case "set-variable" ->
                 value(m).map(v -> new Input.SetVariable(m.whole("mission"), m.text("variable", ""), v));
             case "allocate-tasks" -> Optional.of(allocateTasks(m));

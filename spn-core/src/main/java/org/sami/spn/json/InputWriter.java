@@ -78,6 +78,8 @@ final class InputWriter {
                     .put("about", i.about())
                     .put("prompt", i.prompt())
                     .put("priority", Words.of(i.priority()));
+        } else if (input instanceof Input.HoldDecision i) {
+            node.put("input", "hold-decision").put("decision", i.decision());
         } else if (input instanceof Input.WithdrawQuestion i) {
             node.put("input", "withdraw-question").put("kind", i.kind()).put("about", i.about());
         } else {

@@ -46,6 +46,12 @@ public record Decision(
         markups = List.copyOf(markups);
     }
 
+    /** The same decision, which autonomy does not answer at any time. */
+    public Decision withoutDeadline() {
+        return new Decision(
+                id, mission, activation, type, prompt, question, automatic, OptionalLong.empty(), priority, markups);
+    }
+
     /** The same decision with another form of its question, such as one that offers less. */
     public Decision asking(Question other) {
         return new Decision(id, mission, activation, type, prompt, other, automatic, deadlineMillis, priority, markups);

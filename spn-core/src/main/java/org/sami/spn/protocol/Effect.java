@@ -102,6 +102,9 @@ public sealed interface Effect {
     /** A question is no longer open; without an answer, its visit or mission ended. */
     record DecisionClosed(long decision, Optional<Answer> answer, Optional<Answerer> by) implements Effect {}
 
+    /** The timer of a decision was stopped: autonomy will not answer it ({@link Input.HoldDecision}). */
+    record DecisionHeld(long decision) implements Effect {}
+
     /** The operator has answered what the domain asked ({@link Input.AskOperator}). */
     record QuestionAnswered(String kind, String about, boolean yes) implements Effect {
         public QuestionAnswered {

@@ -113,6 +113,12 @@ public sealed interface Input {
         }
     }
 
+    /**
+     * The operator wishes to decide alone: the timer of a decision that autonomy would answer is stopped, and autonomy does not answer it any
+     * longer.
+     */
+    record HoldDecision(long decision) implements Input {}
+
     /** Writes a variable as a write of that mission would; {@link Ids#NONE} writes a global one. */
     record SetVariable(long mission, String variable, Value value) implements Input {
         public SetVariable {

@@ -32,6 +32,30 @@ public final class Reserved {
     /** Option of {@link #PRIORITY}: a constant of {@code org.sami.spn.protocol.Priority}. */
     public static final String RANK = "rank";
 
+    /** Markup: which options a decision offers (thesis 6.3.2). */
+    public static final String FILTER = "Filter";
+
+    /** Option of {@link #FILTER}: the text that an option contains. */
+    public static final String SOURCE = "source";
+
+    /** Option of {@link #FILTER}: the constant {@link #EXCLUDE}, or another one for keeping what contains the text. */
+    public static final String ACTION = "action";
+
+    /** Constant of {@link #ACTION}: what contains the text is left out. */
+    public static final String EXCLUDE = "EXCLUDE";
+
+    /** Markup: what is selected when a decision opens. */
+    public static final String DEFAULT_SELECTION = "DefaultSelection";
+
+    /** Option of {@link #DEFAULT_SELECTION}: the constant {@link #NONE}, or another one for all. */
+    public static final String SELECTION = "selection";
+
+    /** Constant of {@link #SELECTION}: nothing is selected. */
+    public static final String NONE = "NONE";
+
+    /** Begins the key under which the session remembers what a robot is called beside its name, as a text; its id follows. */
+    public static final String DESCRIPTION_KEY = "description/";
+
     /** Markup: an event is an action of a phase (thesis 5.2.3). */
     public static final String PHASE_ITEM = "PhaseItem";
 

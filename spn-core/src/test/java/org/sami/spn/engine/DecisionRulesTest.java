@@ -2,12 +2,16 @@ package org.sami.spn.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.MarkupSpec;
+import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
@@ -95,6 +99,64 @@ class DecisionRulesTest {
 
         assertThat(s.fired()).containsExactly("yes");
         assertThat(s.view().nextDueMillis()).isEmpty();
+    }
+
+    @Test
+    void aHeldDecisionWaitsForTheOperatorAlone() {
+        Session s = approve(trigger("TIMER", 2000));
+        s.start("net");
+        long id = s.onlyDecision().id();
+
+        s.advance(1999);
+        s.step(new Input.HoldDecision(id));
+        assertThat(s.last()).containsExactly(new Effect.DecisionHeld(id));
+        assertThat(s.onlyDecision().deadlineMillis()).isEmpty();
+        assertThat(s.view().nextDueMillis()).isEmpty();
+        s.advance(100_000);
+        assertThat(s.fired()).isEmpty();
+
+        s.step(new Input.HoldDecision(id));
+        assertThat(s.notes()).containsExactly(NoteKind.REJECTED_INPUT);
+        s.decide(new Answer.YesNo(false));
+        assertThat(s.fired()).containsExactly("no");
+    }
+
+    @Test
+    void aHeldDecisionStaysHeldWhenTheStateIsRead() {
+        Session s = approve(trigger("TIMER", 2000));
+        s.start("net");
+        s.step(new Input.HoldDecision(1));
+
+        EngineState read = StateCodec.decode(StateCodec.encode(s.state()), s.engine());
+
+        assertThat(s.engine().view(read).nextDueMillis()).isEmpty();
+        assertThat(s.engine().step(read, 60_000, new Input.TimeReached())).isEmpty();
+        assertThat(s.engine().view(read).decisions()).isEqualTo(s.view().decisions());
+    }
+
+    @Test
+    void ofAnAnswerAHoldAnAbortAndATimerAtOneMomentTheFirstWins() {
+        List<Input> racing = List.of(
+                new Input.AnswerDecision(1, new Answer.YesNo(false), Answerer.OPERATOR),
+                new Input.HoldDecision(1),
+                new Input.AbortMission(1));
+        for (Input first : racing) {
+            for (long at : new long[] {1999, 2000}) {
+                Session s = approve(trigger("TIMER", 2000));
+                s.start("net");
+                List<Effect> effects = new ArrayList<>(s.engine().step(s.state(), at, first));
+                racing.forEach(later -> effects.addAll(s.engine().step(s.state(), at, later)));
+                List<Effect> closed = effects.stream()
+                        .filter(Effect.DecisionClosed.class::isInstance)
+                        .toList();
+
+                assertThat(closed).as(first + " at " + at).hasSize(1);
+                boolean timer = closed.get(0)
+                        .equals(new Effect.DecisionClosed(
+                                1, Optional.of(new Answer.YesNo(true)), Optional.of(Answerer.AUTONOMY)));
+                assertThat(timer).as("the timer wins when it is due").isEqualTo(at == 2000);
+            }
+        }
     }
 
     @Test
@@ -220,6 +282,69 @@ class DecisionRulesTest {
 
         assertThat(s.view().decisions()).isEmpty();
         assertThat(s.notes()).containsExactly(NoteKind.INTERRUPT_REFUSED);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "INCLUDE, shore,   boat-1",
+        "INCLUDE, WATER,   boat-2",
+        "EXCLUDE, SHORE,   boat-2 spare",
+        "INCLUDE, spare,   spare",
+        "INCLUDE, boat,    boat-1 boat-2",
+        "INCLUDE, nothing, boat-1 boat-2 spare", // nobody could answer
+    })
+    void aFilterOffersRobotsByNameAndByWhatTheyAreCalled(String action, String source, String offered) {
+        Session s = new Session(chooseSome(filter(action, source), trigger("TIMER", 10)));
+        s.join("boat-1", "boat-2", "spare");
+        s.step(new Input.Remember(Ids.NONE, "description/boat-1", new TextValue("SHORE")));
+        s.step(new Input.Remember(Ids.NONE, "description/boat-2", new TextValue("Water, deployed")));
+        s.start("net");
+        List<String> boats = List.of(offered.split(" "));
+
+        assertThat(((Question.ChooseProxies) s.onlyDecision().question()).proxies())
+                .isEqualTo(boats);
+        s.advance(10);
+
+        assertThat(s.last())
+                .contains(new Effect.DecisionClosed(
+                        1, Optional.of(new Answer.Proxies(boats)), Optional.of(Answerer.AUTONOMY)));
+    }
+
+    @Test
+    void everyFilterCounts() {
+        Session s = new Session(chooseSome(filter("INCLUDE", "boat"), filter("EXCLUDE", "1")));
+        s.join("boat-1", "boat-2", "spare").start("net");
+
+        assertThat(((Question.ChooseProxies) s.onlyDecision().question()).proxies())
+                .containsExactly("boat-2");
+    }
+
+    @Test
+    void autonomyChoosesNobodyWhereNobodyIsSelected() {
+        MarkupSpec nobody =
+                new MarkupSpec("DefaultSelection", Map.of("selection", new EnumValue("SelectionDefault", "NONE")));
+        Session s = new Session(chooseSome(nobody, trigger("TIMER", 10)));
+        s.join("A", "B").start("net");
+
+        s.advance(10);
+
+        assertThat(s.notes()).containsExactly(NoteKind.NO_AUTOMATIC_ANSWER);
+        assertThat(s.view().decisions()).hasSize(1);
+    }
+
+    private static Plan chooseSome(MarkupSpec... markups) {
+        return new NetBuilder("net")
+                .start("s")
+                .output("s", "ChooseSome", markups)
+                .transition("t", "Chosen")
+                .in("s", "t", "relevant all")
+                .out("t", "x", "take all relevant")
+                .build();
+    }
+
+    private static MarkupSpec filter(String action, String source) {
+        return new MarkupSpec(
+                "Filter", Map.of("source", new TextValue(source), "action", new EnumValue("FilterAction", action)));
     }
 
     @Test

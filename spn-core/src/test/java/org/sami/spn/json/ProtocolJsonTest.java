@@ -70,6 +70,7 @@ class ProtocolJsonTest {
                 new Input.HandlerFailed(7, "no such robot"),
                 new Input.Remember(1, "progress", new TextValue("half")),
                 new Input.AskOperator("BoatRestarted", "b1", "May it move?", Priority.CRITICAL),
+                new Input.HoldDecision(3),
                 new Input.WithdrawQuestion("BoatRestarted", "b1"));
     }
 
@@ -151,6 +152,7 @@ class ProtocolJsonTest {
                 new Effect.ActivationEnded(5),
                 new Effect.DecisionOpened(decision),
                 new Effect.DecisionClosed(1, Optional.empty(), Optional.empty()),
+                new Effect.DecisionHeld(2),
                 new Effect.CommandsWithdrawn(1, List.of("b1")),
                 new Effect.QuestionAnswered("BoatRestarted", "b1", true),
                 new Effect.TasksAllocated(Map.of(TASK, Optional.of("b2")), Map.of(TASK, "b1"), Priority.HIGH),

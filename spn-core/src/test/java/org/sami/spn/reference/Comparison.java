@@ -50,6 +50,7 @@ final class Comparison {
                         compare("variables written", written(expected), written(actual)),
                         compare("decisions opened", opened(expected), opened(actual)),
                         compare("decisions closed", closed(expected), closed(actual)),
+                        compare("decisions held", held(expected), held(actual)),
                         compare("notes", notes(expected), notes(actual)),
                         compare("open activations", interpreter.openActivations(), other.openActivations()),
                         compare("open decisions", interpreter.openDecisions(), other.openDecisions()),
@@ -150,11 +151,9 @@ final class Comparison {
                 Decision decision = d.decision();
                 found.add(decision.id() + " of mission " + decision.mission() + " for activation "
                         + decision.activation() + " "
-                        + decision.question().getClass().getSimpleName()
-                        + (decision.question() instanceof Question.ChooseProxies choice
-                                ? " of " + choice.proxies()
-                                : "")
-                        + " until " + decision.deadlineMillis());
+                        + (decision.question() instanceof Question.FillIn ? "values" : decision.question())
+                        + " until " + decision.deadlineMillis() + ", else "
+                        + (decision.question() instanceof Question.FillIn ? "values" : decision.automatic()));
             }
         }
         return found;
@@ -189,6 +188,10 @@ final class Comparison {
             }
         }
         return found;
+    }
+
+    private static List<Effect> held(List<Effect> effects) {
+        return effects.stream().filter(Effect.DecisionHeld.class::isInstance).toList();
     }
 
     private static List<String> closed(List<Effect> effects) {

@@ -70,6 +70,7 @@ final class Coverage {
             "decision answered by OPERATOR",
             "decision answered by AUTONOMY",
             "decision closed without answer",
+            "decision held",
             "task allocated",
             "task released",
             "task moved to another robot",
@@ -114,6 +115,7 @@ final class Coverage {
             entry("decision answered by OPERATOR", "R-DEC-1"),
             entry("decision answered by AUTONOMY", "R-DEC-2"),
             entry("decision closed without answer", "R-DEC-3"),
+            entry("decision held", "R-DEC-9"),
             entry("task allocated", "R-TASK-1"),
             entry("task released", "R-TASK-1"),
             entry("task moved to another robot", "R-TASK-1"),
@@ -217,6 +219,8 @@ final class Coverage {
             count("commands withdrawn from " + (w.proxies().isEmpty() ? "all" : "some"));
         } else if (effect instanceof Effect.DecisionClosed d) {
             count(d.by().map(by -> "decision answered by " + by).orElse("decision closed without answer"));
+        } else if (effect instanceof Effect.DecisionHeld) {
+            count("decision held");
         } else if (effect instanceof Effect.Activated a
                 && a.activation().tokens().isEmpty()) {
             count("entry by nobody activates");

@@ -98,6 +98,9 @@ final class RandomInputs {
             Decision d = dice.pick(open);
             return new Input.AnswerDecision(d.id(), answering.any(d.question()), Answerer.OPERATOR);
         }
+        if (open.stream().anyMatch(d -> d.deadlineMillis().isPresent()) && dice.chance(4)) {
+            return hold(subject);
+        }
         if (dice.chance(70)) {
             if (planned.isEmpty()) {
                 planned.addAll(guide.next(subject));
@@ -127,7 +130,7 @@ final class RandomInputs {
         if (die < 45 && !seen.activations.isEmpty()) {
             return new Input.Received(answer(subject));
         }
-        return die < 60 ? new Input.Received(news()) : other();
+        return die < 60 ? new Input.Received(news()) : other(subject);
     }
 
     private Input join(String boat) {
@@ -183,8 +186,8 @@ final class RandomInputs {
 
     // ---- Everything else
 
-    private Input other() {
-        return switch (dice.below(17)) {
+    private Input other(Subject subject) {
+        return switch (dice.below(18)) {
             case 0, 1, 2 ->
                 new Input.Interrupt(
                         dice.chance(50) ? Ids.NONE : anyMission(),
@@ -201,13 +204,33 @@ final class RandomInputs {
             case 12 ->
                 new Input.AddTasks(
                         anyMission(), List.of(new TaskSpec(dice.pick("T1", "X1", "X2"), "Measure", Map.of())));
-            case 13 -> dice.chance(30) ? new Input.StartMission("main", "n", Map.of()) : new Input.TimeReached();
+            case 13 -> dice.chance(50) ? describe() : hold(subject);
+            case 14 -> dice.chance(30) ? new Input.StartMission("main", "n", Map.of()) : new Input.TimeReached();
             default -> new Input.TimeReached();
         };
     }
 
     private Value anyValue() {
         return dice.chance(15) ? new TextValue("of no use") : new IntegerValue(dice.below(50));
+    }
+
+    /** What a boat is called, by which questions may be filtered. */
+    private Input describe() {
+        return new Input.Remember(
+                Ids.NONE, "description/" + dice.pick(BOATS), new TextValue(dice.pick("shore", "water", "")));
+    }
+
+    /** Mostly a decision for which a clock runs, as far as one is known. */
+    private Input hold(Subject subject) {
+        List<Decision> open = seen.openDecisions(subject);
+        List<Decision> timed =
+                open.stream().filter(d -> d.deadlineMillis().isPresent()).toList();
+        if (timed.isEmpty() || dice.chance(10)) {
+            return open.isEmpty()
+                    ? new Input.TimeReached()
+                    : new Input.HoldDecision(dice.pick(open).id());
+        }
+        return new Input.HoldDecision(dice.pick(timed).id());
     }
 
     private Input drop() {

@@ -50,6 +50,9 @@ final class RandomPlans {
     };
 
     private final Dice dice;
+    /** For what narrows questions; of its own, so that the rest of a seed's plan does not depend on it. */
+    private final Dice narrowing;
+
     private final Sketch sketch;
     private final List<String> children;
     private final NetBuilder net;
@@ -62,6 +65,7 @@ final class RandomPlans {
         boolean isChild = !id.equals("main");
         isNested = id.equals("inner");
         int places = 3 + dice.below(isChild ? 2 : 5);
+        narrowing = new Dice(31L * id.hashCode() + places);
         int ends = dice.chance(isChild ? 95 : 80) ? 1 + dice.below(2) : 0;
         sketch = new Sketch(places, ends, isChild, hasTasks);
     }
@@ -198,16 +202,38 @@ final class RandomPlans {
     private MarkupSpec[] markups(String type) {
         boolean decision = List.of("Approve", "ApproveThem", "Choose", "ChooseSome", "Pick")
                 .contains(type);
-        if (!decision || dice.chance(65)) {
+        if (!decision) {
             return new MarkupSpec[0];
         }
+        List<MarkupSpec> markups = new ArrayList<>();
+        if (type.startsWith("Choose") && narrowing.chance(30)) {
+            markups.add(new MarkupSpec(
+                    "Filter",
+                    Map.of(
+                            "source",
+                            new TextValue(narrowing.pick("a", "B", "shore", "WATER")),
+                            "action",
+                            new EnumValue("FilterAction", narrowing.pick("INCLUDE", "EXCLUDE")))));
+        }
+        if (type.startsWith("Choose") && narrowing.chance(20)) {
+            markups.add(new MarkupSpec(
+                    "DefaultSelection",
+                    Map.of("selection", new EnumValue("SelectionDefault", narrowing.pick("ALL", "NONE")))));
+        }
+        if (!dice.chance(65)) {
+            markups.add(trigger());
+        }
+        return markups.toArray(new MarkupSpec[0]);
+    }
+
+    private MarkupSpec trigger() {
         boolean timer = dice.chance(75);
         Map<String, Value> options = new LinkedHashMap<>();
         options.put("trigger", new EnumValue("Trigger", timer ? "TIMER" : "IMMEDIATELY"));
         if (timer) {
             options.put("timeout", new DurationValue(1000L * (1 + dice.below(9))));
         }
-        return new MarkupSpec[] {new MarkupSpec("MixedInitiativeTrigger", options)};
+        return new MarkupSpec("MixedInitiativeTrigger", options);
     }
 
     // ---- Sub-missions

@@ -57,6 +57,8 @@ class RandomStateKeyTest {
                         new Occurrence(o.type(), mission(o.mission()), activation, o.proxies(), tasks, o.values()));
             } else if (input instanceof Input.AnswerDecision a) {
                 return new Input.AnswerDecision(a.decision() + decisions, a.answer(), a.by());
+            } else if (input instanceof Input.HoldDecision h) {
+                return new Input.HoldDecision(h.decision() + decisions);
             } else if (input instanceof Input.Interrupt i) {
                 return new Input.Interrupt(mission(i.mission()), i.name(), i.proxies());
             } else if (input instanceof Input.AbortMission a) {

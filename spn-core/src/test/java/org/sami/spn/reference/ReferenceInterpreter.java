@@ -221,6 +221,8 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
             concerned(complete.mission()).forEach(this::complete);
         } else if (input instanceof Input.AnswerDecision answer) {
             answer(answer);
+        } else if (input instanceof Input.HoldDecision hold) {
+            hold(hold.decision());
         } else {
             handleData(input);
         }
@@ -237,7 +239,9 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
             addTasks(add);
         } else if (input instanceof Input.HandlerFailed failed) {
             world.note(NoteKind.HANDLER_FAILED, Ids.NONE, failed.reason());
-        } else if (input instanceof Input.Remember remember && remember.mission() != Ids.NONE) {
+        } else if (input instanceof Input.Remember remember && remember.mission() == Ids.NONE) {
+            world.memory.put(remember.key(), remember.value());
+        } else if (input instanceof Input.Remember remember) {
             world.mission(remember.mission())
                     .ifPresentOrElse(
                             m -> m.memory.put(remember.key(), remember.value()),
@@ -461,6 +465,19 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
     }
 
     // ---- Decisions
+
+    /** R-DEC-9: its clock is taken away. */
+    private void hold(long decision) {
+        Optional<World.Clock> clock = world.clocks.stream()
+                .filter(c -> c.timer().isEmpty() && c.decision() == decision)
+                .findFirst();
+        if (clock.isEmpty()) {
+            missions.reject("No clock runs for " + decision);
+            return;
+        }
+        world.clocks.remove(clock.get());
+        world.effects.add(new Effect.DecisionHeld(decision));
+    }
 
     private void answer(Input.AnswerDecision input) {
         Optional<World.Question> question = roles.find(input.decision());

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -26,8 +27,10 @@ import org.sami.spn.value.MapValue;
 import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.TaskId;
+import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.AnswerNames;
+import org.sami.spn.vocabulary.AutonomyAnswer;
 import org.sami.spn.vocabulary.DecisionForm;
 import org.sami.spn.vocabulary.DecisionType;
 import org.sami.spn.vocabulary.EventRole;
@@ -159,7 +162,7 @@ final class Roles {
 
     private void open(Visit visit, Activation activation, DecisionType type) {
         Question question = question(visit, activation, type);
-        Optional<Answer> automatic = automatic(type, question);
+        Optional<Answer> automatic = automatic(type, question, activation.markups());
         Optional<MarkupSpec> trigger = activation.markups().stream()
                 .filter(markup -> markup.type().equals("MixedInitiativeTrigger"))
                 .findFirst();
@@ -198,7 +201,13 @@ final class Roles {
     private Question question(Visit visit, Activation activation, DecisionType type) {
         return switch (type.form()) {
             case APPROVE -> new Question.Approve();
-            case CHOOSE_PROXIES -> new Question.ChooseProxies(candidates(visit, activation), type.min(), type.max());
+            case CHOOSE_PROXIES -> {
+                List<String> all = candidates(visit, activation);
+                List<String> kept =
+                        all.stream().filter(boat -> passes(activation, boat)).toList();
+                boolean tooFew = kept.isEmpty() || kept.size() < type.min();
+                yield new Question.ChooseProxies(tooFew ? all : kept, type.min(), type.max());
+            }
             case CHOOSE_OPTION ->
                 new Question.ChooseOption(activation
                         .value(type.optionsField())
@@ -226,11 +235,37 @@ final class Roles {
         return here.isEmpty() ? List.copyOf(world.proxies) : here;
     }
 
+    /** R-DEC-10: every filter lets it through. */
+    private boolean passes(Activation activation, String boat) {
+        String called = world.memory.get("description/" + boat) instanceof TextValue text ? text.value() : "";
+        String known = (boat + " " + called).toLowerCase(Locale.ROOT);
+        return activation.markups().stream()
+                .filter(markup -> markup.type().equals("Filter"))
+                .allMatch(markup -> {
+                    String wanted = ((TextValue) markup.option("source").orElseThrow())
+                            .value()
+                            .toLowerCase(Locale.ROOT);
+                    boolean drop =
+                            markup.option("action").equals(Optional.of(new EnumValue("FilterAction", "EXCLUDE")));
+                    return known.contains(wanted) != drop;
+                });
+    }
+
+    /** R-DEC-11. */
+    private static boolean selectsNobody(List<MarkupSpec> markups) {
+        return markups.stream()
+                .anyMatch(markup -> markup.type().equals("DefaultSelection")
+                        && markup.option("selection").equals(Optional.of(new EnumValue("SelectionDefault", "NONE"))));
+    }
+
     private static Question.Item item(FieldType f) {
         return new Question.Item(f.name(), f.type(), f.unit(), f.defaultValue(), true, f.help());
     }
 
-    private static Optional<Answer> automatic(DecisionType type, Question question) {
+    private static Optional<Answer> automatic(DecisionType type, Question question, List<MarkupSpec> markups) {
+        if (type.autonomy() == AutonomyAnswer.ALL && selectsNobody(markups)) {
+            return Optional.empty();
+        }
         return switch (type.autonomy()) {
             case NONE, DEFAULTS -> Optional.empty();
             case YES -> Optional.of(new Answer.YesNo(true));
@@ -289,7 +324,8 @@ final class Roles {
                     question,
                     old.activation() == Ids.NONE
                             ? Optional.empty()
-                            : automatic(world.eventType(old.type()).decision().orElseThrow(), question),
+                            : automatic(
+                                    world.eventType(old.type()).decision().orElseThrow(), question, old.markups()),
                     runs ? old.deadlineMillis() : OptionalLong.empty(),
                     Priority.MEDIUM,
                     old.markups());

@@ -65,6 +65,7 @@ final class World {
     long nextMission = 1;
     long nextVisit = 1;
     long nextActivation = 1;
+    final Map<String, Value> memory = new LinkedHashMap<>();
     long nextDecision = 1;
     long nextClock = 1;
     long firings;

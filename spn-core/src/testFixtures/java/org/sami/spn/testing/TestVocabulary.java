@@ -71,6 +71,8 @@ public final class TestVocabulary {
         addRoles(events);
         List<NamedType> types = List.of(
                 new NamedType.Enumeration("Trigger", List.of("NEVER", "IMMEDIATELY", "TIMER")),
+                new NamedType.Enumeration("FilterAction", List.of("INCLUDE", "EXCLUDE")),
+                new NamedType.Enumeration("SelectionDefault", List.of("ALL", "NONE")),
                 new NamedType.Enumeration("Rank", List.of("LOW", "MEDIUM", "HIGH", "CRITICAL")),
                 new NamedType.RecordType("Choice", new LinkedHashMap<>(Map.of("text", ValueType.Simple.TEXT))));
         List<MarkupType> markups = List.of(
@@ -81,6 +83,20 @@ public final class TestVocabulary {
                                 field("trigger", new ValueType.Named("Trigger")),
                                 field("timeout", ValueType.Simple.DURATION)),
                         "Mixed initiative trigger",
+                        ""),
+                new MarkupType(
+                        "Filter",
+                        List.of(),
+                        List.of(
+                                field("source", ValueType.Simple.TEXT),
+                                field("action", new ValueType.Named("FilterAction"))),
+                        "Filter",
+                        ""),
+                new MarkupType(
+                        "DefaultSelection",
+                        List.of(),
+                        List.of(field("selection", new ValueType.Named("SelectionDefault"))),
+                        "Default selection",
                         ""),
                 new MarkupType(
                         "Priority", List.of(), List.of(field("rank", new ValueType.Named("Rank"))), "Priority", ""));

@@ -7,16 +7,14 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.sami.crw.operator.EngineText;
+import org.sami.crw.decision.DecisionPresentation;
+import org.sami.crw.decision.OfferedOption;
 import org.sami.crw.sim.run.ValueText;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.ValueJson;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Question;
-import org.sami.spn.value.MapValue;
 import org.sami.spn.value.NamedType;
-import org.sami.spn.value.RealValue;
-import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
 
@@ -30,8 +28,9 @@ final class AnswerText {
         this.types = Objects.requireNonNull(types, "types");
     }
 
-    /** How a question can be answered, line by line. */
-    List<String> form(Question question) {
+    /** How a decision can be answered, line by line. */
+    List<String> form(DecisionPresentation asked) {
+        Question question = asked.question();
         if (question instanceof Question.Approve) {
             return List.of("yes or no");
         }
@@ -46,12 +45,13 @@ final class AnswerText {
                     : choose.min() == choose.max()
                             ? String.valueOf(choose.min())
                             : choose.min() + " to " + choose.max();
-            return List.of(count + " of " + String.join(", ", choose.proxies()) + ", or all");
+            return List.of(count + " of "
+                    + asked.options().stream().map(AnswerText::named).collect(Collectors.joining(", ")) + ", or all");
         }
-        if (question instanceof Question.ChooseOption choose) {
+        if (question instanceof Question.ChooseOption) {
             List<String> lines = new ArrayList<>();
-            for (int i = 0; i < choose.options().size(); i++) {
-                lines.add((i + 1) + "  " + shortened(choose.options().get(i)));
+            for (OfferedOption option : asked.options()) {
+                lines.add((lines.size() + 1) + "  " + shortened(named(option)));
             }
             lines.add("the number of an option, or none");
             return lines;
@@ -63,6 +63,10 @@ final class AnswerText {
                         .toList();
     }
 
+    private static String named(OfferedOption option) {
+        return option.label() + (option.detail().isEmpty() ? "" : " (" + option.detail() + ")");
+    }
+
     private String form(Question.Item item) {
         String unit = item.unit().isEmpty() ? "" : " in " + item.unit();
         String preset = item.defaultValue()
@@ -72,25 +76,13 @@ final class AnswerText {
                 + ")";
     }
 
-    /** The parts that can be said in a word or two; a path or a map cannot. */
-    private static String parts(RecordValue record) {
-        return record.fields().entrySet().stream()
-                .filter(field -> !(field.getValue() instanceof MapValue)
-                        && !EngineText.value(field.getValue()).isEmpty())
-                .map(field -> field.getKey() + " "
-                        + (field.getValue() instanceof RealValue real
-                                ? Numbers.short1(real.value())
-                                : EngineText.value(field.getValue())))
-                .collect(Collectors.joining(", "));
-    }
-
-    private static String shortened(Value value) {
-        String text = value instanceof RecordValue record ? parts(record) : EngineText.value(value);
+    private static String shortened(String text) {
         return text.length() <= LONGEST ? text : text.substring(0, LONGEST - 3) + "...";
     }
 
     /** Words that answer a question, for completion. */
-    List<String> completions(Question question) {
+    List<String> completions(DecisionPresentation asked) {
+        Question question = asked.question();
         if (question instanceof Question.Approve) {
             return List.of("yes", "no");
         }
@@ -118,7 +110,8 @@ final class AnswerText {
      *
      * @throws ConsoleFault if the words are none
      */
-    Answer read(Question question, List<String> words) {
+    Answer read(DecisionPresentation asked, List<String> words) {
+        Question question = asked.question();
         String first = words.isEmpty() ? "" : words.get(0);
         if (question instanceof Question.Approve && words.size() == 1) {
             switch (first) {
@@ -128,19 +121,19 @@ final class AnswerText {
                 case "no", "n" -> {
                     return new Answer.YesNo(false);
                 }
-                default -> throw fault(question, first);
+                default -> throw fault(asked, first);
             }
         }
         if (question instanceof Question.ChooseProxies choose && !words.isEmpty()) {
             return new Answer.Proxies(first.equals("all") ? choose.proxies() : names(words));
         }
-        if (question instanceof Question.ChooseOption choose && words.size() == 1) {
-            return option(choose, first);
+        if (question instanceof Question.ChooseOption && words.size() == 1) {
+            return option(asked, first);
         }
         if (question instanceof Question.FillIn fillIn) {
-            return fields(fillIn, words);
+            return fields(asked, fillIn, words);
         }
-        throw fault(question, String.join(" ", words));
+        throw fault(asked, String.join(" ", words));
     }
 
     private static List<String> names(List<String> words) {
@@ -150,19 +143,19 @@ final class AnswerText {
                 .toList();
     }
 
-    private Answer option(Question.ChooseOption choose, String word) {
+    private Answer option(DecisionPresentation asked, String word) {
         if (word.equals("none")) {
             return new Answer.Rejected();
         }
-        for (int i = 0; i < choose.options().size(); i++) {
+        for (int i = 0; i < asked.options().size(); i++) {
             if (word.equals(String.valueOf(i + 1))) {
-                return new Answer.Option(i);
+                return asked.choosing(List.of(asked.options().get(i)));
             }
         }
-        throw fault(choose, word);
+        throw fault(asked, word);
     }
 
-    private Answer fields(Question.FillIn question, List<String> words) {
+    private Answer fields(DecisionPresentation asked, Question.FillIn question, List<String> words) {
         List<Question.Item> items =
                 question.items().stream().filter(Question.Item::editable).toList();
         Map<String, Value> values = new LinkedHashMap<>();
@@ -175,7 +168,7 @@ final class AnswerText {
                     ? Optional.of(items.get(0)) // the only value needs no name
                     : items.stream().filter(one -> one.key().equals(key)).findFirst();
             if (item.isEmpty()) {
-                throw fault(question, word);
+                throw fault(asked, word);
             }
             String text = item.get().key().equals(key) ? word.substring(equals + 1) : word;
             values.put(item.get().key(), value(item.get(), text));
@@ -191,8 +184,8 @@ final class AnswerText {
                         + (findings.isEmpty() ? "" : " (" + findings.get(0).message() + ")")));
     }
 
-    private ConsoleFault fault(Question question, String given) {
-        List<String> form = form(question);
+    private ConsoleFault fault(DecisionPresentation asked, String given) {
+        List<String> form = form(asked);
         return new ConsoleFault((given.isEmpty() ? "an answer is missing" : "'" + given + "' is no answer here")
                 + "; expected is "
                 + String.join("; ", form.size() > 4 ? form.subList(form.size() - 1, form.size()) : form));

@@ -46,6 +46,11 @@ final class ConsoleNews implements AutoCloseable {
                     public void closed(PendingDecision decision, Optional<Answer> answer, Optional<Answerer> by) {
                         settled(decision, answer, by);
                     }
+
+                    @Override
+                    public void held(PendingDecision decision) {
+                        out.accept("[" + decision.decision().id() + "] is held: autonomy does not answer it");
+                    }
                 }),
                 models.messages().addListener(this::messages),
                 models.alarms().addListener(this::alarms),
@@ -54,7 +59,7 @@ final class ConsoleNews implements AutoCloseable {
     }
 
     private void tell(PendingDecision pending) {
-        OperatorCommands.describe(pending, answers, out);
+        OperatorCommands.describe(pending, pending.openedAtMillis(), answers, out);
     }
 
     private void settled(PendingDecision pending, Optional<Answer> answer, Optional<Answerer> by) {
@@ -62,7 +67,8 @@ final class ConsoleNews implements AutoCloseable {
         if (answer.isEmpty()) {
             out.accept("[" + id + "] is asked no longer");
         } else if (by.equals(Optional.of(Answerer.AUTONOMY))) {
-            out.accept("[" + id + "] was answered by autonomy");
+            String words = pending.presentation().autonomy().words();
+            out.accept("[" + id + "] was answered by autonomy" + (words.isEmpty() ? "" : ": " + words));
         }
     }
 

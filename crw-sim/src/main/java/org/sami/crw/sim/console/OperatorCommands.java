@@ -4,12 +4,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.sami.crw.decision.DecisionPresentation;
+import org.sami.crw.decision.MixedInitiative;
 import org.sami.crw.operator.Alarm;
 import org.sami.crw.operator.AllocationSnapshot;
 import org.sami.crw.operator.MessageEntry;
 import org.sami.crw.operator.PendingDecision;
 import org.sami.spn.protocol.Answer;
-import org.sami.spn.protocol.Decision;
 import org.sami.spn.value.TaskId;
 
 /** Commands about what lies before the operator: decisions, messages, alarms, tasks. */
@@ -34,6 +35,11 @@ final class OperatorCommands {
                         "Answers a decision; 'answer ANSWER' the first one.",
                         this::answer,
                         this::answerWords),
+                ConsoleCommand.of(
+                        "hold NUMBER",
+                        "Stops autonomy's timer of a decision, which then waits for you.",
+                        this::hold,
+                        this::timed),
                 ConsoleCommand.of("messages", "Lists messages that nobody acknowledged.", this::messages),
                 ConsoleCommand.of("alarms", "Lists what is wrong, the worst first.", this::alarms),
                 ConsoleCommand.of(
@@ -42,18 +48,31 @@ final class OperatorCommands {
     }
 
     /** A decision in words, how it can be answered included. */
-    static void describe(PendingDecision pending, AnswerText answers, Consumer<String> out) {
-        Decision decision = pending.decision();
+    static void describe(PendingDecision pending, long nowMillis, AnswerText answers, Consumer<String> out) {
+        DecisionPresentation shown = pending.presentation();
         String where = pending.plan().isEmpty()
                 ? ""
                 : " (" + pending.plan() + (pending.place().isEmpty() ? "" : ", " + pending.place()) + ")";
-        String rank = decision.priority().name().toLowerCase(Locale.ROOT);
-        String deadline = decision.deadlineMillis().isPresent()
-                ? ", autonomy answers at "
-                        + Numbers.clock(decision.deadlineMillis().getAsLong())
-                : "";
-        out.accept("[" + decision.id() + "] " + decision.prompt() + where + ", " + rank + deadline);
-        answers.form(decision.question()).forEach(line -> out.accept("    " + line));
+        String rank = shown.priority().name().toLowerCase(Locale.ROOT);
+        out.accept("[" + shown.id() + "] " + shown.title() + where + ", " + rank + autonomy(pending, nowMillis));
+        shown.description().forEach(line -> out.accept("    " + line));
+        answers.form(shown).forEach(line -> out.accept("    " + line));
+    }
+
+    /** When autonomy answers, what, and how that is stopped. */
+    private static String autonomy(PendingDecision pending, long nowMillis) {
+        MixedInitiative autonomy = pending.presentation().autonomy();
+        if (autonomy.isHeld()) {
+            return ", autonomy is stopped";
+        }
+        if (!autonomy.counts()) {
+            return "";
+        }
+        long seconds = Math.round(autonomy.remainingMillis(nowMillis).orElse(0) / 1000.0);
+        return autonomy.words().isEmpty()
+                ? ", autonomy has no answer"
+                : ", autonomy answers " + autonomy.words() + " in " + seconds + " s (hold "
+                        + pending.decision().id() + " stops it)";
     }
 
     private List<PendingDecision> pending() {
@@ -65,7 +84,8 @@ final class OperatorCommands {
         if (pending().isEmpty()) {
             out.accept("nothing is asked now; questions of missions appear here");
         }
-        pending().forEach(decision -> describe(decision, answers, out));
+        long now = context.session().scheduler().nowMs();
+        pending().forEach(decision -> describe(decision, now, answers, out));
     }
 
     private List<String> answerWords(List<String> words) {
@@ -77,20 +97,34 @@ final class OperatorCommands {
         return pending().stream()
                 .filter(one -> String.valueOf(one.decision().id()).equals(words.get(0)))
                 .findFirst()
-                .map(one -> answers.completions(one.decision().question()))
+                .map(one -> answers.completions(one.presentation()))
                 .orElse(List.of());
     }
 
     private void answer(Arguments arguments, Consumer<String> out) {
         PendingDecision pending = chosen(arguments);
         long id = pending.decision().id();
-        Answer answer = answers.read(pending.decision().question(), arguments.rest());
+        Answer answer = answers.read(pending.presentation(), arguments.rest());
         Optional<String> wrong = context.models().decisions().check(id, answer, context.vocabulary());
         if (wrong.isPresent()) {
             throw new ConsoleFault(wrong.get());
         }
         context.await(context.session().answer(id, answer, NAME));
         out.accept("[" + id + "] is answered");
+    }
+
+    private List<String> timed(List<String> words) {
+        return pending().stream()
+                .filter(one -> one.presentation().autonomy().counts())
+                .map(one -> String.valueOf(one.decision().id()))
+                .toList();
+    }
+
+    private void hold(Arguments arguments, Consumer<String> out) {
+        long id = arguments.number("number");
+        arguments.end();
+        context.await(context.session().hold(id));
+        out.accept("[" + id + "] waits for you: autonomy does not answer it");
     }
 
     /** The decision that is named; where its number is left out, the first, if there is one. */

@@ -6,11 +6,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.sami.crw.decision.DecisionPresentation;
+import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Question;
+import org.sami.spn.value.EnumValue;
 import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.value.TextValue;
@@ -36,7 +42,31 @@ class AnswerTextTest {
     }
 
     private Answer read(Question question, String line) {
-        return answers.read(question, CommandLineText.words(line));
+        return answers.read(shown(question), CommandLineText.words(line));
+    }
+
+    private static DecisionPresentation shown(Question question, MarkupSpec... markups) {
+        return DecisionPresentation.plain(new Decision(
+                1,
+                1,
+                1,
+                "Ask",
+                "Which?",
+                question,
+                Optional.empty(),
+                OptionalLong.empty(),
+                Priority.MEDIUM,
+                List.of(markups)));
+    }
+
+    @Test
+    void optionsHaveTheNumbersWithWhichTheyAreShown() {
+        MarkupSpec sort = new MarkupSpec("Sort", Map.of("method", new EnumValue("SortMethod", "ALPHABETICAL")));
+        DecisionPresentation asked =
+                shown(new Question.ChooseOption(List.of(new TextValue("west"), new TextValue("east"))), sort);
+
+        assertThat(answers.form(asked)).startsWith("1  east", "2  west");
+        assertThat(answers.read(asked, List.of("1"))).isEqualTo(new Answer.Option(1));
     }
 
     @Test
@@ -82,14 +112,14 @@ class AnswerTextTest {
 
     @Test
     void formSaysHowToAnswer() {
-        assertThat(answers.form(BOATS)).containsExactly("1 to 2 of anna, bo, cleo, or all");
-        assertThat(answers.form(new Question.ChooseProxies(List.of(), 1, 2)))
+        assertThat(answers.form(shown(BOATS))).containsExactly("1 to 2 of anna, bo, cleo, or all");
+        assertThat(answers.form(shown(new Question.ChooseProxies(List.of(), 1, 2))))
                 .containsExactly("no boat is there to choose");
-        assertThat(answers.form(OPTIONS).get(1)).startsWith("2  ").contains("far");
-        assertThat(answers.form(FORM))
+        assertThat(answers.form(shown(OPTIONS)).get(1)).startsWith("2  ").contains("far");
+        assertThat(answers.form(shown(FORM)))
                 .containsExactly(
                         "speed=VALUE  (real: a number such as 2.5)", "times=VALUE  (integer: a whole number, else 3)");
-        assertThat(answers.completions(FORM)).containsExactly("speed=", "times=");
+        assertThat(answers.completions(shown(FORM))).containsExactly("speed=", "times=");
     }
 
     @Test

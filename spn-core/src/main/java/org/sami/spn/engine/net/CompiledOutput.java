@@ -1,8 +1,10 @@
 package org.sami.spn.engine.net;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.model.OutputEventSpec;
@@ -34,6 +36,10 @@ public final class CompiledOutput {
     public final Priority priority;
     public final Trigger trigger;
     public final long timeoutMillis;
+    /** Which options its question offers, one after the other. */
+    public final List<OptionFilter> filters;
+    /** Whether nothing is selected when its question opens, so that autonomy chooses nobody. */
+    public final boolean selectsNobody;
     /** Values that are the same for every activation. */
     public final Map<String, Value> fixed = new LinkedHashMap<>();
     /** Fields whose value is resolved at entry. */
@@ -55,6 +61,21 @@ public final class CompiledOutput {
         this.timeoutMillis = mixed.flatMap(m -> m.option(Reserved.TIMEOUT))
                 .map(v -> v instanceof DurationValue d ? d.millis() : 0L)
                 .orElse(0L);
+        this.filters = markups(project, Reserved.FILTER).map(this::readFilter).toList();
+        this.selectsNobody = markups(project, Reserved.DEFAULT_SELECTION)
+                .reduce((first, second) -> second)
+                .flatMap(m -> m.option(Reserved.SELECTION))
+                .filter(value -> constant(value).equals(Reserved.NONE))
+                .isPresent();
+    }
+
+    private OptionFilter readFilter(MarkupSpec markup) {
+        return new OptionFilter(
+                markup.option(Reserved.SOURCE).map(CompiledOutput::constant).orElse(""),
+                markup.option(Reserved.ACTION)
+                        .map(CompiledOutput::constant)
+                        .filter(Reserved.EXCLUDE::equals)
+                        .isPresent());
     }
 
     public Optional<FieldType> field(String name) {
@@ -89,12 +110,15 @@ public final class CompiledOutput {
     }
 
     private Optional<MarkupSpec> markup(CompiledProject project, String name) {
+        return markups(project, name).findFirst();
+    }
+
+    private Stream<MarkupSpec> markups(CompiledProject project, String name) {
         return spec.markups().stream()
                 .filter(m -> project.vocabulary
                         .markup(m.type())
                         .map(t -> t.name().equals(name))
-                        .orElse(m.type().equals(name)))
-                .findFirst();
+                        .orElse(m.type().equals(name)));
     }
 
     private static Trigger readTrigger(Value value) {

@@ -35,7 +35,7 @@ import org.sami.spn.vocabulary.Reserved;
 /**
  * Questions to the operator: opened, answered once by the operator or by autonomy, closed.
  *
- * <p>Implements R-DEC-1, R-DEC-2, R-DEC-3, R-DEC-5, R-DEC-6, R-DEC-7, R-DEC-8.
+ * <p>Implements R-DEC-1, R-DEC-2, R-DEC-3, R-DEC-5, R-DEC-6, R-DEC-7, R-DEC-8, R-DEC-9.
  */
 public final class Decisions {
     private final Rules rules;
@@ -60,7 +60,7 @@ public final class Decisions {
                 output.typeName,
                 questions.prompt(sent),
                 question,
-                Questions.automatic(output.decision, question),
+                Questions.automatic(output, question),
                 deadline,
                 output.priority,
                 output.spec.markups());
@@ -189,6 +189,22 @@ public final class Decisions {
             return Optional.of("The answer to '" + open.decision.prompt() + "' does not fit: " + wrong.get());
         }
         take(open, input.answer(), input.by());
+        return Optional.empty();
+    }
+
+    /** The operator stops the timer of a decision; why that is refused, empty where it is done. */
+    public Optional<String> hold(long decision) {
+        OpenDecision open = rules.state.decisions.get(decision);
+        if (open == null) {
+            return Optional.of("The decision " + decision + " is not open");
+        }
+        if (open.deadline == null) {
+            return Optional.of("No timer runs for '" + open.decision.prompt() + "': there is nothing to stop");
+        }
+        rules.timers.cancel(open.deadline);
+        open.deadline = null;
+        open.decision = open.decision.withoutDeadline();
+        rules.emit(new Effect.DecisionHeld(decision));
         return Optional.empty();
     }
 
@@ -336,7 +352,7 @@ public final class Decisions {
                 before.type(),
                 before.prompt(),
                 question,
-                open.sent == null ? Optional.empty() : Questions.automatic(open.sent.output.decision, question),
+                open.sent == null ? Optional.empty() : Questions.automatic(open.sent.output, question),
                 deadline,
                 before.priority(),
                 before.markups());

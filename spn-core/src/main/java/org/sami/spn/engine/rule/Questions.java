@@ -7,7 +7,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiPredicate;
 import org.sami.spn.engine.net.CompiledInput;
+import org.sami.spn.engine.net.CompiledOutput;
+import org.sami.spn.engine.net.OptionFilter;
 import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.model.VariableSpec;
@@ -28,7 +31,7 @@ import org.sami.spn.vocabulary.Reserved;
 /**
  * What an activation asks of the operator, and what autonomy would answer.
  *
- * <p>Implements R-DEC-4.
+ * <p>Implements R-DEC-4, R-DEC-10, R-DEC-11.
  */
 final class Questions {
     private final Rules rules;
@@ -50,13 +53,33 @@ final class Questions {
         DecisionType type = sent.output.decision;
         return switch (type.form()) {
             case APPROVE -> new Question.Approve();
-            case CHOOSE_PROXIES -> new Question.ChooseProxies(candidates(sent), type.min(), type.max());
-            case CHOOSE_OPTION -> new Question.ChooseOption(options(sent));
-            case CHOOSE_VARIABLE -> new Question.ChooseOption(variablesOfClass(sent));
+            case CHOOSE_PROXIES ->
+                new Question.ChooseProxies(
+                        kept(candidates(sent), type.min(), sent, (filter, robot) -> filter.keeps(robot, called(robot))),
+                        type.min(),
+                        type.max());
+            case CHOOSE_OPTION -> new Question.ChooseOption(kept(options(sent), 1, sent, OptionFilter::keeps));
+            case CHOOSE_VARIABLE ->
+                new Question.ChooseOption(kept(variablesOfClass(sent), 1, sent, OptionFilter::keeps));
             case PROVIDE -> new Question.FillIn(fieldsOf(type.accepted()));
             case REDEFINE_VARIABLE -> new Question.FillIn(variables(sent, variable(sent)));
             case DEFINE_VARIABLES -> new Question.FillIn(variables(sent, listed(sent)));
         };
+    }
+
+    /** What the filters of the output event keep; all where that is less than must be chosen, as nobody could answer then. */
+    private static <T> List<T> kept(
+            List<T> offered, int least, SentActivation sent, BiPredicate<OptionFilter, T> keeps) {
+        List<T> kept = offered;
+        for (OptionFilter filter : sent.output.filters) {
+            kept = kept.stream().filter(one -> keeps.test(filter, one)).toList();
+        }
+        return kept.size() < Math.max(1, least) ? offered : kept;
+    }
+
+    /** What the session remembers that a robot is called beside its name. */
+    private String called(String robot) {
+        return rules.state.memory.get(Reserved.DESCRIPTION_KEY + robot) instanceof TextValue text ? text.value() : "";
     }
 
     /** The robots that entered; where none did, those that stand in the place; else all known ones. */
@@ -134,12 +157,12 @@ final class Questions {
     }
 
     /** What autonomy would answer to a question; empty where it has no sensible answer. */
-    static Optional<Answer> automatic(DecisionType type, Question question) {
-        return switch (type.autonomy()) {
+    static Optional<Answer> automatic(CompiledOutput output, Question question) {
+        return switch (output.decision.autonomy()) {
             case NONE -> Optional.empty();
             case YES -> question instanceof Question.Approve ? Optional.of(new Answer.YesNo(true)) : Optional.empty();
             case NO -> question instanceof Question.Approve ? Optional.of(new Answer.YesNo(false)) : Optional.empty();
-            case ALL -> all(question);
+            case ALL -> output.selectsNobody ? Optional.empty() : all(question);
             case FIRST ->
                 question instanceof Question.ChooseOption o && !o.options().isEmpty()
                         ? Optional.of(new Answer.Option(0))

@@ -13,7 +13,9 @@ public final class OpenDecision {
         DOMAIN
     }
 
-    public final Decision decision;
+    /** Replaced by one without a deadline where the operator holds it. */
+    public Decision decision;
+
     public final Purpose purpose;
     /** The mission that asks; null where the domain does. */
     public final MissionState mission;

@@ -117,11 +117,20 @@ public final class TransitionState {
                 list = new ArrayList<>(2);
                 index.put(token, list);
             }
-            list.add(n);
+            list.add(placeIn(list, n), n);
             if (barrier != null) {
                 barrier.reported(n.pending.input.index, token);
             }
         }
+    }
+
+    /** By input event, then by arrival: the order in which a state is written and read, so that both strike in the same order. */
+    private static int placeIn(List<NamedToken> list, NamedToken n) {
+        int at = list.size();
+        while (at > 0 && list.get(at - 1).pending.input.index > n.pending.input.index) {
+            at--;
+        }
+        return at;
     }
 
     private void unindex(NamedToken n) {
