@@ -21,8 +21,13 @@ final class MarkupCatalogue {
     /** One option's row. */
     record Row(String option, String effect, Check check) {}
 
-    private static final List<Consumer<MarkupCatalogue>> CASES =
-            List.of(DecisionMarkupCases::add, MapMarkupCases::add, StatusMarkupCases::add);
+    private static final List<Consumer<MarkupCatalogue>> CASES = List.of(
+            DecisionMarkupCases::add,
+            MessageMarkupCases::add,
+            ServiceMarkupCases::add,
+            PhaseMarkupCases::add,
+            MapMarkupCases::add,
+            StatusMarkupCases::add);
 
     private final Set<String> declared = declared();
     private final Map<String, Row> rows = new LinkedHashMap<>();

@@ -324,8 +324,7 @@ final class Roles {
                     question,
                     old.activation() == Ids.NONE
                             ? Optional.empty()
-                            : automatic(
-                                    world.eventType(old.type()).decision().orElseThrow(), question, old.markups()),
+                            : automatic(world.eventType(old.type()).decision().orElseThrow(), question, old.markups()),
                     runs ? old.deadlineMillis() : OptionalLong.empty(),
                     Priority.MEDIUM,
                     old.markups());
