@@ -1,13 +1,19 @@
 package org.sami.crw.handler;
 
+import org.sami.crw.markup.MapRelevance;
+import org.sami.crw.markup.MarkupReader;
 import org.sami.crw.operator.MessageSink;
 import org.sami.crw.operator.OperatorMessage;
+import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.value.TextValue;
 
-/** Display Message: a message to the operator about the boats that entered, with its markups Priority and Keyword (6.3.4). */
+/**
+ * Display Message: a message to the operator about the boats that entered, with its markups Priority and Keyword, and those that say what of
+ * the map it is about (6.3.4).
+ */
 final class DisplayMessageHandler implements ActivationHandler {
     static final String TYPE = "DisplayMessage";
 
@@ -22,6 +28,7 @@ final class DisplayMessageHandler implements ActivationHandler {
         if (!(ActivationFields.required(activation, "message") instanceof TextValue text)) {
             throw new IllegalArgumentException("\"message\" is no text: " + activation.value("message"));
         }
+        MarkupReader markups = new MarkupReader(activation.markups());
         messages.tell(new OperatorMessage(
                 context.nowMillis(),
                 activation.mission(),
@@ -29,16 +36,7 @@ final class DisplayMessageHandler implements ActivationHandler {
                 activation.priority(),
                 text.value(),
                 activation.proxies(),
-                keyword(activation)));
-    }
-
-    private static String keyword(Activation activation) {
-        return activation.markups().stream()
-                .filter(markup -> markup.type().equals("Keyword"))
-                .flatMap(markup -> markup.option("source").stream())
-                .filter(TextValue.class::isInstance)
-                .map(value -> ((TextValue) value).value())
-                .findFirst()
-                .orElse("");
+                markups.text("Keyword", "source"),
+                MapRelevance.of(markups, activation.proxies(), context.query(EngineView::proxies))));
     }
 }

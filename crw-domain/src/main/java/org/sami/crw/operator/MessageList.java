@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
@@ -11,7 +12,7 @@ import java.util.function.UnaryOperator;
 
 /**
  * The messages to the operator: the highest priority first, of equal ones the newest first, so that news of little weight does
- * not displace an older critical message. A message replaces the one with the same keyword (thesis 6.3.4), and has to be acknowledged
+ * not displace an older critical message. A message replaces the one with the same subject (thesis 6.3.4), and has to be acknowledged
  * anew. When the list is full the last one in order goes.
  */
 public final class MessageList extends Model<List<MessageEntry>> {
@@ -45,11 +46,13 @@ public final class MessageList extends Model<List<MessageEntry>> {
 
     void add(OperatorMessage message) {
         told++;
-        String keyword = message.keyword();
-        if (!keyword.isEmpty()) {
-            entries.removeIf(entry -> entry.message().keyword().equals(keyword));
-        }
-        entries.add(new MessageEntry(told, message, false, muted.contains(keyword)));
+        Optional<MessageEntry> replaced = message.subject()
+                .flatMap(subject -> entries.stream()
+                        .filter(entry -> entry.message().subject().equals(Optional.of(subject)))
+                        .findFirst());
+        replaced.ifPresent(entries::remove);
+        int count = 1 + replaced.map(MessageEntry::count).orElse(0);
+        entries.add(new MessageEntry(told, message, count, false, muted.contains(message.keyword())));
         if (entries.size() > capacity) {
             entries.pollLast();
         }
@@ -70,7 +73,7 @@ public final class MessageList extends Model<List<MessageEntry>> {
                     message.mission(),
                     message.boats());
         }
-        return new MessageEntry(entry.number(), message, true, entry.muted());
+        return new MessageEntry(entry.number(), message, entry.count(), true, entry.muted());
     }
 
     /** Messages with a keyword are muted from now on, or no longer; those without one cannot be. From any thread. */
@@ -85,7 +88,7 @@ public final class MessageList extends Model<List<MessageEntry>> {
                 muted.remove(keyword);
             }
             replace(entry -> entry.message().keyword().equals(keyword)
-                    ? new MessageEntry(entry.number(), entry.message(), entry.acknowledged(), mute)
+                    ? new MessageEntry(entry.number(), entry.message(), entry.count(), entry.acknowledged(), mute)
                     : entry);
         });
     }
@@ -101,6 +104,11 @@ public final class MessageList extends Model<List<MessageEntry>> {
     @Override
     List<MessageEntry> take() {
         return List.copyOf(entries);
+    }
+
+    /** The messages that are kept, in groups by keyword. From any thread. */
+    public List<MessageGroup> groups() {
+        return MessageGroup.of(snapshot());
     }
 
     /** The messages that are kept, in order. From any thread. */

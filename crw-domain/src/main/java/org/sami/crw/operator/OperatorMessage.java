@@ -2,6 +2,9 @@ package org.sami.crw.operator;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import org.sami.crw.markup.MapRelevance;
 import org.sami.spn.protocol.Priority;
 
 /**
@@ -11,7 +14,8 @@ import org.sami.spn.protocol.Priority;
  * @param mission whose message it is, or {@code Ids.NONE}
  * @param text one or a few sentences
  * @param boats whom it is about, for zooming and highlighting; may be empty
- * @param keyword a later message with the same keyword replaces this one; empty text = none does
+ * @param keyword groups it with others; a later message with the same {@link #subject} replaces it; empty text = none does
+ * @param map what of the map it is about, for who clicks on it
  */
 public record OperatorMessage(
         long atMillis,
@@ -20,7 +24,23 @@ public record OperatorMessage(
         Priority priority,
         String text,
         List<String> boats,
-        String keyword) {
+        String keyword,
+        MapRelevance map) {
+    /**
+     * What a message replaces another by: its keyword, with the boats and the readings that its markups name (thesis 6.3.4), so that news of
+     * one boat does not replace that of another.
+     *
+     * @param boats of the markup Relevant Proxy
+     * @param information the sensor of the markup Relevant Information; empty text without it
+     */
+    public record Subject(String keyword, Set<String> boats, String information) {
+        public Subject {
+            Objects.requireNonNull(keyword, "keyword");
+            boats = Set.copyOf(boats);
+            Objects.requireNonNull(information, "information");
+        }
+    }
+
     /** Who speaks. */
     public enum Source {
         /** A plan, by an output event. */
@@ -37,5 +57,28 @@ public record OperatorMessage(
         Objects.requireNonNull(text, "text");
         boats = List.copyOf(boats);
         Objects.requireNonNull(keyword, "keyword");
+        Objects.requireNonNull(map, "map");
+    }
+
+    /** A message that shows nothing on the map. */
+    public OperatorMessage(
+            long atMillis,
+            long mission,
+            Source source,
+            Priority priority,
+            String text,
+            List<String> boats,
+            String keyword) {
+        this(atMillis, mission, source, priority, text, boats, keyword, MapRelevance.NONE);
+    }
+
+    /** What it replaces others by; empty where it has no keyword. */
+    public Optional<Subject> subject() {
+        return keyword.isEmpty()
+                ? Optional.empty()
+                : Optional.of(new Subject(
+                        keyword,
+                        map.boats().map(shown -> Set.copyOf(shown.boats())).orElse(Set.of()),
+                        map.information().map(MapRelevance.Information::sensor).orElse("")));
     }
 }

@@ -15,6 +15,10 @@ final class MessageMarkupCases {
                     0);
 
             assertThat(scene.messages()).containsExactlyInAnyOrder("other", "second");
+            assertThat(scene.world.operator.messages().groups())
+                    .filteredOn(group -> group.keyword().equals("link"))
+                    .singleElement()
+                    .satisfies(group -> assertThat(group.count()).isEqualTo(2));
         });
     }
 

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
+import org.sami.crw.markup.MapRelevance;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
@@ -107,6 +108,33 @@ class DecisionModelsTest {
                 .extracting(OperatorMessage::text)
                 .containsExactly("boat 2 critical", "boat 1 nominal");
         assertThat(list.snapshot()).extracting(MessageEntry::acknowledged).containsExactly(false, false);
+    }
+
+    @Test
+    void aMessageOfOneBoatDoesNotReplaceThatOfAnotherWithItsKeyword() {
+        MessageList list = new MessageList(10, Runnable::run, new OperatorLog(Runnable::run, () -> 0));
+
+        list.add(about("anna", "lost", Priority.CRITICAL));
+        list.add(about("bert", "lost", Priority.CRITICAL));
+        list.publish();
+        list.acknowledge(2);
+        list.add(about("anna", "is back", Priority.LOW));
+        list.publish();
+
+        assertThat(list.messages()).extracting(OperatorMessage::text).containsExactly("bert lost", "anna is back");
+        MessageGroup group = list.groups().get(0);
+        assertThat(group.keyword()).isEqualTo("link");
+        assertThat(group.count()).isEqualTo(3);
+        assertThat(group.unacknowledged()).isEqualTo(1);
+        assertThat(group.newest().message().text()).isEqualTo("anna is back");
+        assertThat(group.boats()).containsExactly("bert", "anna");
+    }
+
+    private static OperatorMessage about(String boat, String what, Priority priority) {
+        List<String> boats = List.of(boat);
+        MapRelevance map = new MapRelevance(
+                Optional.of(new MapRelevance.Boats(boats, false, false, false)), Optional.empty(), Optional.empty());
+        return new OperatorMessage(0, 1, OperatorMessage.Source.PLAN, priority, boat + " " + what, boats, "link", map);
     }
 
     @Test

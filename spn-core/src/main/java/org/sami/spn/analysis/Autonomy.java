@@ -9,6 +9,8 @@ import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.value.EnumValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.AutonomyAnswer;
+import org.sami.spn.vocabulary.DecisionForm;
+import org.sami.spn.vocabulary.DecisionType;
 import org.sami.spn.vocabulary.Reserved;
 
 /** Where autonomy is to answer it can, and knows when (markup Mixed Initiative Trigger, appendix .2.3). */
@@ -39,19 +41,47 @@ final class Autonomy implements PlanCheck {
                             "Let the operator alone answer",
                             new EventEdit.RemoveMarkup(plan, output.spec().id(), markup.type())));
         }
-        boolean canAnswer = output.type().decision().isPresent()
-                && output.type().decision().get().autonomy() != AutonomyAnswer.NONE;
-        if (!constant.equals(Reserved.NEVER) && !canAnswer) {
-            report.accept(Finding.warning(
-                            "W-NO-AUTOMATIC-ANSWER",
+        if (!constant.equals(Reserved.NEVER) && !canAnswer(output)) {
+            String where = output.type().name() + " at the " + PlanContext.name(output.place());
+            Finding finding = isDrawing(output)
+                    ? Finding.error(
+                            "E-DRAWN-BY-AUTONOMY",
                             output.pointer(),
-                            "Autonomy has no answer to " + output.type().name() + " at the "
-                                    + PlanContext.name(output.place()) + ": the operator must answer",
+                            "Autonomy cannot draw what " + where + " asks for: the operator must answer",
                             output.place().id(),
                             output.spec().id())
-                    .fixedBy(
-                            "Let the operator alone answer",
-                            new EventEdit.RemoveMarkup(plan, output.spec().id(), markup.type())));
+                    : Finding.warning(
+                            "W-NO-AUTOMATIC-ANSWER",
+                            output.pointer(),
+                            "Autonomy has no answer to " + where + ": the operator must answer",
+                            output.place().id(),
+                            output.spec().id());
+            report.accept(finding.fixedBy(
+                    "Let the operator alone answer",
+                    new EventEdit.RemoveMarkup(plan, output.spec().id(), markup.type())));
         }
+    }
+
+    private static boolean canAnswer(PlacedOutput output) {
+        Optional<DecisionType> decision = output.type().decision();
+        return decision.isPresent()
+                && decision.get().autonomy() != AutonomyAnswer.NONE
+                && !(decision.get().autonomy() == AutonomyAnswer.ALL && selectsNobody(output));
+    }
+
+    /** Whether values are asked for that nobody can make up (R-DEC-2). */
+    private static boolean isDrawing(PlacedOutput output) {
+        return output.type()
+                .decision()
+                .filter(decision ->
+                        decision.form() == DecisionForm.PROVIDE && decision.autonomy() == AutonomyAnswer.NONE)
+                .isPresent();
+    }
+
+    private static boolean selectsNobody(PlacedOutput output) {
+        return output.spec().markups().stream()
+                .filter(markup -> markup.type().equals(Reserved.DEFAULT_SELECTION))
+                .flatMap(markup -> markup.option(Reserved.SELECTION).stream())
+                .anyMatch(value -> value instanceof EnumValue e && e.constant().equals(Reserved.NONE));
     }
 }

@@ -36,6 +36,7 @@ class FixesTest {
             "E-UNKNOWN-TASK",
             "E-VARIABLE-TYPE",
             "E-VARIABLE-UNKNOWN",
+            "E-DRAWN-BY-AUTONOMY",
             "W-COMMAND-AT-END",
             "W-EMPTY-POOL",
             "W-ENDS-NOTHING",

@@ -263,8 +263,12 @@ class PlanChecksTest {
                 drive().output("go", "Approve", initiative("TIMER", false)),
                 drive().output("go", "Approve", initiative("TIMER", true))));
         cases.add(of(
-                "W-NO-AUTOMATIC-ANSWER",
+                "E-DRAWN-BY-AUTONOMY",
                 drive().output("go", "Provide", initiative("IMMEDIATELY", false)),
+                drive().output("go", "Approve", initiative("IMMEDIATELY", false))));
+        cases.add(of(
+                "W-NO-AUTOMATIC-ANSWER",
+                drive().output("go", "Do", initiative("IMMEDIATELY", false)),
                 drive().output("go", "Approve", initiative("IMMEDIATELY", false))));
     }
 
