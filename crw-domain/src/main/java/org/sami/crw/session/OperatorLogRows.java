@@ -12,7 +12,7 @@ import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.value.GeoPoint;
 
 /** The operator's log as rows of the journal's telemetry, so that it survives the process. */
-final class OperatorLogRows {
+public final class OperatorLogRows {
     static final String KIND = "operator";
 
     private static final System.Logger LOG = System.getLogger(OperatorLogRows.class.getName());
@@ -32,7 +32,7 @@ final class OperatorLogRows {
     }
 
     /** The entries among the rows, in order. A row that makes no sense is left out. */
-    static List<OperatorLogEntry> read(List<TelemetryRow> rows) {
+    public static List<OperatorLogEntry> read(List<TelemetryRow> rows) {
         List<OperatorLogEntry> entries = new ArrayList<>();
         for (TelemetryRow row : rows) {
             if (row.kind().equals(KIND)) {

@@ -30,6 +30,7 @@ import picocli.CommandLine.Spec;
             ResumeCommand.class,
             SessionCommand.class,
             JournalCommand.class,
+            ExportCommand.class,
             DemoCommand.class,
             BoatServerCommand.class,
             StopCommand.class,

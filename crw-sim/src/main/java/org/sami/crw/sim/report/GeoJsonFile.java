@@ -13,7 +13,7 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * A run as GeoJSON (RFC 7946): a feature for each boat's track, location, area and point. Positions are WGS 84, longitude first;
+ * A run as GeoJSON (RFC 7946): a feature for each boat's track, path that a boat was given, location, area and point. Positions are WGS 84, longitude first;
  * {@code kind} says what a feature is. A track's {@code atS} are seconds of the run, one for each position, and {@code times} the same
  * in UTC where the run says when it began.
  */
@@ -40,6 +40,7 @@ final class GeoJsonFile {
         for (int i = 0; i < report.boats().size(); i++) {
             track(report.boats().get(i), Palette.color(i));
         }
+        report.map().paths().forEach(this::path);
         report.locations().forEach(this::location);
         MapNames.areas(report).forEach(this::area);
         report.header().place().quay().ifPresent(quay -> point("quay", "quay", quay));
@@ -71,6 +72,22 @@ final class GeoJsonFile {
         });
         boolean isLine = line.size() > 1;
         feature(isLine ? "LineString" : "Point", isLine ? line : (ArrayNode) line.get(0), properties);
+    }
+
+    /** What a boat was to do; a path of one point has no line. */
+    private void path(MapPath path) {
+        ArrayNode line = NODES.arrayNode();
+        path.points().forEach(p -> line.add(position(p.latDeg(), p.lonDeg())));
+        ObjectNode properties = NODES.objectNode()
+                .put("kind", "path")
+                .put("name", "path of " + path.boat())
+                .put("boat", path.boat())
+                .put("mission", path.mission())
+                .put("atS", BigDecimal.valueOf(path.atMillis(), 3));
+        if (!line.isEmpty()) {
+            boolean isLine = line.size() > 1;
+            feature(isLine ? "LineString" : "Point", isLine ? line : (ArrayNode) line.get(0), properties);
+        }
     }
 
     private void location(LocationResult location) {

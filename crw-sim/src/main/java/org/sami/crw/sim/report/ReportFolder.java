@@ -12,6 +12,7 @@ import java.util.Optional;
 /**
  * Writes a report's files into a folder: {@code report.json}, {@code boats.csv}, {@code locations.csv},
  * {@code firings.csv}, {@code tracks.csv}, {@code readings.csv}, {@code decisions.csv}, {@code interrupts.csv}, {@code tasks.csv},
+ * {@code messages.csv}, {@code phases.csv}, {@code operator.csv},
  * {@code run.gpx}, {@code run.kml}, {@code run.geojson} and {@code map.png}. Files of those names are replaced; each appears whole or not at all.
  */
 public final class ReportFolder {
@@ -25,10 +26,24 @@ public final class ReportFolder {
             "decisions.csv",
             "interrupts.csv",
             "tasks.csv",
+            "messages.csv",
+            "phases.csv",
+            "operator.csv",
             "run.gpx",
             "run.kml",
             "run.geojson",
             "map.png");
+
+    private static final List<String> EXPORTED = List.of(
+            "tracks.csv",
+            "events.csv",
+            "decisions.csv",
+            "messages.csv",
+            "readings.csv",
+            "tasks.csv",
+            "phases.csv",
+            "operator.csv",
+            "map.geojson");
 
     private final Path folder;
 
@@ -60,10 +75,32 @@ public final class ReportFolder {
         text("decisions.csv", ReportTables.decisions(report).toString());
         text("interrupts.csv", ReportTables.interrupts(report).toString());
         text("tasks.csv", ReportTables.tasks(report).toString());
+        text("messages.csv", ReportTables.messages(report).toString());
+        text("phases.csv", ReportTables.phases(report).toString());
+        text("operator.csv", ReportTables.operator(report).toString());
         text("run.gpx", GpxFile.text(report));
         text("run.kml", KmlFile.text(report));
         text("run.geojson", GeoJsonFile.text(report));
         bytes("map.png", new MapPicture(report).png());
+    }
+
+    /** A file of an earlier export; empty where there is none. */
+    public Optional<Path> exported() {
+        return EXPORTED.stream().map(folder::resolve).filter(Files::exists).findFirst();
+    }
+
+    /** Writes the tables and the map as GeoJSON, and nothing that is of one run alone. */
+    public void export(RunReport report) throws IOException {
+        Files.createDirectories(folder);
+        text("tracks.csv", ReportTables.tracks(report).toString());
+        text("events.csv", ReportTables.firings(report).toString());
+        text("decisions.csv", ReportTables.decisions(report).toString());
+        text("messages.csv", ReportTables.messages(report).toString());
+        text("readings.csv", ReportTables.readings(report).toString());
+        text("tasks.csv", ReportTables.tasks(report).toString());
+        text("phases.csv", ReportTables.phases(report).toString());
+        text("operator.csv", ReportTables.operator(report).toString());
+        text("map.geojson", GeoJsonFile.text(report));
     }
 
     /** Where the picture is, once it is written. */

@@ -163,4 +163,44 @@ final class ReportTables {
         }
         return table;
     }
+
+    /** What the operator was told, and what the engine noted. */
+    static CsvTable messages(RunReport report) {
+        CsvTable table = new CsvTable("at_s", "kind", "mission", "message");
+        for (NoteResult note : report.notes()) {
+            table.row(seconds(note.atMillis()), note.kind(), note.mission(), note.message());
+        }
+        return table;
+    }
+
+    static CsvTable phases(RunReport report) {
+        CsvTable table = new CsvTable("mission", "plan", "phase", "actor", "action", "status", "executions");
+        for (PhaseResult action : report.log().phases()) {
+            table.row(
+                    action.mission(),
+                    action.plan(),
+                    action.phase(),
+                    action.actor(),
+                    action.label(),
+                    action.status(),
+                    action.executions());
+        }
+        return table;
+    }
+
+    static CsvTable operator(RunReport report) {
+        CsvTable table = new CsvTable("number", "at_s", "kind", "text", "mission", "boats", "lat_deg", "lon_deg");
+        for (OperatorAction action : report.log().operator()) {
+            table.row(
+                    action.number(),
+                    seconds(action.atMillis()),
+                    action.kind(),
+                    action.text(),
+                    action.mission(),
+                    String.join(" ", action.boats()),
+                    action.latDeg().map(lat -> fixed(lat, 7)).orElse(""),
+                    action.lonDeg().map(lon -> fixed(lon, 7)).orElse(""));
+        }
+        return table;
+    }
 }

@@ -11,6 +11,7 @@ import org.sami.crw.operator.Wait;
  * @param waits where the mission stood and what it waited for; empty where it is over
  * @param origin when it began, and who tells of it; empty where nobody wrote that down
  * @param map the areas and points of its plan, and how near boats came to one another
+ * @param log phases of missions, and what the operator did
  */
 public record RunReport(
         RunHeader header,
@@ -25,8 +26,10 @@ public record RunReport(
         List<TaskResult> tasks,
         List<Wait> waits,
         Optional<RunOrigin> origin,
-        RunMap map) {
+        RunMap map,
+        RunLog log) {
     public RunReport {
+        Objects.requireNonNull(log, "log");
         Objects.requireNonNull(origin, "origin");
         Objects.requireNonNull(map, "map");
         Objects.requireNonNull(header, "header");
@@ -65,32 +68,38 @@ public record RunReport(
                 List.of(),
                 List.of(),
                 Optional.empty(),
-                RunMap.of(boats));
+                RunMap.of(boats),
+                RunLog.EMPTY);
     }
 
     /** The same with what the boats measured. */
     public RunReport withReadings(List<ReadingResult> measured) {
-        return with(measured, tasks, waits, origin, map);
+        return with(measured, tasks, waits, origin, map, log);
     }
 
     /** The same with what became of the tasks. */
     public RunReport withTasks(List<TaskResult> told) {
-        return with(readings, told, waits, origin, map);
+        return with(readings, told, waits, origin, map, log);
     }
 
     /** The same with where the mission stands. */
     public RunReport withWaits(List<Wait> told) {
-        return with(readings, tasks, told, origin, map);
+        return with(readings, tasks, told, origin, map, log);
     }
 
     /** The same with when it began and which program tells of it. */
     public RunReport withOrigin(RunOrigin from) {
-        return with(readings, tasks, waits, Optional.of(from), map);
+        return with(readings, tasks, waits, Optional.of(from), map, log);
     }
 
     /** The same with the areas and points of its plan. */
     public RunReport withMap(RunMap of) {
-        return with(readings, tasks, waits, origin, of);
+        return with(readings, tasks, waits, origin, of, log);
+    }
+
+    /** The same with phases and what the operator did. */
+    public RunReport withLog(RunLog told) {
+        return with(readings, tasks, waits, origin, map, told);
     }
 
     private RunReport with(
@@ -98,7 +107,8 @@ public record RunReport(
             List<TaskResult> newTasks,
             List<Wait> newWaits,
             Optional<RunOrigin> newOrigin,
-            RunMap newMap) {
+            RunMap newMap,
+            RunLog newLog) {
         return new RunReport(
                 header,
                 result,
@@ -112,7 +122,8 @@ public record RunReport(
                 newTasks,
                 newWaits,
                 newOrigin,
-                newMap);
+                newMap,
+                newLog);
     }
 
     /** What went wrong that no plan heard of, oldest first. */

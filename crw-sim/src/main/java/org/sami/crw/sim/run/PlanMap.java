@@ -11,6 +11,7 @@ import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.ClosestApproach;
 import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.MapArea;
+import org.sami.crw.sim.report.MapPath;
 import org.sami.crw.sim.report.MapPoint;
 import org.sami.crw.sim.report.MapSpot;
 import org.sami.crw.sim.report.RunMap;
@@ -50,6 +51,7 @@ public final class PlanMap implements HostListener {
     private final Map<GeoPoint, MapSpot> assembly = new LinkedHashMap<>();
     private final Map<GeoPoint, MapSpot> points = new LinkedHashMap<>();
     private final Map<MapArea, ExplorationRequest> explorations = new LinkedHashMap<>();
+    private final List<MapPath> paths = new ArrayList<>();
 
     /**
      * A listener.
@@ -75,6 +77,7 @@ public final class PlanMap implements HostListener {
 
     private void add(Activation activation, long atMillis) {
         boolean explores = activation.type().equals(EXPLORE);
+        activation.values().values().forEach(value -> addPaths(activation.mission(), value, atMillis));
         activation.values().forEach((field, value) -> add(kind(field, explores), value));
         if (explores
                 && activation.values().get(AREA) instanceof GeoArea area
@@ -114,6 +117,16 @@ public final class PlanMap implements HostListener {
             list.items().forEach(item -> add(kind, item));
         } else if (value instanceof MapValue map) {
             map.entries().values().stream().filter(GeoPoint.class::isInstance).forEach(point -> add(kind, point));
+        }
+    }
+
+    private void addPaths(long mission, Value value, long atMillis) {
+        if (value instanceof MapValue map) {
+            map.entries().forEach((boat, path) -> {
+                if (boat instanceof ProxyValue proxy && path instanceof GeoPath given && paths.size() < MOST) {
+                    paths.add(new MapPath(proxy.proxy(), mission, atMillis, points(given.points())));
+                }
+            });
         }
     }
 
@@ -165,6 +178,7 @@ public final class PlanMap implements HostListener {
                 explorations.values().stream()
                         .map(asked -> asked.result(boats, plane))
                         .toList(),
-                ClosestApproach.of(boats));
+                ClosestApproach.of(boats),
+                paths);
     }
 }

@@ -241,17 +241,20 @@ public final class RunRecorder implements HostListener {
         return firings.soFar();
     }
 
-    List<DecisionResult> decisions() {
+    /** All decisions so far, in the order in which they were asked. */
+    public List<DecisionResult> decisions() {
         List<DecisionResult> all = new ArrayList<>(settled);
         all.addAll(decisions.values());
         return all;
     }
 
-    List<TaskResult> tasks() {
+    /** What became of tasks so far. */
+    public List<TaskResult> tasks() {
         return tasks.results();
     }
 
-    List<NoteResult> notes() {
+    /** What the engine noted so far. */
+    public List<NoteResult> notes() {
         return notes;
     }
 }

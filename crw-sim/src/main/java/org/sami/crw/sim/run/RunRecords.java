@@ -14,6 +14,7 @@ import org.sami.crw.session.SessionListener;
 import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.LinkResult;
 import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.sim.report.RunLog;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.spn.host.HostListener;
 
@@ -35,6 +36,7 @@ public final class RunRecords {
     private final ReadingRecorder readings = new ReadingRecorder();
     private final LocationListener locations;
     private final PlanMap map;
+    private final PhaseRecorder phases;
 
     /**
      * Records of a run in which nothing has happened yet.
@@ -59,12 +61,13 @@ public final class RunRecords {
         recorder = new RunRecorder(plan.project());
         locations = new LocationListener(visits, plane);
         map = new PlanMap(plane);
+        phases = new PhaseRecorder(plan.vocabulary());
         session.addListener((SessionListener) readings);
     }
 
     /** Who must hear of every step of the engine, in this order. */
     public List<HostListener> listeners() {
-        return List.of(recorder, locations, interrupts, map);
+        return List.of(recorder, locations, interrupts, map, phases);
     }
 
     /** What the engine did. */
@@ -139,6 +142,9 @@ public final class RunRecords {
                         told(end.atMillis()))
                 .withMap(map.map(results, visits.locations()))
                 .withReadings(readings.readings())
+                .withLog(new RunLog(
+                        phases.results(),
+                        OperatorActions.of(session.models().log().snapshot())))
                 .withWaits(
                         end.outcome().isOver()
                                 ? List.of()

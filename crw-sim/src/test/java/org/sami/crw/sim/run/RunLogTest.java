@@ -1,0 +1,38 @@
+package org.sami.crw.sim.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.sami.crw.sim.report.OperatorAction;
+import org.sami.crw.sim.report.PhaseResult;
+import org.sami.crw.sim.report.ReportText;
+import org.sami.crw.sim.report.RunReport;
+
+/** The phase chart and the operator's log of a run, in its report. */
+class RunLogTest {
+    private final RunPlan plan = TestRuns.plan("measure");
+    private final RunReport report = TestRuns.run(plan, TestRuns.settings(plan, 3, 6, 5));
+
+    @Test
+    void reportSaysWhichActionsOfThePhaseChartWereExecuted() {
+        assertThat(report.log().phases())
+                .isNotEmpty()
+                .extracting(PhaseResult::plan)
+                .contains("measure");
+        assertThat(report.log().phases())
+                .anyMatch(action -> action.status().equals("done") && action.executions() > 0)
+                .noneMatch(action -> action.status().equals("active"));
+        assertThat(ReportText.text(report)).contains("phases\n  mission 1, ");
+    }
+
+    @Test
+    void reportHasWhatTheOperatorDid() {
+        assertThat(report.log().operator())
+                .extracting(OperatorAction::kind)
+                .filteredOn(kind -> kind.equals("answer"))
+                .hasSize((int) report.decisions().stream()
+                        .filter(decision -> decision.by().equals("operator"))
+                        .count());
+        assertThat(report.log().operator().get(0).text()).startsWith("started measure as mission 1");
+    }
+}
