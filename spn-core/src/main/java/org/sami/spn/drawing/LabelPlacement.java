@@ -21,13 +21,35 @@ final class LabelPlacement {
     private static final int RINGS = 400;
     private static final int RINGS_AFTER_THE_FIRST = 8;
 
-    private final List<DrawingBox> taken = new ArrayList<>();
-    private final List<Edge> edges;
+    private final CellGrid<DrawingBox> taken = new CellGrid<>();
+    private final CellGrid<Segment> lines = new CellGrid<>();
+    private double bottom = Double.NEGATIVE_INFINITY;
     private final List<Label> placed = new ArrayList<>();
 
+    /** A straight part of an edge. */
+    private record Segment(String edge, LayoutPoint from, LayoutPoint to) {
+        DrawingBox box() {
+            double x = Math.min(from.x(), to.x());
+            double y = Math.min(from.y(), to.y());
+            return new DrawingBox(x, y, Math.abs(to.x() - from.x()), Math.abs(to.y() - from.y()));
+        }
+    }
+
     LabelPlacement(Collection<Vertex> vertices, List<Edge> edges) {
-        vertices.forEach(vertex -> taken.add(vertex.box().grown(GAP)));
-        this.edges = edges;
+        vertices.forEach(vertex -> take(vertex.box()));
+        for (Edge edge : edges) {
+            for (int i = 1; i < edge.points().size(); i++) {
+                Segment segment = new Segment(
+                        edge.id(), edge.points().get(i - 1), edge.points().get(i));
+                lines.add(segment.box(), segment, cell -> cell.isCrossedBy(segment.from(), segment.to()));
+            }
+        }
+    }
+
+    private void take(DrawingBox box) {
+        DrawingBox grown = box.grown(GAP);
+        taken.add(grown, grown);
+        bottom = Math.max(bottom, grown.maxY());
     }
 
     /** Below the vertex, or else above, beside it, or farther away. */
@@ -92,29 +114,24 @@ final class LabelPlacement {
             }
         }
         if (best == null) { // below all there is
-            double bottom = taken.stream().mapToDouble(DrawingBox::maxY).max().orElse(0);
             best = new LayoutPoint(anchor.x() - text.width() / 2, bottom + 2 * GAP);
             near = false;
         }
         Label label = new Label(of, text, best.x(), best.y(), onLine && near);
         placed.add(label);
-        taken.add(label.box().grown(GAP));
+        take(label.box());
     }
 
     /** Infinite where something lies there already. */
     private double cost(String of, TextBlock text, LayoutPoint corner, double distance) {
         DrawingBox box = new DrawingBox(corner.x(), corner.y(), text.width(), text.height());
-        if (taken.stream().anyMatch(box::intersects)) {
+        if (taken.near(box).stream().anyMatch(box::intersects)) {
             return Double.MAX_VALUE;
         }
         double cost = distance;
-        for (Edge edge : edges) {
-            if (!edge.id().equals(of)) {
-                for (int i = 1; i < edge.points().size(); i++) {
-                    if (box.isCrossedBy(edge.points().get(i - 1), edge.points().get(i))) {
-                        cost += PER_LINE_CROSSED;
-                    }
-                }
+        for (Segment segment : lines.near(box)) {
+            if (!segment.edge().equals(of) && box.isCrossedBy(segment.from(), segment.to())) {
+                cost += PER_LINE_CROSSED;
             }
         }
         return cost;

@@ -22,6 +22,7 @@ final class MapCanvas extends JXMapViewer {
 
     private final transient MapLayers layers = new MapLayers(this::repaint);
     private final transient MapScale scale = new MapScale();
+    private final transient MapMessage message = new MapMessage();
     private transient MapTool tool = new MapTool() {};
     private transient Set<String> highlighted = Set.of();
     private transient Optional<GeoBounds> toFit = Optional.empty();
@@ -69,6 +70,18 @@ final class MapCanvas extends JXMapViewer {
     void highlight(Set<String> ids) {
         highlighted = Set.copyOf(ids);
         repaint();
+    }
+
+    /** Says one line on the map; a problem in the colour of one, empty text nothing. */
+    void say(String text, boolean problem) {
+        message.say(text, problem);
+        getAccessibleContext().setAccessibleDescription(text);
+        repaint();
+    }
+
+    /** What is said. */
+    String said() {
+        return message.text();
     }
 
     void setGrid(boolean shown) {
@@ -173,6 +186,7 @@ final class MapCanvas extends JXMapViewer {
         layers.visible().forEach(layer -> layer.paint(paint));
         tool.paint(paint);
         scale.paint(paint, tiles().source().map(TileSource::attribution).orElse(""));
+        message.paint(paint);
         g.dispose();
     }
 }

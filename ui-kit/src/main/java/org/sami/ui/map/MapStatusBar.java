@@ -2,6 +2,7 @@ package org.sami.ui.map;
 
 import java.awt.Dimension;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
@@ -13,20 +14,26 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.CoordinateNotation;
 import org.sami.ui.geo.Coordinates;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Icons;
+import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.Spacing;
 
 /** The strip below a map: coordinates under the pointer, their notation, a field to type some, what to do, and zoom. */
 final class MapStatusBar extends JPanel {
+    private static final String HEIGHT = "hmin " + Spacing.HIT_TARGET_FIELD + ", wmin " + Spacing.HIT_TARGET_FIELD;
+    private static final int ROOMY_PX = 860;
     private static final GeoPoint LONGEST = GeoPoint.of(-88.888888, -178.888888);
 
     private final JButton coordinates = new JButton(" ");
     private final JComboBox<CoordinateNotation> notations = new JComboBox<>(CoordinateNotation.values());
     private final JTextField field = new JTextField(18);
-    private final JLabel message = new JLabel(" ");
+    private final transient BiConsumer<String, Boolean> says;
     private Optional<GeoPoint> last = Optional.empty();
 
-    MapStatusBar(Consumer<MapKey> keys, Consumer<GeoPoint> typed, Runnable copy) {
-        super(new MigLayout("insets 2 6 2 6, gap 6", "[][][]push[]0[]0[]0[]", "[]"));
+    MapStatusBar(Consumer<MapKey> keys, Consumer<GeoPoint> typed, Runnable copy, BiConsumer<String, Boolean> says) {
+        super(new MigLayout("insets 2 6 2 6, gap 4, hidemode 3", "[][][]push[][][][]", "[]"));
+        this.says = says;
         setName("map-status");
         coordinates.setName("map-coordinates");
         coordinates.setToolTipText(
@@ -35,6 +42,7 @@ final class MapStatusBar extends JPanel {
         coordinates.addActionListener(e -> copy.run());
         notations.setName("map-notation");
         notations.setToolTipText("How coordinates are written");
+        notations.getAccessibleContext().setAccessibleName("Notation of coordinates");
         notations.setRenderer((list, value, index, selected, focused) -> {
             JLabel label = new JLabel(value == null ? "" : value.label());
             label.setOpaque(selected);
@@ -46,22 +54,22 @@ final class MapStatusBar extends JPanel {
         field.setName("map-type-coordinates");
         field.setToolTipText(
                 "Type coordinates and press Enter: " + Coordinates.EXAMPLES + " (" + MapKey.TYPE.keyText() + ")");
+        field.getAccessibleContext().setAccessibleName("Coordinates to go to or to add");
         field.putClientProperty("JTextField.placeholderText", "Type coordinates");
         field.addActionListener(e -> enter(typed));
-        message.setName("map-message");
         reserve();
-        add(coordinates);
-        add(notations);
-        add(field);
-        add(message, "wmin 0, growx");
-        add(button(MapKey.MEASURE, "Measure", keys));
-        add(button(MapKey.FIT, "All", keys));
-        add(button(MapKey.ZOOM_OUT, "−", keys));
-        add(button(MapKey.ZOOM_IN, "+", keys));
+        add(coordinates, HEIGHT);
+        add(notations, HEIGHT);
+        add(field, HEIGHT);
+        add(button(MapKey.MEASURE, "measure", keys), HEIGHT);
+        add(button(MapKey.FIT, "fit", keys), HEIGHT);
+        add(button(MapKey.ZOOM_OUT, "zoom-out", keys), HEIGHT);
+        add(button(MapKey.ZOOM_IN, "zoom-in", keys), HEIGHT);
     }
 
-    private static JButton button(MapKey key, String text, Consumer<MapKey> keys) {
-        JButton button = new JButton(text);
+    private static JButton button(MapKey key, String icon, Consumer<MapKey> keys) {
+        JButton button = new JButton(Icons.normal(icon));
+        button.putClientProperty("JButton.buttonType", "toolBarButton");
         button.setName(key.id().replace('.', '-'));
         button.setToolTipText(key.label() + " (" + key.keyText() + ")");
         button.getAccessibleContext().setAccessibleName(key.label());
@@ -96,11 +104,11 @@ final class MapStatusBar extends JPanel {
         if (point.isPresent()) {
             field.setText("");
             field.putClientProperty("JComponent.outline", null);
-            say("", false);
+            says.accept("", false);
             typed.accept(point.get());
         } else {
             field.putClientProperty("JComponent.outline", "error");
-            say("'" + field.getText() + "' are no coordinates; type " + Coordinates.EXAMPLES, true);
+            says.accept("'" + field.getText() + "' are no coordinates; type " + Coordinates.EXAMPLES, true);
         }
     }
 
@@ -117,28 +125,32 @@ final class MapStatusBar extends JPanel {
         return last;
     }
 
+    /** On a narrow map only what is needed most has room; typing makes some. */
+    @Override
+    public void doLayout() {
+        boolean roomy = getWidth() >= Look.px(ROOMY_PX);
+        if (notations.isVisible() != roomy) {
+            notations.setVisible(roomy);
+            field.setVisible(roomy);
+        }
+        super.doLayout();
+    }
+
     /** Puts the focus into the field. */
     void type() {
+        field.setVisible(true);
         field.requestFocusInWindow();
         field.selectAll();
     }
 
-    /** Shows where the pointer is, and what a layer says of it. */
-    void point(Optional<GeoPoint> at, Optional<String> text) {
+    /** Shows where the pointer is. */
+    void point(Optional<GeoPoint> at) {
         last = at.or(() -> last);
         showLast();
-        text.ifPresent(value -> say(value, false));
     }
 
     private void showLast() {
         coordinates.setText(last.map(notation()::format).orElse("–"));
         reserve();
-    }
-
-    /** Shows one line; a problem in the colour of one. */
-    void say(String text, boolean problem) {
-        message.setText(text.isEmpty() ? " " : text);
-        message.setToolTipText(text.isEmpty() ? null : text);
-        message.setForeground(problem ? SemanticColor.CRITICAL.get() : SemanticColor.MUTED.get());
     }
 }

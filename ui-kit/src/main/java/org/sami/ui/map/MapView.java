@@ -37,12 +37,13 @@ public final class MapView extends JPanel implements AutoCloseable {
     private transient Optional<SketchTool> editing = Optional.empty();
     private transient Optional<SketchTool> measuring = Optional.empty();
     private transient Optional<MapPointer> pointer = Optional.empty();
+    private transient String valueSaid = "-";
     private final transient Runnable sketchChanged = this::sketchChanged;
 
     public MapView() {
         super(new BorderLayout());
         setName("map");
-        status = new MapStatusBar(this::press, this::typed, this::copy);
+        status = new MapStatusBar(this::press, this::typed, this::copy, canvas::say);
         loader = new BaseMapLoader(this::showTiles, this::showOutlines, this::tellProblem);
         chooseTool = new ChooseTool(
                 canvas.layers(),
@@ -157,7 +158,7 @@ public final class MapView extends JPanel implements AutoCloseable {
     }
 
     private void tellProblem(String problem) {
-        status.say(problem, true);
+        canvas.say(problem, true);
         listeners.forEach(listener -> listener.problem(problem));
     }
 
@@ -174,7 +175,7 @@ public final class MapView extends JPanel implements AutoCloseable {
                 canvas::frame,
                 () -> {
                     if (sketch.problem().isPresent()) {
-                        status.say(sketch.problem().get(), true);
+                        canvas.say(sketch.problem().get(), true);
                     } else {
                         stopEditing();
                         ended.accept(true);
@@ -195,7 +196,7 @@ public final class MapView extends JPanel implements AutoCloseable {
         editing.ifPresent(tool -> tool.sketch().removeListener(sketchChanged));
         editing = Optional.empty();
         measuring = Optional.empty();
-        status.say("", false);
+        canvas.say("", false);
         canvas.setTool(chooseTool);
     }
 
@@ -205,7 +206,7 @@ public final class MapView extends JPanel implements AutoCloseable {
     }
 
     private void sketchChanged() {
-        editing.ifPresent(tool -> status.say(
+        editing.ifPresent(tool -> canvas.say(
                 tool.sketch().problem().orElse("Enter or a double click ends, Escape leaves, Ctrl+Z undoes"), false));
         canvas.repaint();
     }
@@ -215,7 +216,7 @@ public final class MapView extends JPanel implements AutoCloseable {
         if (measuring.isPresent()) {
             measuring = Optional.empty();
             canvas.setTool(editing.<MapTool>map(tool -> tool).orElse(chooseTool));
-            status.say("", false);
+            canvas.say("", false);
             return;
         }
         GeoSketch way = new GeoSketch(GeoShape.PATH);
@@ -223,7 +224,7 @@ public final class MapView extends JPanel implements AutoCloseable {
         SketchTool tool = new SketchTool(way, true, canvas::frame, () -> {}, this::toggleMeasuring);
         measuring = Optional.of(tool);
         canvas.setTool(tool);
-        status.say("Click the points of the way to measure; Escape ends", false);
+        canvas.say("Click the points of the way to measure; Escape ends", false);
     }
 
     /** Does what a key does. */
@@ -265,14 +266,19 @@ public final class MapView extends JPanel implements AutoCloseable {
 
     private void pointed(Optional<MapPointer> at) {
         pointer = at;
-        status.point(at.map(MapPointer::at), at.flatMap(p -> layers().textAt(p.frame(), p.px(), p.py())));
+        status.point(at.map(MapPointer::at));
+        Optional<String> text = at.flatMap(p -> layers().textAt(p.frame(), p.px(), p.py()));
+        if (text.isPresent() || canvas.said().equals(valueSaid)) {
+            valueSaid = text.orElse("");
+            canvas.say(valueSaid, false);
+        }
     }
 
     private void copy() {
         pointer.map(MapPointer::at).or(status::last).ifPresent(at -> {
             String text = status.notation().format(at);
             Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(text), null);
-            status.say("Copied " + text, false);
+            canvas.say("Copied " + text, false);
         });
     }
 

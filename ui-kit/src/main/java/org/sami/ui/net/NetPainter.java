@@ -76,6 +76,8 @@ final class NetPainter {
                     write(g, label);
                 }
             }
+        } else {
+            FarNames.paint(g, scale, scene, marking, light);
         }
     }
 

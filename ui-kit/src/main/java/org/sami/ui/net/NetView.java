@@ -6,6 +6,7 @@ import java.awt.event.ActionEvent;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -26,6 +27,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.ui.look.IdentityMarks;
+import org.sami.ui.look.SemanticColor;
 
 /**
  * The net of a plan: where its author has laid it out, with tokens, firing, selection, tooltips and an overview in its corner. It pans
@@ -36,6 +38,8 @@ public final class NetView extends JPanel {
     private static final double PAN_PX = 80;
     private static final double STEP = 1.25;
     private static final int CORNER_PX = 8;
+    private static final double PICTURE_MARGIN = 24;
+    private static final double MOST_PIXELS = 50e6;
 
     private final transient NetPainter painter;
     private final NetViewer viewer = new NetViewer(this::paintNet, this::tip);
@@ -277,6 +281,28 @@ public final class NetView extends JPanel {
             case OVERVIEW -> setOverview(!withOverview);
             case MODE -> setMode(mode.next());
         }
+    }
+
+    /**
+     * A picture of the whole net as it is shown, with its marking, for a file or the clipboard.
+     *
+     * @param scale pixels of a drawing unit; less where the picture would be larger than 50 million pixels
+     */
+    public BufferedImage picture(double scale) {
+        DrawingBox all = content.drawing().bounds().grown(PICTURE_MARGIN);
+        double bounded = Math.min(scale, Math.sqrt(MOST_PIXELS / (all.width() * all.height())));
+        BufferedImage image = new BufferedImage(
+                Math.max(1, (int) Math.ceil(all.width() * bounded)),
+                Math.max(1, (int) Math.ceil(all.height() * bounded)),
+                BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.setColor(SemanticColor.NET_CANVAS.get());
+        g.fillRect(0, 0, image.getWidth(), image.getHeight());
+        g.scale(bounded, bounded);
+        g.translate(-all.x(), -all.y());
+        painter.paint(g, bounded, scene, marking, NetLight.NONE);
+        g.dispose();
+        return image;
     }
 
     private void step(int by) {

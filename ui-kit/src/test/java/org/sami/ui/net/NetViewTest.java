@@ -1,6 +1,7 @@
 package org.sami.ui.net;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
 import java.awt.event.InputEvent;
@@ -9,6 +10,7 @@ import java.awt.event.MouseWheelEvent;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -181,6 +183,41 @@ class NetViewTest {
 
         assertThat(tip(place)).contains("1 token: anna");
         assertThat(tip(transition)).contains("waits for anna &amp; bert");
+    }
+
+    @Test
+    void aPictureHoldsTheWholeNet() {
+        BufferedImage one = view.picture(1);
+        BufferedImage two = view.picture(2);
+
+        assertThat(one.getWidth())
+                .isGreaterThanOrEqualTo((int) view.drawing().bounds().width());
+        assertThat(two.getWidth()).isCloseTo(2 * one.getWidth(), within(2));
+        assertThat(view.picture(1000).getWidth() * (long) view.picture(1000).getHeight())
+                .isLessThan(51_000_000);
+    }
+
+    @Test
+    void aNetThatIsTooSmallForItsWordsHasNames() {
+        NetView small = NetScenes.view(plan, 500, 320);
+        assertThat(small.zoom()).isLessThan(0.4);
+        long withNames = dark(NetScenes.paint(small));
+
+        Plan nameless = plan.withId("nameless")
+                .withPlaces(
+                        plan.places().stream().map(place -> place.withName("")).toList())
+                .withTransitions(plan.transitions().stream()
+                        .map(transition -> transition.withName(""))
+                        .toList());
+        small.show(nameless, NetScenes.VOCABULARY);
+
+        assertThat(dark(NetScenes.paint(small))).isLessThan(withNames - 200);
+    }
+
+    private static long dark(BufferedImage image) {
+        return Arrays.stream(image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth()))
+                .filter(rgb -> (rgb & 0xFF) < 0x60)
+                .count();
     }
 
     @Test
