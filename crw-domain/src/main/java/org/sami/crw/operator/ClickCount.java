@@ -64,6 +64,9 @@ public final class ClickCount {
         if (input instanceof Input.Interrupt interrupt) {
             return 1L + interrupt.proxies().size();
         }
+        if (input instanceof Input.HoldDecision) {
+            return 1;
+        }
         if (input instanceof Input.AnswerDecision answered && answered.by() == Answerer.OPERATOR) {
             return ofAnswer(answered.answer(), Optional.ofNullable(open.get(answered.decision())));
         }

@@ -28,7 +28,7 @@ public record OperatorLogEntry(
     public enum Kind {
         /** A mission was started, aborted or completed, or a boat dropped from it. */
         MISSION,
-        /** A decision was answered. */
+        /** A decision was answered, or the timer of one was stopped. */
         ANSWER,
         /** An interrupt was pressed. */
         INTERRUPT,

@@ -82,7 +82,14 @@ final class OperatorSteps {
             log.add(Kind.PROJECT, "loaded a project");
         } else if (input instanceof Input.AnswerDecision answer && answer.by() == Answerer.OPERATOR) {
             answered(answer, effects);
+        } else if (input instanceof Input.HoldDecision hold && open.containsKey(hold.decision())) {
+            Decision held = open.get(hold.decision());
+            log.add(Kind.ANSWER, "held [" + held.id() + "] " + asked(held), held.mission(), List.of());
         }
+    }
+
+    private static String asked(Decision decision) {
+        return decision.prompt().isEmpty() ? decision.type() : decision.prompt();
     }
 
     private void answered(Input.AnswerDecision answer, List<Effect> effects) {
@@ -91,14 +98,13 @@ final class OperatorSteps {
                 .anyMatch(
                         effect -> effect instanceof Effect.DecisionClosed done && done.decision() == answer.decision());
         if (decision != null && closed) {
-            String asked = decision.prompt().isEmpty() ? decision.type() : decision.prompt();
             log.add(
                     Kind.ANSWER,
                     String.format(
                             Locale.ROOT,
                             "answered [%d] %s: %s",
                             decision.id(),
-                            asked,
+                            asked(decision),
                             EngineText.answer(answer.answer())),
                     decision.mission(),
                     List.of());

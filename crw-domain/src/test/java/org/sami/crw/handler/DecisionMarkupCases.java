@@ -12,6 +12,7 @@ import org.sami.crw.decision.DecisionPresentation.OptionsFormat;
 import org.sami.crw.decision.OfferedOption;
 import org.sami.crw.markup.Attention;
 import org.sami.crw.operator.DecisionQueue;
+import org.sami.crw.operator.OperatorLogEntry;
 import org.sami.crw.operator.PendingDecision;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
@@ -71,12 +72,22 @@ final class DecisionMarkupCases {
 
             assertThat(scene.effects).contains(byAutonomy());
         });
-        catalogue.shows("MixedInitiativeTrigger.trigger=TIMER", "autonomy answers when the time is up", () -> {
-            PlanScene scene = new PlanScene(timed(5000), 0);
-            scene.run(10);
+        catalogue.shows(
+                "MixedInitiativeTrigger.trigger=TIMER", "autonomy answers when the time is up, unless held", () -> {
+                    PlanScene scene = new PlanScene(timed(5000), 0);
+                    scene.run(10);
+                    assertThat(scene.effects).contains(byAutonomy());
 
-            assertThat(scene.effects).contains(byAutonomy());
-        });
+                    PlanScene held = new PlanScene(timed(5000), 0);
+                    assertThat(first(held).presentation().autonomy().words()).isEqualTo("yes");
+                    held.post(new Input.HoldDecision(held.decision().id()));
+                    held.run(10);
+                    assertThat(held.effects).doesNotContain(byAutonomy());
+                    assertThat(first(held).presentation().autonomy().isHeld()).isTrue();
+                    assertThat(held.world.operator.log().snapshot())
+                            .extracting(OperatorLogEntry::text)
+                            .contains("held [1] Go on?");
+                });
         catalogue.shows("MixedInitiativeTrigger.timeout", "so long the operator can answer", () -> {
             PlanScene scene = new PlanScene(timed(5000), 0);
             long askedAt = scene.world.operator.decisions().pending().get(0).openedAtMillis();
