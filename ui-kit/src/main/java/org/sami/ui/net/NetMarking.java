@@ -1,6 +1,7 @@
 package org.sami.ui.net;
 
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -37,6 +38,13 @@ public record NetMarking(Map<String, List<Token>> tokens, Set<String> visitedByN
     /** The tokens of a place. */
     public List<Token> at(String place) {
         return tokens.getOrDefault(place, List.of());
+    }
+
+    /** The marked places in which other tokens stand than in another marking. */
+    Set<String> changedFrom(NetMarking other) {
+        Set<String> places = new HashSet<>(tokens.keySet());
+        places.removeIf(place -> at(place).equals(other.at(place)));
+        return places;
     }
 
     /** Whether tokens stand in a place, or nobody's visit keeps it awake. */

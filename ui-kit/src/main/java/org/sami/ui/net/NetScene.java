@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetDrawing.Edge;
@@ -124,6 +125,32 @@ public final class NetScene {
     /** The box around all there is, shown or not: what is hidden moves nothing. */
     public DrawingBox bounds() {
         return drawing.bounds();
+    }
+
+    /** The box around what is shown with its words; that of all there is where nothing is shown. */
+    public DrawingBox shownBounds() {
+        return Stream.concat(
+                        Stream.concat(vertices().stream(), silhouettes().stream())
+                                .map(Vertex::box),
+                        labels.stream().map(Label::box))
+                .reduce(DrawingBox::union)
+                .orElse(bounds());
+    }
+
+    /** The box around some of the vertices that are shown; none where none of them is. */
+    public Optional<DrawingBox> boxOf(Set<String> ids) {
+        return vertices().stream()
+                .filter(vertex -> ids.contains(vertex.id()))
+                .map(Vertex::box)
+                .reduce(DrawingBox::union);
+    }
+
+    /** The box around the words of some of the vertices that are shown. */
+    Optional<DrawingBox> boxOfLabels(Set<String> ids) {
+        return labels.stream()
+                .filter(label -> ids.contains(label.of()) && full.contains(label.of()))
+                .map(Label::box)
+                .reduce(DrawingBox::union);
     }
 
     /** The vertex at a point, or so near that it is meant; none where there is none. */

@@ -36,6 +36,9 @@ import org.sami.ui.look.SemanticColor;
  */
 public final class NetView extends JPanel {
     private static final double PAN_PX = 80;
+    /** The least size at which the words of a net are read. */
+    private static final double READABLE_ZOOM = 0.8;
+
     private static final double STEP = 1.25;
     private static final int CORNER_PX = 8;
     private static final double PICTURE_MARGIN = 24;
@@ -56,7 +59,8 @@ public final class NetView extends JPanel {
     private transient NetTool tool = new NetSelectTool(this);
     private transient Function<String, Optional<String>> explanation = id -> Optional.empty();
     private transient Function<Token, String> tokenName = NetTips::name;
-    private boolean toFit;
+    private boolean toBegin;
+    private boolean following;
     private boolean withOverview = true;
 
     /**
@@ -112,9 +116,11 @@ public final class NetView extends JPanel {
             marking = NetMarking.EMPTY;
             selected = Set.of();
             highlighted = Set.of();
-            fit();
         }
         changed();
+        if (another) {
+            begin();
+        }
     }
 
     /** How wide a text will be on a net, for whoever draws a plan elsewhere. */
@@ -130,7 +136,9 @@ public final class NetView extends JPanel {
 
     /** Shows what stands where. */
     public void setMarking(NetMarking marking) {
+        Set<String> changed = following ? marking.changedFrom(this.marking) : Set.of();
         this.marking = marking;
+        reveal(changed);
         viewer.repaint();
         overview.repaint();
     }
@@ -237,11 +245,42 @@ public final class NetView extends JPanel {
         listeners.forEach(listener -> listener.menu(id, x, y));
     }
 
-    /** Shows all of it, not larger than its own size; as soon as the view has a size. */
+    /** Shows all that the mode shows, not larger than its own size. */
     public void fit() {
-        toFit = getWidth() == 0 || getHeight() == 0;
-        if (!toFit) {
-            viewport.fit(content.drawing().bounds());
+        toBegin = false;
+        viewport.fit(scene.shownBounds());
+    }
+
+    /**
+     * Has the view keep tokens in sight: it begins no smaller than words are read at, and moves to where tokens come. For
+     * whoever watches a mission; an author's view stays where the author put it.
+     */
+    public void setFollowing(boolean following) {
+        this.following = following;
+        begin();
+    }
+
+    /** Shows a plan for the first time, as soon as the view has a size. */
+    private void begin() {
+        toBegin = getWidth() == 0 || getHeight() == 0;
+        if (toBegin) {
+            return;
+        }
+        fit();
+        if (following && viewport.zoom() < READABLE_ZOOM) {
+            viewport.setZoom(READABLE_ZOOM);
+            reveal(marking.tokens().keySet());
+        }
+    }
+
+    /**
+     * Brings vertices into sight, moving the view no more than needed and making nothing smaller. Where they do not fit, their middle is
+     * shown; those that the mode hides are left alone.
+     */
+    public void reveal(Set<String> ids) {
+        if (!toBegin) {
+            scene.boxOfLabels(ids).ifPresent(viewport::reveal);
+            scene.boxOf(ids).ifPresent(viewport::reveal); // last, as in a small view not all words fit
         }
     }
 
@@ -358,8 +397,8 @@ public final class NetView extends JPanel {
         Dimension size = overview.getPreferredSize();
         overview.setBounds(
                 getWidth() - size.width - CORNER_PX, getHeight() - size.height - CORNER_PX, size.width, size.height);
-        if (toFit) {
-            fit();
+        if (toBegin) {
+            begin();
         }
         viewChanged();
     }

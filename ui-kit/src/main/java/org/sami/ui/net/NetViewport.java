@@ -84,6 +84,25 @@ final class NetViewport {
         show(x, y, scale());
     }
 
+    /** Moves what is shown so far that a box is in it with a margin; its middle where it is larger than that. */
+    void reveal(DrawingBox box) {
+        Rectangle2D shown = shown();
+        double margin = MARGIN / scale();
+        double dx = shift(box.x() - margin, box.maxX() + margin, shown.getMinX(), shown.getMaxX());
+        double dy = shift(box.y() - margin, box.maxY() + margin, shown.getMinY(), shown.getMaxY());
+        if (dx != 0 || dy != 0) {
+            centre(shown.getCenterX() + dx, shown.getCenterY() + dy);
+        }
+    }
+
+    /** How far a range has to move to hold another. */
+    private static double shift(double from, double to, double shownFrom, double shownTo) {
+        if (to - from > shownTo - shownFrom) {
+            return (from + to - shownFrom - shownTo) / 2;
+        }
+        return from < shownFrom ? from - shownFrom : Math.max(0, to - shownTo);
+    }
+
     private void show(double x, double y, double scale) {
         transformer().setToIdentity();
         AffineTransform view =

@@ -26,8 +26,8 @@ class NetViewTest {
     private final NetView view = NetScenes.view(plan, 1200, 800);
 
     @Test
-    void showsAllOfAPlanAtFirst() {
-        assertThat(view.drawing().vertices()).allSatisfy(vertex -> {
+    void showsAllThatTheModeShowsAtFirst() {
+        assertThat(view.scene().vertices()).isNotEmpty().allSatisfy(vertex -> {
             Point2D at = view.pixel(vertex.centre().x(), vertex.centre().y());
             assertThat(at.getX()).isBetween(0.0, 1200.0);
             assertThat(at.getY()).isBetween(0.0, 800.0);
@@ -42,6 +42,34 @@ class NetViewTest {
         late.doLayout();
 
         assertThat(late.zoom()).isEqualTo(view.zoom());
+    }
+
+    @Test
+    void fitsWhatTheModeShowsAndNotWhatItHides() {
+        NetView nominal = NetScenes.view(NetScenes.plan("explore-team"), 900, 300);
+        double whole = nominal.zoom();
+
+        nominal.setMode(NetMode.ALL);
+        nominal.fit();
+
+        assertThat(nominal.zoom()).isLessThan(whole * 0.8);
+    }
+
+    @Test
+    void aViewThatFollowsIsReadAndKeepsMovedTokensInSight() {
+        NetView small = NetScenes.view(plan, 400, 200);
+        assertThat(small.zoom()).isLessThan(0.5);
+        small.setFollowing(true);
+        assertThat(small.zoom()).isGreaterThanOrEqualTo(0.8);
+
+        for (Vertex place : small.scene().vertices()) {
+            if (plan.place(place.id()).isPresent()) {
+                small.setMarking(new NetMarking(Map.of(place.id(), List.of(Token.GENERIC)), Set.of(), Map.of()));
+                Point2D at = small.pixel(place.centre().x(), place.centre().y());
+                assertThat(at.getX()).isBetween(0.0, 400.0);
+                assertThat(at.getY()).isBetween(0.0, 200.0);
+            }
+        }
     }
 
     @Test

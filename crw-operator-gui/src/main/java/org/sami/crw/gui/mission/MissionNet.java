@@ -6,7 +6,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
@@ -16,7 +15,6 @@ import org.sami.crw.operator.MissionSnapshot;
 import org.sami.crw.operator.MissionsSnapshot;
 import org.sami.spn.model.Plan;
 import org.sami.spn.value.TaskId;
-import org.sami.ui.net.NetKey;
 import org.sami.ui.net.NetListener;
 import org.sami.ui.net.NetMarking;
 import org.sami.ui.net.NetMode;
@@ -36,7 +34,6 @@ final class MissionNet extends JPanel {
     private MissionsSnapshot missions;
     private long drawn;
     private Optional<Plan> plan = Optional.empty();
-    private String active = "";
     private boolean filling;
 
     /** A mission in the list of those that can be shown. */
@@ -62,6 +59,7 @@ final class MissionNet extends JPanel {
         this.root = root;
         net = new NetView(context.marks());
         net.setName("mission-net");
+        net.setFollowing(true);
         net.setTokenName(EngineText::token);
         net.setExplanation(this::whyNotFiring);
         net.addNetListener(new NetListener() {
@@ -153,9 +151,6 @@ final class MissionNet extends JPanel {
                 if (drawn == wanted) {
                     plan = found;
                     found.ifPresent(one -> net.show(one, context.vocabulary()));
-                    net.press(NetKey.ACTUAL_SIZE);
-                    net.press(NetKey.ZOOM_OUT);
-                    active = "";
                     mark();
                 }
             });
@@ -173,27 +168,12 @@ final class MissionNet extends JPanel {
                     .queues()
                     .forEach((boat, tasks) -> tasks.forEach(task -> robots.put(task, boat)));
             net.setMarking(new NetMarking(mission.marking(), mission.visitedByNobody(), robots));
-            follow(mission);
-            long before = firings.getOrDefault(drawn, mission.firings());
-            long fresh = mission.firings() - before;
+            long fresh = mission.firings() - firings.getOrDefault(drawn, mission.firings());
             List<MissionSnapshot.Firing> last = mission.lastFirings();
             last.subList((int) Math.max(0, last.size() - fresh), last.size())
                     .forEach(firing -> net.fired(firing.transition()));
             firings.put(drawn, mission.firings());
         });
-    }
-
-    /** Keeps in sight where tokens came last. */
-    private void follow(MissionSnapshot mission) {
-        String latest = "";
-        for (String place : mission.marking().keySet()) {
-            latest = place;
-        }
-        if (!latest.isEmpty() && !latest.equals(active)) {
-            active = latest;
-            net.highlight(Set.of(active));
-            net.highlight(Set.of()); // it is in sight now; what is highlighted is for others to say
-        }
     }
 
     private Optional<String> whyNotFiring(String transition) {
