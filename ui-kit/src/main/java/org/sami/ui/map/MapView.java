@@ -119,6 +119,11 @@ public final class MapView extends JPanel implements AutoCloseable {
         canvas.highlight(ids);
     }
 
+    /** Shows or hides the line below the map: one that is part of a form has no room for it. */
+    public void setStatusShown(boolean shown) {
+        status.setVisible(shown);
+    }
+
     /** Shows or hides the grid. */
     public void setGrid(boolean shown) {
         canvas.setGrid(shown);

@@ -9,10 +9,13 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Function;
+import javax.swing.JComponent;
 import org.sami.spn.component.ComponentLibrary;
 import org.sami.spn.value.EnumValue;
 import org.sami.spn.value.NamedType;
+import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
+import org.sami.ui.map.MapView;
 
 /** What builds each component that a domain may declare, by the name that {@code components.json} gives it. */
 public final class ComponentBuilders {
@@ -35,9 +38,9 @@ public final class ComponentBuilders {
         all.put("VariableList", (request, context) -> named(request, context, NamedThings::variables));
         all.put("PlanList", (request, context) -> named(request, context, NamedThings::plans));
         all.put("Map", ComponentBuilders::map);
-        all.put("OptionPager", (request, context) -> solutions(request, SolutionDetails.Format.SEQUENTIAL));
-        all.put("OptionTabs", (request, context) -> solutions(request, SolutionDetails.Format.TABS));
-        all.put("OptionStack", (request, context) -> solutions(request, SolutionDetails.Format.STACKED));
+        all.put("OptionPager", (request, context) -> solutions(request, context, SolutionDetails.Format.SEQUENTIAL));
+        all.put("OptionTabs", (request, context) -> solutions(request, context, SolutionDetails.Format.TABS));
+        all.put("OptionStack", (request, context) -> solutions(request, context, SolutionDetails.Format.STACKED));
         all.put("AllocationTable", ComponentBuilders::allocation);
         return Collections.unmodifiableMap(all);
     }
@@ -124,10 +127,29 @@ public final class ComponentBuilders {
             return chooser(request, context, List.of(), true);
         }
         Optional<PlacesText> form = PlacesText.of(request.field().type());
-        return form.isPresent() ? new TextEditor(request.field(), form.get()) : new SolutionView(request.field());
+        if (form.isEmpty()) {
+            return new SolutionView(request.field());
+        }
+        return form.get()
+                .shape()
+                .<ValueEditor>map(shape -> new PlaceEditor(
+                        request.field(), shape, form.get(), context.maps().make()))
+                .orElseGet(() -> new TextEditor(request.field(), form.get()));
     }
 
-    private static ValueEditor solutions(ComponentRequest request, SolutionDetails.Format format) {
+    private static Optional<JComponent> preview(ComponentRequest request, ValueContext context, Value solution) {
+        if (!request.wants("OptionPreview")) {
+            return Optional.empty();
+        }
+        MapView map = context.maps().make();
+        map.setStatusShown(false);
+        new PlacesOnMap(map, request.field().componentName("preview"), context.names()::mark).show(List.of(solution));
+        map.fitAll();
+        return Optional.of(map);
+    }
+
+    private static ValueEditor solutions(
+            ComponentRequest request, ValueContext context, SolutionDetails.Format format) {
         if (request.offer().isEmpty()) {
             return new RepeatedEditor(request.field(), SolutionView::new);
         }
@@ -135,7 +157,8 @@ public final class ComponentBuilders {
         return new SolutionChooser(
                 request.field(),
                 offer,
-                new SolutionDetails(request.field(), format, offer.values(), solution -> Optional.empty()));
+                new SolutionDetails(
+                        request.field(), format, offer.values(), solution -> preview(request, context, solution)));
     }
 
     private static ValueEditor allocation(ComponentRequest request, ValueContext context) {

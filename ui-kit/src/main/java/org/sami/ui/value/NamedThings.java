@@ -1,7 +1,9 @@
 package org.sami.ui.value;
 
 import java.util.List;
+import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.Value;
+import org.sami.ui.look.IdentityMark;
 
 /** What can be chosen by name where an editor is, as far as no question offers less. Asked whenever an editor is made. */
 public interface NamedThings {
@@ -26,6 +28,11 @@ public interface NamedThings {
     /** Plans, as values of type plan. */
     default List<ChoiceRow> plans() {
         return List.of();
+    }
+
+    /** The mark by which a robot is known; the first one for a robot that is not. */
+    default IdentityMark mark(String proxy) {
+        return row(new ProxyValue(proxy)).mark().orElse(new IdentityMark(0));
     }
 
     /** The same offer, with the marks of those that are known by one. */

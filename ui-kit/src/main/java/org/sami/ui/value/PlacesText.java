@@ -48,6 +48,17 @@ enum PlacesText implements TypedText {
         return Optional.empty();
     }
 
+    /** What is drawn on a map for it; empty for several areas, which are only entered. */
+    Optional<GeoShape> shape() {
+        return switch (this) {
+            case POINT -> Optional.of(GeoShape.POINT);
+            case POINTS -> Optional.of(GeoShape.POINTS);
+            case PATH -> Optional.of(GeoShape.PATH);
+            case AREA -> Optional.of(GeoShape.AREA);
+            case AREAS -> Optional.empty();
+        };
+    }
+
     @Override
     public Entry read(String text) {
         List<String> lines = text.lines().map(String::strip).toList();
@@ -124,10 +135,10 @@ enum PlacesText implements TypedText {
 
     private String wanted() {
         return switch (this) {
-            case POINT -> "Enter a point, such as 45.7, 10.72";
-            case POINTS -> "Enter points, one a line";
-            case PATH -> "Enter the points of the path, one a line";
-            case AREA -> "Enter the corners of the area, one a line";
+            case POINT -> "Click the point on the map, or enter it: 45.7, 10.72";
+            case POINTS -> "Click points on the map, or enter them, one a line";
+            case PATH -> "Click the path on the map, or enter its points, one a line";
+            case AREA -> "Click the corners on the map, or enter them, one a line";
             case AREAS -> "Enter the corners, one a line; an empty line begins the next area";
         };
     }
@@ -140,12 +151,11 @@ enum PlacesText implements TypedText {
         } else if (value instanceof GeoPath path) {
             append(text, path.points());
         } else if (value instanceof GeoArea area) {
-            append(text, area);
+            return write(area.outline(), area.holes());
         } else {
             for (Value item : ((ListValue) value).items()) {
                 if (item instanceof GeoArea area) {
-                    text.append(text.isEmpty() ? "" : "\n");
-                    append(text, area);
+                    text.append(text.isEmpty() ? "" : "\n\n").append(write(area.outline(), area.holes()));
                 } else {
                     append(text, List.of((GeoPoint) item));
                 }
@@ -154,12 +164,15 @@ enum PlacesText implements TypedText {
         return text.toString().stripTrailing();
     }
 
-    private static void append(StringBuilder text, GeoArea area) {
-        append(text, area.outline());
-        area.holes().forEach(hole -> {
+    /** An outline that is not finished yet, or other points, and holes behind them. */
+    static String write(List<GeoPoint> outline, List<List<GeoPoint>> holes) {
+        StringBuilder text = new StringBuilder();
+        append(text, outline);
+        holes.forEach(hole -> {
             text.append(HOLE).append('\n');
             append(text, hole);
         });
+        return text.toString().stripTrailing();
     }
 
     private static void append(StringBuilder text, List<GeoPoint> points) {

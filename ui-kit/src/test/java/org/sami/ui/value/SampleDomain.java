@@ -57,7 +57,7 @@ final class SampleDomain {
         }
     };
     static final ValueEditors EDITORS =
-            new ValueEditors(CHOICE, new ValueContext(LIBRARY.vocabulary().types(), NAMES));
+            new ValueEditors(CHOICE, new ValueContext(LIBRARY.vocabulary().types(), NAMES, MapMaker.PLAIN));
 
     private SampleDomain() {}
 

@@ -334,7 +334,7 @@ class ValueEditorTest {
             if (child.getName() != null || !(child.getParent() instanceof javax.swing.JScrollBar)) {
                 all.add(child);
             }
-            if (child instanceof Container inner && !(child instanceof javax.swing.JScrollBar)) {
+            if (child.isVisible() && child instanceof Container inner && !(child instanceof javax.swing.JScrollBar)) {
                 below(inner, all);
             }
         }

@@ -7,6 +7,7 @@ import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.ComponentLibrary;
 import org.sami.spn.component.Interactions;
 import org.sami.spn.protocol.Answer;
+import org.sami.ui.value.MapMaker;
 import org.sami.ui.value.ValueContext;
 import org.sami.ui.value.ValueEditors;
 
@@ -19,12 +20,14 @@ public final class SessionDecisions {
      *
      * @param components that the domain declares
      * @param map where decisions are seen
+     * @param maps on which places are drawn
      */
-    public static DecisionsPanel panel(OperatorContext context, ComponentLibrary components, DecisionMap map) {
+    public static DecisionsPanel panel(
+            OperatorContext context, ComponentLibrary components, DecisionMap map, MapMaker maps) {
         ComponentChoice choice =
                 new ComponentChoice(components, context.vocabulary().types());
-        ValueEditors editors =
-                new ValueEditors(choice, new ValueContext(context.vocabulary().types(), new SessionNames(context)));
+        ValueEditors editors = new ValueEditors(
+                choice, new ValueContext(context.vocabulary().types(), new SessionNames(context), maps));
         DecisionsPanel panel = new DecisionsPanel(
                 context.commands(), new Actions(context), new Interactions(context.vocabulary()), choice, editors, map);
         context.models().decisions().addListener(panel::queue);

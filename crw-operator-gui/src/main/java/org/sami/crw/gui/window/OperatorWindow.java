@@ -19,6 +19,7 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.decision.DecisionsPanel;
 import org.sami.crw.gui.decision.SessionDecisions;
 import org.sami.crw.gui.map.MapPanel;
+import org.sami.crw.gui.map.SessionMaps;
 import org.sami.crw.gui.mission.AllocationPanel;
 import org.sami.crw.gui.mission.InterruptsPanel;
 import org.sami.crw.gui.mission.MissionMonitor;
@@ -76,7 +77,8 @@ public final class OperatorWindow {
         decisions = SessionDecisions.panel(
                 context,
                 DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow().components(),
-                map.decisionMap());
+                map.decisionMap(),
+                new SessionMaps(context));
         List<DockPanel> panels = List.of(
                 new DockPanel("map", "Map", "map", map),
                 new DockPanel("missions", "Missions", "net", missions),

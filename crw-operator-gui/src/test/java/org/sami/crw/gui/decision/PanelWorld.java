@@ -23,6 +23,7 @@ import org.sami.ui.EventThread;
 import org.sami.ui.check.Layout;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.look.IdentityMarks;
+import org.sami.ui.value.MapMaker;
 
 /** A session with simulated boats behind loopback sockets, and the panel of its decisions, which is acted on on the event thread. */
 final class PanelWorld implements AutoCloseable {
@@ -45,7 +46,8 @@ final class PanelWorld implements AutoCloseable {
                         .with(runtime));
         context = new OperatorContext(
                 session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
-        panel = onEventThread(() -> SessionDecisions.panel(context, LIBRARY.components(), DecisionMap.NONE));
+        panel = onEventThread(
+                () -> SessionDecisions.panel(context, LIBRARY.components(), DecisionMap.NONE, MapMaker.PLAIN));
         session.begin();
         for (String boat : boats) {
             session.fleet()

@@ -1,0 +1,43 @@
+package org.sami.crw.gui.map;
+
+import java.awt.event.HierarchyEvent;
+import javax.swing.Timer;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.operator.map.MapSnapshot;
+import org.sami.ui.map.MapView;
+import org.sami.ui.value.MapMaker;
+
+/** Makes maps of the session beside the main one, such as a decision's own: they show the same, and look anew each second while they are seen. */
+public final class SessionMaps implements MapMaker {
+    private static final int REFRESH_MS = 1000;
+
+    private final OperatorContext context;
+
+    /** Maps of a session. */
+    public SessionMaps(OperatorContext context) {
+        this.context = context;
+    }
+
+    @Override
+    public MapView make() {
+        MapView view = new MapView();
+        MapFeed feed = new MapFeed(context, view.layers());
+        feed.show(snapshot());
+        MapFeed.bounds(snapshot()).ifPresent(view::fit);
+        Timer refresh = new Timer(REFRESH_MS, event -> feed.show(snapshot()));
+        view.addHierarchyListener(event -> {
+            if ((event.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
+                if (view.isShowing()) {
+                    refresh.start();
+                } else {
+                    refresh.stop();
+                }
+            }
+        });
+        return view;
+    }
+
+    private MapSnapshot snapshot() {
+        return context.models().map().snapshot();
+    }
+}

@@ -1,0 +1,13 @@
+package org.sami.ui.value;
+
+import org.sami.ui.map.MapView;
+
+/** Makes the maps on which places are drawn and compared: an editor has one of its own. */
+@FunctionalInterface
+public interface MapMaker {
+    /** Maps with nothing but a grid. */
+    MapMaker PLAIN = MapView::new;
+
+    /** A map that shows what is known around, such as where robots are; called on the event thread. */
+    MapView make();
+}

@@ -1,0 +1,138 @@
+package org.sami.ui.value;
+
+import java.util.List;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.Value;
+import org.sami.ui.geo.GeoShape;
+import org.sami.ui.geo.GeoSketch;
+import org.sami.ui.look.IdentityMark;
+import org.sami.ui.map.MapView;
+
+/**
+ * A point, list of points, path or area, drawn on a map of its own or entered as coordinates below it: each follows the other. What stands
+ * in the text is the value (component {@code Map}).
+ */
+final class PlaceEditor extends ValueEditor {
+    private static final double PER_DEGREE = 1e7; // about 1 cm: what a pointer says beyond that is noise
+
+    private final GeoSketch sketch;
+    private final TextEditor text;
+    private final MapView map;
+    private final JPanel panel = new JPanel(new MigLayout(
+            "novisualpadding, insets 0, gap 4 4, fill, hidemode 3, wrap 1", "[grow,fill]", "[grow,fill][]"));
+    private final PlacesOnMap places;
+    private boolean editable = true;
+    private boolean following;
+    private List<GeoPoint> drawn = List.of();
+
+    PlaceEditor(ValueField field, GeoShape shape, PlacesText form, MapView map) {
+        super(field);
+        this.map = map;
+        sketch = new GeoSketch(shape);
+        text = new TextEditor(field, form);
+        panel.setOpaque(false);
+        map.setName(field.componentName("map"));
+        map.canvas().setName(field.componentName("canvas"));
+        map.setStatusShown(false);
+        panel.add(map, "h 160:260:, wmin 120, grow");
+        panel.add(text.component());
+        places = new PlacesOnMap(map, field.componentName("places"), robot -> new IdentityMark(0));
+        sketch.addListener(this::drew);
+        text.addListener(this::typed);
+        draw();
+    }
+
+    /** Drawing never ends by itself: a form is left by other means. */
+    private void draw() {
+        map.edit(sketch, kept -> draw());
+    }
+
+    private void drew() {
+        if (!following && !sketch.points().equals(drawn)) {
+            drawn = sketch.points();
+            follow(() -> text.type(
+                    PlacesText.write(drawn.stream().map(PlaceEditor::rounded).toList(), sketch.holes())));
+            changed();
+        }
+    }
+
+    private void typed() {
+        if (!following) {
+            text.entry().value().ifPresent(value -> follow(() -> sketch.show(value)));
+            drawn = sketch.points();
+            changed();
+        }
+    }
+
+    /** Lets one side follow the other, without an answer. */
+    private void follow(Runnable change) {
+        following = true;
+        try {
+            change.run();
+        } finally {
+            following = false;
+        }
+    }
+
+    private static GeoPoint rounded(GeoPoint point) {
+        return new GeoPoint(
+                Math.round(point.latDeg() * PER_DEGREE) / PER_DEGREE,
+                Math.round(point.lonDeg() * PER_DEGREE) / PER_DEGREE,
+                point.altM());
+    }
+
+    @Override
+    public JComponent component() {
+        return panel;
+    }
+
+    @Override
+    public JComponent focusTarget() {
+        return map.canvas();
+    }
+
+    @Override
+    public Entry entry() {
+        return text.entry();
+    }
+
+    @Override
+    protected void display(Value value) {
+        follow(() -> {
+            text.show(value);
+            sketch.show(value);
+        });
+        drawn = sketch.points();
+        showPlaces();
+        map.fitAll();
+    }
+
+    @Override
+    protected void displayNothing() {
+        follow(() -> {
+            text.clear();
+            sketch.clear();
+        });
+        drawn = sketch.points();
+    }
+
+    /** What is only looked at is drawn as other places are, without corners to take hold of. */
+    private void showPlaces() {
+        places.show(editable ? List.of() : sketch.value().stream().toList());
+    }
+
+    @Override
+    public void setEditable(boolean editable) {
+        this.editable = editable;
+        text.setEditable(editable);
+        if (editable) {
+            draw();
+        } else {
+            map.stopEditing();
+        }
+        showPlaces();
+    }
+}
