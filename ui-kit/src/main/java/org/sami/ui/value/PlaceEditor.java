@@ -37,7 +37,7 @@ final class PlaceEditor extends ValueEditor {
         map.setName(field.componentName("map"));
         map.canvas().setName(field.componentName("canvas"));
         map.setStatusShown(false);
-        panel.add(map, "h 160:260:, wmin 120, grow");
+        panel.add(map, "h 130:240:, wmin 120, grow");
         panel.add(text.component());
         places = new PlacesOnMap(map, field.componentName("places"), robot -> new IdentityMark(0));
         sketch.addListener(this::drew);

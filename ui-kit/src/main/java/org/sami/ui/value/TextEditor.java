@@ -16,7 +16,7 @@ import org.sami.spn.value.Value;
  * text stays, also where the text rounds it.
  */
 final class TextEditor extends ValueEditor {
-    private static final int ROWS = 4;
+    private static final int ROWS = 3;
 
     private final TypedText form;
     private final JTextComponent text;
@@ -43,7 +43,7 @@ final class TextEditor extends ValueEditor {
         panel.setName(field.componentName(""));
         boolean withUnit = !field.unit().isEmpty();
         if (form.multiline()) {
-            panel.add(new JScrollPane(text), "growx, pushx, wrap");
+            panel.add(new JScrollPane(text), "growx, pushx, hmin 56, wrap");
         } else {
             panel.add(text, withUnit ? "split 2, hmin 32" : "growx, hmin 32, wrap");
             if (withUnit) {

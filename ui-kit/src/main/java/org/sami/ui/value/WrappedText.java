@@ -19,7 +19,6 @@ public final class WrappedText extends JTextArea {
         setLineWrap(true);
         setWrapStyleWord(true);
         setColumns(20);
-        setMinimumSize(new Dimension(LEAST_WIDTH, 0));
         dress();
     }
 
@@ -43,6 +42,12 @@ public final class WrappedText extends JTextArea {
         if (color != null) { // the superclass sets the look before this class has a colour
             setForeground(color.get());
         }
+    }
+
+    /** It may become narrow, and never lower than its lines are. */
+    @Override
+    public Dimension getMinimumSize() {
+        return new Dimension(LEAST_WIDTH, getPreferredSize().height);
     }
 
     @Override

@@ -15,6 +15,9 @@ interface DecisionActions {
     /** The operator has turned to a decision: no attention is drawn to it any longer. */
     void attend(long decision);
 
+    /** Stops the timer after which autonomy answers. */
+    CompletionStage<Void> hold(long decision);
+
     /** The session's clock. */
     long nowMillis();
 }

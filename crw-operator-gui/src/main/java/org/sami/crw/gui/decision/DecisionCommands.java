@@ -10,6 +10,7 @@ final class DecisionCommands {
     private final Command refuse;
     private final Command later;
     private final Command earlier;
+    private final Command stopTimer;
     private final Command focus;
 
     DecisionCommands(CommandRegistry registry, DecisionsPanel panel) {
@@ -27,6 +28,10 @@ final class DecisionCommands {
                 .withKey("alt UP")
                 .withIcon("up")
                 .unless(panel::whyNotBrowse));
+        stopTimer = registry.add(new Command("decision-stop-timer", "Stop the timer", panel::stopTimer)
+                .withKey("ctrl shift T")
+                .withIcon("pause")
+                .unless(panel::whyNotStopTimer));
         focus = registry.add(
                 new Command("decision-focus", "Go to the decision", panel::focusDecision).withKey("ctrl D"));
     }
@@ -47,8 +52,12 @@ final class DecisionCommands {
         return earlier;
     }
 
+    Command stopTimer() {
+        return stopTimer;
+    }
+
     /** Asks all anew whether they can be run. */
     void refresh() {
-        List.of(answer, refuse, later, earlier, focus).forEach(Command::refresh);
+        List.of(answer, refuse, later, earlier, stopTimer, focus).forEach(Command::refresh);
     }
 }

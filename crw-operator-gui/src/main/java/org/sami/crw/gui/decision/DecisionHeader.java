@@ -1,6 +1,7 @@
 package org.sami.crw.gui.decision;
 
 import java.util.List;
+import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
@@ -8,9 +9,10 @@ import org.sami.crw.operator.PendingDecision;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.Spacing;
 import org.sami.ui.value.WrappedText;
 
-/** What is asked, by whom, since when, and what autonomy will answer and when. */
+/** What is asked, by whom, since when, and what autonomy will answer and when; its timer can be stopped there. */
 final class DecisionHeader extends JPanel {
     private final JLabel age = new JLabel(" ");
     private final JLabel asker = new JLabel(" ");
@@ -19,9 +21,11 @@ final class DecisionHeader extends JPanel {
     private final JPanel autonomy =
             new JPanel(new MigLayout("novisualpadding, insets 6 8 6 8, gap 8, fillx", "[grow,fill][]"));
     private final WrappedText countdown = new WrappedText("");
+    private final JButton stop;
 
-    DecisionHeader() {
+    DecisionHeader(JButton stop) {
         super(new MigLayout("novisualpadding, insets 0, gap 4 4, fillx, hidemode 3, wrap 1", "[grow,fill]"));
+        this.stop = stop;
         setOpaque(false);
         title.setName("decision-title");
         title.setHeading(true);
@@ -31,8 +35,9 @@ final class DecisionHeader extends JPanel {
         age.setName("decision-age");
         countdown.setName("decision-autonomy");
         autonomy.add(countdown, "wmin 60");
-        add(asker);
-        add(age);
+        autonomy.add(stop, "hmin " + Spacing.HIT_TARGET_FIELD);
+        add(asker, "split 2, growx 0");
+        add(age, "growx 0, gapleft 12");
         add(title, "wmin 60");
         add(description, "wmin 60");
         add(autonomy);
@@ -71,6 +76,7 @@ final class DecisionHeader extends JPanel {
         String words = DecisionWords.autonomy(pending, nowMillis);
         set(countdown, words);
         autonomy.setVisible(!words.isEmpty());
+        stop.setVisible(pending.presentation().autonomy().counts());
     }
 
     private static void set(WrappedText text, String words) {

@@ -75,7 +75,7 @@ public final class DecisionsPanel extends JPanel {
         shown = new ShownDecision(() -> System.nanoTime() / 1_000_000);
         commands = new DecisionCommands(registry, this);
         refuse = new CommandButton(commands.refuse());
-        header = new DecisionHeader();
+        header = new DecisionHeader(new CommandButton(commands.stopTimer()));
         waiting = new WaitingList(this::select);
         settle.setRepeats(false);
         setName("decisions");
@@ -115,7 +115,7 @@ public final class DecisionsPanel extends JPanel {
         problem.setName("decision-problem");
         problem.setColor(SemanticColor.MUTED);
         column.add(header);
-        column.add(scroll, "hmin 60");
+        column.add(scroll, "hmin 100");
         column.add(problem, "wmin 60");
         column.add(buttons());
         column.add(waiting);
@@ -255,6 +255,15 @@ public final class DecisionsPanel extends JPanel {
                 : Optional.of("this decision asks for a choice");
     }
 
+    /** Why there is no timer to stop; empty where there is one. */
+    Optional<String> whyNotStopTimer() {
+        return shown.shown()
+                        .filter(one -> one.presentation().autonomy().counts())
+                        .isPresent()
+                ? Optional.empty()
+                : Optional.of("no timer runs");
+    }
+
     /** Gives the answer that is filled in. */
     void answer() {
         if (whyNot().isEmpty()) {
@@ -283,6 +292,14 @@ public final class DecisionsPanel extends JPanel {
             refresh();
         });
         commands.refresh();
+    }
+
+    /** Stops the timer after which autonomy would answer. */
+    void stopTimer() {
+        current.ifPresent(view -> actions.hold(view.decision().id()).whenComplete((done, fault) -> {
+            refusal = fault == null ? "" : "▲ " + RefusedException.reason(fault);
+            refresh();
+        }));
     }
 
     /** Shows another decision, and answers nothing. */

@@ -52,6 +52,11 @@ public final class SessionDecisions {
         }
 
         @Override
+        public CompletionStage<Void> hold(long decision) {
+            return context.session().hold(decision);
+        }
+
+        @Override
         public long nowMillis() {
             return context.nowMillis();
         }

@@ -8,7 +8,7 @@ import javax.swing.JPanel;
 import javax.swing.Scrollable;
 import org.sami.ui.look.Look;
 
-/** Scrolls what is in it upwards and downwards only: it is as wide as the pane, and at least as high. */
+/** Scrolls what is in it upwards and downwards only: it is as wide as the pane, and as high as long as what is in it can be. */
 final class WidthTrackingPanel extends JPanel implements Scrollable {
     private static final int STEP = 16;
 
@@ -40,6 +40,6 @@ final class WidthTrackingPanel extends JPanel implements Scrollable {
 
     @Override
     public boolean getScrollableTracksViewportHeight() {
-        return getParent() != null && getParent().getHeight() > getPreferredSize().height;
+        return getParent() != null && getParent().getHeight() >= getMinimumSize().height;
     }
 }
