@@ -1,5 +1,6 @@
 package org.sami.crw.operator;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -79,12 +80,21 @@ public final class AllocationModel extends Model<AllocationSnapshot> {
         }
     }
 
+    private static void add(Map<String, List<TaskId>> filled, String boat, TaskId task) {
+        filled.computeIfAbsent(boat, id -> new ArrayList<>()).add(task);
+    }
+
     @Override
     AllocationSnapshot take() {
-        Map<String, List<TaskId>> filled = new LinkedHashMap<>();
-        queues.forEach((boat, tasks) -> {
-            if (!tasks.isEmpty()) {
-                filled.put(boat, tasks);
+        Map<String, List<TaskId>> filled = new TreeMap<>();
+        queues.forEach((boat, tasks) -> tasks.stream()
+                .filter(task -> boat.equals(robots.getOrDefault(task, boat)))
+                .forEach(task -> add(filled, boat, task)));
+        robots.forEach((task, boat) -> { // a moment ago, and not in its queue yet
+            if (known.contains(task)
+                    && !complete.contains(task)
+                    && !filled.getOrDefault(boat, List.of()).contains(task)) {
+                add(filled, boat, task);
             }
         });
         List<TaskId> unallocated = known.stream()

@@ -111,7 +111,7 @@ final class FenceCheck {
     }
 
     private boolean isForbidden(List<GeoPoint> way) {
-        return water.isPresent() && !way.isEmpty() && water.get().clearanceM(way) <= 0;
+        return water.isPresent() && !way.isEmpty() && !water.get().allows(way);
     }
 
     private static String words(String boat, CommandQueueSnapshot.Entry entry, String where, GeoPoint point) {

@@ -1,6 +1,7 @@
 /**
  * What lies before the operator, as models that windows, consoles, the simulated operator and reports read: decisions, messages,
- * missions, boats and links, command queues, interrupts, alarms, allocation, clicks.
+ * missions, boats and links, communication, command queues, interrupts, alarms, allocation, map, operator log, clicks
+ * (docs/operator-models.md).
  *
  * <p>Belongs here: models and the immutable snapshots that they give out. Does not belong here: anything of Swing, when and how a
  * decision is answered ({@code org.sami.crw.decision}), what decisions mean to a plan ({@code spn.engine}).

@@ -275,6 +275,14 @@ class AlarmModelTest {
     }
 
     @Test
+    void boatThatIsFarBeyondTheFenceIsOutsideOfItToo() {
+        world.step(OperatingArea.remember(square(-100, 100)));
+        world.settle();
+        see("anna", GeoPoint.of(45.4, 10.9), EAST, 0); // 30 km away
+        assertThat(isActive(Kind.FENCE)).isTrue();
+    }
+
+    @Test
     void fenceThatCannotBeWatchedIsAnAlarmItself() {
         world.step(OperatingArea.remember(
                 new GeoArea(List.of(at(0, 0), at(100, 100), at(100, 0), at(0, 100)), List.of())));

@@ -2,6 +2,7 @@ package org.sami.crw.operator;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
@@ -47,6 +48,17 @@ class TaskMoveTest {
         world.settle();
         assertThat(world.models.allocation().snapshot().queues()).isEmpty();
         assertThat(world.models.allocation().snapshot().unallocated()).contains(A);
+    }
+
+    /** Queues are written a step after the allocation. */
+    @Test
+    void movedTaskIsNeverOutOfSight() {
+        ModelWorld before = new ModelWorld();
+        before.step(new Input.ProxyJoined("anna"), new Input.ProxyJoined("bert"), ModelWorld.start("test"));
+        before.step(allocate("bert"));
+        before.settle();
+
+        assertThat(before.models.allocation().snapshot().queues()).containsExactly(Map.entry("bert", List.of(A)));
     }
 
     @Test

@@ -25,10 +25,12 @@ public final class Water {
 
     private final LocalPlane plane;
     private final Geometry forbidden;
+    private final Optional<Envelope> world; // beyond it nothing is allowed either, where there is an area to stay in
 
-    private Water(LocalPlane plane, Geometry forbidden) {
+    private Water(LocalPlane plane, Geometry forbidden, Optional<Envelope> world) {
         this.plane = plane;
         this.forbidden = forbidden;
+        this.world = world;
     }
 
     /** Water without anything in it. */
@@ -49,19 +51,24 @@ public final class Water {
         for (int i = 0; i < noGo.size(); i++) {
             parts.add(Areas.polygon(noGo.get(i), plane, "No-go area " + (i + 1)));
         }
-        within.ifPresent(area -> parts.add(outside(Areas.polygon(area, plane, "The area to stay in"))));
-        return new Water(plane, union(parts));
+        Optional<Geometry> inside = within.map(area -> Areas.polygon(area, plane, "The area to stay in"));
+        inside.ifPresent(polygon -> parts.add(outside(polygon)));
+        return new Water(plane, union(parts), inside.map(Water::world));
     }
 
     /** The water of a polygon on a plane. */
     public static Water inside(LocalPlane plane, Geometry polygon) {
-        return new Water(plane, outside(polygon));
+        return new Water(plane, outside(polygon), Optional.of(world(polygon)));
+    }
+
+    private static Envelope world(Geometry polygon) {
+        Envelope rim = new Envelope(polygon.getEnvelopeInternal());
+        rim.expandBy(RIM_M);
+        return rim;
     }
 
     private static Geometry outside(Geometry polygon) {
-        Envelope rim = new Envelope(polygon.getEnvelopeInternal());
-        rim.expandBy(RIM_M);
-        return FACTORY.toGeometry(rim).difference(polygon);
+        return FACTORY.toGeometry(world(polygon)).difference(polygon);
     }
 
     private static Geometry union(List<Geometry> parts) {
@@ -96,6 +103,15 @@ public final class Water {
         }
         Coordinate[] stops = way.stream().map(this::coordinate).toArray(Coordinate[]::new);
         return forbidden.distance(stops.length == 1 ? FACTORY.createPoint(stops[0]) : FACTORY.createLineString(stops));
+    }
+
+    /** Whether a way, or a point alone, stays in what is allowed, however far away it is. */
+    public boolean allows(List<GeoPoint> way) {
+        boolean isFar = world.isPresent()
+                && way.stream()
+                        .map(this::coordinate)
+                        .anyMatch(stop -> !world.get().contains(stop));
+        return !isFar && clearanceM(way) > 0;
     }
 
     /** What of a polygon on the plane is allowed. */

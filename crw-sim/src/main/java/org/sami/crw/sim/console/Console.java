@@ -27,6 +27,8 @@ public final class Console implements AutoCloseable {
         this.session = new SessionCommands(context, commands::values);
         new MissionCommands(context).all().forEach(this::add);
         new OperatorCommands(context).all().forEach(this::add);
+        new SituationCommands(context).all().forEach(this::add);
+        new MapCommands(context).all().forEach(this::add);
         new BoatCommands(context).all().forEach(this::add);
         this.session.all().forEach(this::add);
     }
@@ -65,6 +67,7 @@ public final class Console implements AutoCloseable {
                     throw new ConsoleFault("there is no command '" + words.get(0) + "'"
                             + Suggestions.meant(commands.keySet(), words.get(0)) + "; 'help' lists them");
                 }
+                context.await(context.models().shown()); // what was done before is seen
                 command.action().run(new Arguments(command.usage(), words.subList(1, words.size())), out);
             }
         } catch (ConsoleFault fault) {

@@ -41,6 +41,7 @@ final class ConsoleContext implements AutoCloseable {
         registrations = List.of(
                 models.decisions().addListener(snapshot -> wake()),
                 models.missions().addListener(snapshot -> wake()),
+                models.allocation().addListener(snapshot -> wake()),
                 models.fleet().addListener(snapshot -> wake()));
     }
 

@@ -6,14 +6,11 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.decision.MixedInitiative;
-import org.sami.crw.operator.Alarm;
-import org.sami.crw.operator.AllocationSnapshot;
 import org.sami.crw.operator.MessageEntry;
 import org.sami.crw.operator.PendingDecision;
 import org.sami.spn.protocol.Answer;
-import org.sami.spn.value.TaskId;
 
-/** Commands about what lies before the operator: decisions, messages, alarms, tasks. */
+/** Commands about what the operator is asked and told: decisions and messages. */
 final class OperatorCommands {
     /** How this operator is called to the others. */
     static final String NAME = "console";
@@ -40,11 +37,7 @@ final class OperatorCommands {
                         "Stops autonomy's timer of a decision, which then waits for you.",
                         this::hold,
                         this::timed),
-                ConsoleCommand.of("messages", "Lists messages that nobody acknowledged.", this::messages),
-                ConsoleCommand.of("alarms", "Lists what is wrong, the worst first.", this::alarms),
-                ConsoleCommand.of(
-                        "ack NUMBER|all", "Acknowledges a message, or all messages and alarms.", this::acknowledge),
-                ConsoleCommand.of("tasks", "Lists who has which tasks.", this::tasks));
+                ConsoleCommand.of("messages", "Lists messages that nobody acknowledged.", this::messages));
     }
 
     /** A decision in words, how it can be answered included. */
@@ -163,60 +156,5 @@ final class OperatorCommands {
                 + Numbers.clock(entry.message().atMillis()) + "  "
                 + entry.message().priority().name().toLowerCase(Locale.ROOT) + "  "
                 + entry.message().text()));
-    }
-
-    private void alarms(Arguments arguments, Consumer<String> out) {
-        arguments.end();
-        List<Alarm> alarms = context.models().alarms().snapshot();
-        if (alarms.isEmpty()) {
-            out.accept("no alarm");
-        }
-        for (Alarm alarm : alarms) {
-            String state = alarm.active() ? "" : ", over";
-            out.accept(alarm.kind().severity().name().toLowerCase(Locale.ROOT) + "  " + alarm.text() + "  since "
-                    + Numbers.clock(alarm.sinceMillis()) + state + (alarm.acknowledged() ? ", acknowledged" : ""));
-        }
-    }
-
-    private void acknowledge(Arguments arguments, Consumer<String> out) {
-        if (arguments.peek().equals("all")) {
-            arguments.next("number");
-            arguments.end();
-            context.models()
-                    .messages()
-                    .snapshot()
-                    .forEach(entry -> context.models().messages().acknowledge(entry.number()));
-            context.models()
-                    .alarms()
-                    .snapshot()
-                    .forEach(alarm -> context.models().alarms().acknowledge(alarm.kind(), alarm.boat()));
-            out.accept("all messages and alarms are acknowledged");
-            return;
-        }
-        long number = arguments.number("number");
-        arguments.end();
-        if (context.models().messages().snapshot().stream().noneMatch(entry -> entry.number() == number)) {
-            throw new ConsoleFault("there is no message " + number);
-        }
-        context.models().messages().acknowledge(number);
-        out.accept("message " + number + " is acknowledged");
-    }
-
-    private void tasks(Arguments arguments, Consumer<String> out) {
-        arguments.end();
-        AllocationSnapshot allocation = context.models().allocation().snapshot();
-        if (allocation.queues().isEmpty() && allocation.unallocated().isEmpty()) {
-            out.accept("no mission has tasks");
-        }
-        allocation.queues().forEach((boat, tasks) -> out.accept(boat + ": " + words(tasks)));
-        if (!allocation.unallocated().isEmpty()) {
-            out.accept("nobody: " + words(allocation.unallocated()));
-        }
-    }
-
-    private static String words(List<TaskId> tasks) {
-        return tasks.isEmpty()
-                ? "none"
-                : String.join(", ", tasks.stream().map(TaskId::toString).toList());
     }
 }

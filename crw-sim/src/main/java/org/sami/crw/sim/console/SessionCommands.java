@@ -54,10 +54,10 @@ final class SessionCommands {
                         "Loads a project beside the missions that run, which keep their plans.",
                         this::load),
                 ConsoleCommand.of(
-                        "wait decision|ended|boats N|SECONDS [within SECONDS]",
-                        "Waits until something is asked, no mission runs, N boats are linked, or for a time.",
+                        "wait decision|ended|tasks|boats N|SECONDS [within SECONDS]",
+                        "Waits until something is asked, no mission runs, boats have tasks, N boats are linked, or for a time.",
                         this::await,
-                        words -> words.size() > 1 ? List.of("within") : List.of("decision", "ended", "boats")),
+                        words -> words.size() > 1 ? List.of("within") : List.of("decision", "ended", "tasks", "boats")),
                 ConsoleCommand.of(
                         "help [COMMAND]",
                         "Lists the commands, or says more of one.",
@@ -151,6 +151,8 @@ final class SessionCommands {
         BooleanSupplier wanted = switch (what) {
             case "decision" -> () -> !context.models().decisions().pending().isEmpty();
             case "ended" -> this::noMissionRuns;
+            case "tasks" ->
+                () -> !context.models().allocation().snapshot().queues().isEmpty();
             case "boats" -> () -> linked() >= count;
             default -> null;
         };
@@ -170,7 +172,8 @@ final class SessionCommands {
         } catch (NumberFormatException e) {
             // said below
         }
-        throw new ConsoleFault("waits for decision, ended, boats N, or 0 to 86400 seconds, not for '" + word + "'");
+        throw new ConsoleFault(
+                "waits for decision, ended, tasks, boats N, or 0 to 86400 seconds, not for '" + word + "'");
     }
 
     private boolean noMissionRuns() {

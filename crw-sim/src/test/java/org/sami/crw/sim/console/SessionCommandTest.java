@@ -235,6 +235,93 @@ class SessionCommandTest {
     }
 
     @Test
+    void fenceNotesAndLogSurviveTheProcessAndAlarmsAreAcknowledged() throws IOException {
+        String journal = folder.resolve("log.journal").toString();
+        CommandResult first = session(
+                List.of("station-keep", "--journal", journal),
+                "add sim 45.4,10.9",
+                "wait boats 1 within 30",
+                "note weeds at 45.41,10.91",
+                "fence 45.5,10.9;45.5,11;45.6,11",
+                "wait 1",
+                "alarms",
+                "ack a1",
+                "mute a1",
+                "alarms",
+                "stop all");
+        CommandResult second = session(List.of("--journal", journal), "log", "fence", "fence none", "fence");
+
+        assertThat(first.out())
+                .contains("ALARM: sim is outside of the water in which boats may go", "a1  critical  sim is outside")
+                .contains("alarm a1 is acknowledged", ", acknowledged, muted", "noted at 45.41000,10.91000");
+        assertThat(first.exitCode()).as(first.out() + first.err()).isZero();
+        assertThat(second.out())
+                .contains("note  weeds  at 45.41000,10.91000", "fence  set the fence: 3 corners")
+                .contains("acknowledged  sim is outside of the water", "fleet stop  stopped the fleet")
+                .contains("fence: 3 corners; no-go areas: 0", "there is no fence; no-go areas: 0");
+        assertThat(second.exitCode()).as(second.out() + second.err()).isZero();
+    }
+
+    @Test
+    void deploymentsProjectHasItsFenceAndLayersAreSwitchedByHand() throws IOException {
+        Path project = Files.writeString(
+                folder.resolve("beach.json"),
+                LAKE.replace("{\"name\": \"@depth\", \"type\": \"real\", \"initial\": 2.5}", """
+                        {"name": "@water", "type": "area", "initial": {"outline": [
+                          {"lat": 45.3, "lon": 10.8}, {"lat": 45.3, "lon": 11}, {"lat": 45.5, "lon": 11}]}},
+                        {"name": "@noGo", "type": "list<area>", "initial": [{"outline": [
+                          {"lat": 45.31, "lon": 10.9}, {"lat": 45.31, "lon": 10.95}, {"lat": 45.33, "lon": 10.95}]}]}
+                        """));
+
+        CommandResult ran = session(
+                List.of(project.toString()),
+                "fence",
+                "fence none",
+                "fence",
+                "fence project",
+                "fence",
+                "layers boat-state on",
+                "layers",
+                "layers boat-state auto",
+                "layers");
+
+        assertThat(ran.out())
+                .contains("@water: 3 corners; no-go areas: 1", "there is no fence; no-go areas: 1")
+                .contains("boat-state  on, by hand", "boat-state  off", "2 areas");
+        assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
+    }
+
+    @Test
+    void taskIsMovedToAnotherBoatOrRefused() throws IOException {
+        try (BoatOnTcp anna = boat("anna");
+                BoatOnTcp bo = boat("bo")) {
+            CommandResult ran = session(
+                    List.of("measure", "--connect", address(anna) + "," + address(bo)),
+                    "wait boats 2 within 30",
+                    "start measure make-tasks.taskClass=Temperature measuring.duration=5s",
+                    "wait decision within 30",
+                    "answer 45.401,10.901;45.4011,10.9011",
+                    "wait tasks within 30",
+                    "allocation",
+                    "move \"1/Temperature 1\" nowhere",
+                    "move \"1/Temperature 9\" bo",
+                    "move \"1/Temperature 1\" bo",
+                    "move \"1/Temperature 1\" anna",
+                    "allocation",
+                    "log",
+                    "abort all",
+                    "wait ended within 30");
+
+            assertThat(ran.out())
+                    .contains(
+                            "crw: there is no boat 'nowhere'; there are ",
+                            "crw: there is no open task '1/Temperature 9'")
+                    .contains("1/Temperature 1 is anna's now")
+                    .containsPattern("task {2}moved task Temperature 1 to anna");
+        }
+    }
+
+    @Test
     void wrongOptionsAreRefusedBeforeASessionIsOpened() {
         assertThat(CommandResult.crw("session", "--connect", "nowhere").exitCode())
                 .isEqualTo(2);
