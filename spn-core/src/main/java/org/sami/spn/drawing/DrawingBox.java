@@ -24,6 +24,11 @@ public record DrawingBox(double x, double y, double width, double height) {
         return px >= x && px <= maxX() && py >= y && py <= maxY();
     }
 
+    /** Whether all of another box lies in it. */
+    public boolean contains(DrawingBox other) {
+        return other.x >= x && other.maxX() <= maxX() && other.y >= y && other.maxY() <= maxY();
+    }
+
     /** The same box with so much more on every side. */
     public DrawingBox grown(double by) {
         return new DrawingBox(x - by, y - by, width + 2 * by, height + 2 * by);

@@ -2,6 +2,7 @@ package org.sami.ui.net;
 
 import java.awt.Font;
 import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -30,20 +31,23 @@ final class FarNames {
     private final double unit; // drawing units of a pixel at 100 %
     private final List<DrawingBox> taken = new ArrayList<>();
 
-    private FarNames(Graphics2D g, double scale) {
+    private final DrawingBox shown;
+
+    private FarNames(Graphics2D g, double scale, DrawingBox shown) {
         this.g = g;
+        this.shown = shown;
         unit = Look.scalePercent() / 100.0 / scale;
     }
 
-    static void paint(Graphics2D g, double scale, NetScene scene, NetMarking marking, NetLight light) {
-        FarNames names = new FarNames(g, scale);
+    static void paint(
+            Graphics2D g, double scale, NetScene scene, NetMarking marking, NetLight light, DrawingBox shown) {
+        FarNames names = new FarNames(g, scale, shown);
         Map<String, String> texts = new HashMap<>();
         for (Label label : scene.labels()) {
             names(label).ifPresent(text -> texts.put(label.of(), text));
         }
         scene.vertices().forEach(vertex -> names.taken.add(vertex.box()));
         g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, LETTERS_PX).deriveFont((float) (LETTERS_PX * names.unit)));
-        g.setColor(SemanticColor.TEXT.get());
         scene.vertices().stream()
                 .filter(vertex -> texts.containsKey(vertex.id()))
                 .sorted(Comparator.comparingInt(vertex -> rank(vertex, marking, light)))
@@ -86,10 +90,14 @@ final class FarNames {
                 new DrawingBox(at.maxX() + gap, middle, width, height),
                 new DrawingBox(at.x() - gap - width, middle, width, height));
         boxes.stream()
+                .filter(shown::contains)
                 .filter(box -> taken.stream().noneMatch(box::intersects))
                 .findFirst()
                 .ifPresent(box -> {
                     taken.add(box.grown(gap));
+                    g.setColor(SemanticColor.NET_CANVAS.withAlpha(200)); // lines are not to be read through the name
+                    g.fill(new Rectangle2D.Double(box.x(), box.y(), box.width(), box.height()));
+                    g.setColor(SemanticColor.TEXT.get());
                     g.drawString(text, (float) box.x(), (float) (box.y() + LETTERS_PX * 0.95 * unit));
                 });
     }

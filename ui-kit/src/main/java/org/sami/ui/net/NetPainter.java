@@ -77,7 +77,7 @@ final class NetPainter {
                 }
             }
         } else {
-            FarNames.paint(g, scale, scene, marking, light);
+            FarNames.paint(g, scale, scene, marking, light, clip);
         }
     }
 

@@ -242,6 +242,21 @@ class NetViewTest {
         assertThat(dark(NetScenes.paint(small))).isLessThan(withNames - 200);
     }
 
+    @Test
+    void aNameOnASmallNetIsNotCutAtItsEdge() {
+        NetView small = NetScenes.view(plan, 500, 320);
+        BufferedImage image = NetScenes.paint(small);
+        BufferedImage rims = new BufferedImage(4, image.getHeight(), BufferedImage.TYPE_INT_RGB);
+        for (int y = 0; y < image.getHeight(); y++) {
+            rims.setRGB(0, y, image.getRGB(0, y));
+            rims.setRGB(1, y, image.getRGB(1, y));
+            rims.setRGB(2, y, image.getRGB(image.getWidth() - 2, y));
+            rims.setRGB(3, y, image.getRGB(image.getWidth() - 1, y));
+        }
+
+        assertThat(dark(rims)).isZero();
+    }
+
     private static long dark(BufferedImage image) {
         return Arrays.stream(image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth()))
                 .filter(rgb -> (rgb & 0xFF) < 0x60)
