@@ -35,20 +35,18 @@ public interface NamedThings {
         return row(new ProxyValue(proxy)).mark().orElse(new IdentityMark(0));
     }
 
-    /** The same offer, with the marks of those that are known by one. */
+    /** The same offer, with the marks of those that are known by one, and with what is known of those of which it says nothing. */
     default Offer known(Offer offer) {
-        return new Offer(
-                offer.rows().stream()
-                        .map(row -> row.mark().isPresent()
-                                ? row
-                                : new ChoiceRow(
-                                        row.value(),
-                                        row.title(),
-                                        row.detail(),
-                                        row(row.value()).mark()))
-                        .toList(),
-                offer.min(),
-                offer.max());
+        return new Offer(offer.rows().stream().map(this::known).toList(), offer.min(), offer.max());
+    }
+
+    private ChoiceRow known(ChoiceRow row) {
+        ChoiceRow known = row(row.value());
+        return new ChoiceRow(
+                row.value(),
+                row.title(),
+                row.detail().isEmpty() ? known.detail() : row.detail(),
+                row.mark().or(known::mark));
     }
 
     /** How a value is shown in a list: as the row that is known of it, else in words. */

@@ -36,6 +36,7 @@ import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.value.VariableReference;
 import org.sami.ui.check.Layout;
+import org.sami.ui.look.IdentityMark;
 
 /** Each component is answered once, through what it shows: its fields are typed into, its buttons pressed. */
 class ValueEditorTest {
@@ -148,6 +149,22 @@ class ValueEditorTest {
         press(boats, "value-boats-all");
 
         assertThat(((ListValue) boats.entry().value().orElseThrow()).items()).hasSize(4);
+    }
+
+    @Test
+    void whatIsOfferedIsToldWithWhatIsKnownOfIt() {
+        ProxyValue anna = new ProxyValue("anna");
+
+        Offer known = SampleDomain.NAMES.known(Offer.one(List.of(
+                new ChoiceRow(anna, "anna", ""),
+                new ChoiceRow(anna, "anna", "SHORE"),
+                new ChoiceRow(new ProxyValue("zoe"), "zoe", ""))));
+
+        assertThat(known.rows())
+                .extracting(ChoiceRow::detail)
+                .containsExactly("82 % · path 3/9 · link 0.2 s", "SHORE", "");
+        assertThat(known.rows().get(0).mark()).contains(new IdentityMark(0));
+        assertThat(known.rows().get(2).mark()).isEmpty();
     }
 
     @Test
