@@ -1,0 +1,172 @@
+package org.sami.crw.gui;
+
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import javax.imageio.ImageIO;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.decision.OperatorDefaults;
+import org.sami.crw.decision.SimulatedOperator;
+import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.gui.start.StartOptions;
+import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.session.Session;
+import org.sami.crw.sim.boat.BoatOnTcp;
+import org.sami.crw.sim.boat.BoatSettings;
+import org.sami.crw.sim.run.SimulatedOperatorDriver;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.value.GeoPoint;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.Theme;
+
+/**
+ * Opens the window over five simulated boats, runs missions in it with a simulated operator, and makes a picture of each scene in each
+ * theme: what the README and the operator's guide show.
+ */
+final class ScreenshotMain {
+    private static final GeoPoint QUAY = GeoPoint.of(25.3597, 51.5268);
+    private static final GeoPoint CENTRE = GeoPoint.of(25.3597, 51.5290);
+    private static final double APART_DEG = 0.0002;
+    private static final List<String> NAMES = List.of("anna", "bert", "carl", "dora", "emil");
+
+    private final Path pictures;
+    private final WindowRobot robot = new WindowRobot();
+    private final List<BoatOnTcp> boats = new ArrayList<>();
+    private OperatorWindow window;
+
+    private ScreenshotMain(Path pictures) {
+        this.pictures = pictures;
+    }
+
+    /**
+     * Makes the pictures.
+     *
+     * @param args the folder that they go to
+     */
+    public static void main(String[] args) throws Exception {
+        new ScreenshotMain(Path.of(args[0])).run();
+        System.exit(0);
+    }
+
+    private void run() throws Exception {
+        List<BoatAddress> addresses = new ArrayList<>();
+        for (String name : NAMES) {
+            addresses.add(launch(name));
+        }
+        StartOptions options = new StartOptions(
+                addresses, Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
+        window = WindowStart.open(options, DataDirectory.open(Files.createTempDirectory("crw-pictures")), code -> {});
+        robot.untilSaid("boats-count", "5 of 5");
+        robot.clickRow("plans-table", "Connect Boat");
+        robot.click("mission-start");
+        robot.untilSaid("decisions-count", "1 decision");
+        picture("connect");
+        session().abortAll();
+        robot.until(
+                "no mission runs",
+                () -> session().models().missions().snapshot().running().isEmpty());
+        robot.click("mission-close");
+
+        answer();
+        session().start("deploy-and-station-keep", "station", Map.of());
+        robot.until("boats keep station", () -> moving() >= 3);
+        pass(25);
+        picture("station-keep");
+        session().abortAll();
+        robot.until(
+                "no mission runs",
+                () -> session().models().missions().snapshot().running().isEmpty());
+        robot.click("mission-close");
+
+        session().start("explore-team", "explore", Map.of());
+        robot.until("all explore", () -> moving() == NAMES.size());
+        pass(40);
+        picture("explore");
+        session().press("team avoid boat", Ids.NONE, List.of());
+        pass(8);
+        picture("interrupt");
+        boats.get(NAMES.size() - 1).close();
+        robot.until("emil is lost", () -> boat("emil").link() == LinkState.LOST);
+        pass(3);
+        picture("loss-of-communication");
+    }
+
+    private BoatAddress launch(String name) throws IOException {
+        GeoPoint at = GeoPoint.of(QUAY.latDeg() - boats.size() * APART_DEG, QUAY.lonDeg());
+        InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
+        BoatOnTcp boat = new BoatOnTcp(
+                BoatSettings.of(name, anyPort, at, boats.size()), SteadyClock.ofThisMachine(), TcpServerListener.NONE);
+        boats.add(boat);
+        return new BoatAddress(
+                boat.address().getAddress().getHostAddress(), boat.address().getPort());
+    }
+
+    private void answer() {
+        OperatorDefaults defaults = new OperatorDefaults(QUAY, CENTRE, 150, 6, 1, NAMES);
+        SimulatedOperatorDriver driver = new SimulatedOperatorDriver(
+                new SimulatedOperator(session().setup().vocabulary(), defaults, AnswersFile.EMPTY),
+                session().scheduler(),
+                800);
+        session().execute(() -> {
+            session().addOperator(driver);
+            driver.connect(session());
+        });
+    }
+
+    private Session session() {
+        return window.session();
+    }
+
+    private BoatSnapshot boat(String name) {
+        return session().models().fleet().boat(name).orElseThrow();
+    }
+
+    private long moving() {
+        return session().models().fleet().snapshot().stream()
+                .filter(boat -> boat.command().isPresent())
+                .count();
+    }
+
+    private static void pass(int seconds) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(seconds);
+        while (System.nanoTime() < end) {
+            LockSupport.parkNanos(end - System.nanoTime());
+        }
+    }
+
+    private void picture(String scene) throws Exception {
+        for (Theme theme : Theme.values()) {
+            WindowRobot.ask(() -> {
+                Look.apply(theme, 100);
+                return null;
+            });
+            pass(1);
+            Rectangle bounds = WindowRobot.ask(() -> new Rectangle(
+                    window.frame().getRootPane().getLocationOnScreen(),
+                    window.frame().getRootPane().getSize()));
+            Path file = pictures.resolve("operator-" + scene + (theme == Theme.LIGHT ? "" : "-" + theme.id()) + ".png");
+            ImageIO.write(new Robot().createScreenCapture(bounds), "png", file.toFile());
+            System.out.printf(Locale.ROOT, "%s%n", file);
+        }
+        WindowRobot.ask(() -> {
+            Look.apply(Theme.LIGHT, 100);
+            return null;
+        });
+    }
+}
