@@ -29,7 +29,7 @@ abstract class VirtualDisplay implements BuildService<BuildServiceParameters.Non
     }
 
     private String begin() {
-        def xvfb = new ProcessBuilder('Xvfb', '-displayfd', '1', '-screen', '0', SCREEN, '-nolisten', 'tcp')
+        def xvfb = new ProcessBuilder('Xvfb', '-displayfd', '1', '-screen', '0', SCREEN, '-nolisten', 'tcp', '-r')
             .redirectError(ProcessBuilder.Redirect.DISCARD).start()
         processes << xvfb
         def number = new BufferedReader(new InputStreamReader(xvfb.inputStream)).readLine()

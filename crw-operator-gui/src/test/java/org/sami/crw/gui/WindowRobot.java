@@ -138,6 +138,7 @@ final class WindowRobot {
 
     /** Presses a key with others held: {@code press(VK_G, VK_CONTROL)}. */
     void press(int key, int... held) {
+        robot.setAutoWaitForIdle(false); // what a key does may take long, and a held key repeats
         for (int each : held) {
             robot.keyPress(each);
         }
@@ -146,6 +147,8 @@ final class WindowRobot {
         for (int i = held.length - 1; i >= 0; i--) {
             robot.keyRelease(held[i]);
         }
+        robot.setAutoWaitForIdle(true);
+        robot.waitForIdle();
     }
 
     /** Types small letters, digits and spaces. */

@@ -220,8 +220,11 @@ public final class DecisionsPanel extends JPanel {
         boolean lit = attention.isPresent()
                 && (attention.get().type() == Attention.Type.HIGHLIGHT
                         || System.nanoTime() / 1_000_000 / BLINK_MS % 2 == 0);
-        setBorder(BorderFactory.createLineBorder(
-                (lit ? SemanticColor.WARNING_FILL : SemanticColor.SURFACE).get(), Look.px(4)));
+        int width = Look.px(4);
+        setBorder(
+                lit
+                        ? BorderFactory.createLineBorder(SemanticColor.WARNING_FILL.get(), width)
+                        : BorderFactory.createEmptyBorder(width, width, width, width));
     }
 
     private void attend() {

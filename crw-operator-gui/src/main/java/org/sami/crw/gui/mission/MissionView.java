@@ -56,7 +56,6 @@ final class MissionView extends JPanel {
         CommandButton abort = new CommandButton(context.commands().get("mission-abort"));
         close = new CommandButton(context.commands().get("mission-close"));
         CommandRow head = new CommandRow();
-        state.setFont(Fonts.strong());
         state.setName("mission-state");
         head.left(state).right(complete).right(abort).right(close);
         ending = List.of(complete, abort);
@@ -100,6 +99,19 @@ final class MissionView extends JPanel {
         return ended;
     }
 
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (state != null) {
+            colour();
+        }
+    }
+
+    private void colour() {
+        state.setFont(Fonts.strong());
+        state.setForeground((ended ? SemanticColor.MUTED : SemanticColor.OK).get());
+    }
+
     /** Shows how far it is in the phases of its plan. */
     void show(Optional<PhaseFollower.Phases> now) {
         phases.show(now);
@@ -115,7 +127,7 @@ final class MissionView extends JPanel {
                                 + SessionClock.text(now.endedAtMillis().orElse(0)))
                         .orElse("runs since " + SessionClock.text(now.startedAtMillis()))
                 + ", " + now.firings() + " firings");
-        state.setForeground((ended ? SemanticColor.MUTED : SemanticColor.OK).get());
+        colour();
         net.show(all);
         places.show(lines(now.details().blocked()));
         List<Line> values = new ArrayList<>();

@@ -5,6 +5,7 @@ import java.time.LocalTime;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -37,6 +38,7 @@ public final class StatusStrip extends JPanel {
     private final JLabel notice = new JLabel();
     private final JLabel clock = new JLabel();
     private final JButton alarms = new JButton();
+    private Optional<Notice> last = Optional.empty();
     private final CommandButton stop;
     private final CommandButton release;
     private final CommandButton confirm;
@@ -81,6 +83,7 @@ public final class StatusStrip extends JPanel {
     }
 
     private void show(Notice told) {
+        last = Optional.of(told);
         notice.setText(told.text());
         notice.setToolTipText(told.text());
         notice.setIcon(Icons.of(
@@ -101,6 +104,7 @@ public final class StatusStrip extends JPanel {
         setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
         List.of(missions, decisions, boats, links).forEach(label -> label.setFont(Fonts.strong()));
         clock.setFont(Fonts.heading());
+        last.ifPresent(this::show);
         missions.setIcon(Icons.small("net"));
         decisions.setIcon(Icons.small("decision"));
         boats.setIcon(Icons.small("boat"));
