@@ -34,6 +34,7 @@ enum SamiModule {
                     "org.sami.crw.markup..",
                     "org.sami.crw.operator..",
                     "org.sami.crw.proxy..",
+                    "org.sami.crw.replay..",
                     "org.sami.crw.service..",
                     "org.sami.crw.session..",
                     "org.sami.crw.task.."),

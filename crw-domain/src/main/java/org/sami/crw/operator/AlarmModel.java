@@ -140,6 +140,15 @@ public final class AlarmModel extends Model<List<Alarm>> {
 
     // ---- what happens; on the owner's thread
 
+    /** Forgets boats, alarms and the area, not which are muted. */
+    void clear() {
+        List.copyOf(boats.keySet()).forEach(boat -> removed(boat, 0));
+        alarms.clear();
+        fence.setWater(Optional.empty());
+        raised = 0;
+        change();
+    }
+
     /** A boat is known as this now. */
     void seen(BoatSnapshot boat, long atMillis) {
         boats.put(boat.boat(), boat);

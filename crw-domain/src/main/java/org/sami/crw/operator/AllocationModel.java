@@ -26,6 +26,15 @@ public final class AllocationModel extends Model<AllocationSnapshot> {
         super(AllocationSnapshot.EMPTY);
     }
 
+    /** Forgets all. */
+    void clear() {
+        queues.clear();
+        known.clear();
+        robots.clear();
+        complete.clear();
+        change();
+    }
+
     /** Takes up a state that was restored. */
     void restore(
             List<TaskId> tasks, Map<TaskId, String> allocation, Set<TaskId> completed, Map<String, TaskQueue> queued) {

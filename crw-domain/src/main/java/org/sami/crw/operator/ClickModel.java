@@ -6,10 +6,16 @@ import org.sami.spn.protocol.Input;
 
 /** How many clicks the operator has made in the session (docs/clicks.md). */
 public final class ClickModel extends Model<Long> {
-    private final ClickCount count = new ClickCount();
+    private ClickCount count = new ClickCount();
 
     ClickModel() {
         super(0L);
+    }
+
+    /** Begins to count anew. */
+    void clear() {
+        count = new ClickCount();
+        change();
     }
 
     void apply(Input input, List<Effect> effects) {

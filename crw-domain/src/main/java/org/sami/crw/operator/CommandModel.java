@@ -50,6 +50,12 @@ public final class CommandModel extends Model<List<BoatCommands>> {
                 || event instanceof FleetEvent.Removed;
     }
 
+    /** Forgets all. */
+    void clear() {
+        boats.clear();
+        change();
+    }
+
     void apply(FleetEvent event, long atMillis) {
         if (event instanceof FleetEvent.Removed) {
             boats.remove(event.boat());

@@ -49,6 +49,13 @@ public final class CommunicationModel extends Model<List<BoatCommunication>> {
         change();
     }
 
+    /** Forgets all. */
+    void clear() {
+        boats.clear();
+        said.clear();
+        change();
+    }
+
     void apply(EngineStep step) {
         step.marked().forEach(event -> came(event, step.atMillis()));
         if (step.input() instanceof Input.ProxyDropped dropped) {

@@ -59,6 +59,13 @@ public final class DecisionQueue extends Model<List<PendingDecision>> {
         }
     }
 
+    /** Forgets all, telling nobody that one was answered. */
+    void clear() {
+        byId.clear();
+        ordered.clear();
+        change();
+    }
+
     /**
      * The operator turns to a decision: no attention is drawn to it any longer (markup Attention, end On Click). One that waits no longer
      * changes nothing. From any thread; done a little later.

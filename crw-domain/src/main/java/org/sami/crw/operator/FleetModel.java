@@ -38,16 +38,40 @@ public final class FleetModel extends Model<List<BoatSnapshot>> {
         }
     }
 
+    /** A boat is known as this now, nothing of what came before being left out. On the owner's thread. */
+    void show(BoatSnapshot boat) {
+        boats.put(boat.boat(), boat);
+        listener.seen(boat);
+        change();
+    }
+
+    /** A boat is known as this now, which is no news to other models. On the owner's thread. */
+    void refresh(BoatSnapshot boat) {
+        boats.put(boat.boat(), boat);
+        change();
+    }
+
+    /** Forgets all. On the owner's thread. */
+    void clear() {
+        boats.keySet().forEach(listener::gone);
+        boats.clear();
+        change();
+    }
+
+    /** A boat is gone. On the owner's thread. */
+    void remove(String boat) {
+        boats.remove(boat);
+        listener.gone(boat);
+        change();
+    }
+
     private void arrived(String boat) {
         Optional<BoatSnapshot> latest = waiting.remove(boat);
         if (latest.isPresent()) {
-            boats.put(boat, latest.get());
-            listener.seen(latest.get());
+            show(latest.get());
         } else {
-            boats.remove(boat);
-            listener.gone(boat);
+            remove(boat);
         }
-        change();
     }
 
     @Override

@@ -26,6 +26,13 @@ final class GeoVariables {
         variables.put(Ids.NONE, new LinkedHashMap<>());
     }
 
+    /** Forgets all. */
+    void clear() {
+        variables.clear();
+        variables.put(Ids.NONE, new LinkedHashMap<>());
+        remembered = Optional.empty();
+    }
+
     /** The project's variables are these now. Gives whether that may change something. */
     void project(Map<String, Value> globals) {
         variables.put(Ids.NONE, geographic(globals));

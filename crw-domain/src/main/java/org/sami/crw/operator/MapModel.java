@@ -43,8 +43,9 @@ public final class MapModel extends Model<MapSnapshot> {
     private final Consumer<Runnable> inbox;
     private final CommandModel commands;
     private final GeoVariables variables;
-    private final MapEvents events;
+    private MapEvents events;
     private final MapLayers layers = new MapLayers();
+    private final LongSupplier nowMillis;
     private final MapViews views = new MapViews();
     private final MapTracks tracks = new MapTracks();
     private final SensorFields fields;
@@ -69,6 +70,7 @@ public final class MapModel extends Model<MapSnapshot> {
         this.inbox = inbox;
         this.commands = commands;
         this.variables = variables;
+        this.nowMillis = nowMillis;
         events = new MapEvents(nowMillis);
         fields = new SensorFields(computing, (known, made) -> inbox.accept(() -> computed(known, made)));
     }
@@ -151,6 +153,17 @@ public final class MapModel extends Model<MapSnapshot> {
     void gone(String boat) {
         boats.remove(boat);
         tracks.remove(boat);
+        changed();
+    }
+
+    /** Forgets what happened; what the operator wants to see stays. */
+    void clear() {
+        events = new MapEvents(nowMillis);
+        boats.clear();
+        tracks.clear();
+        fields.clear();
+        data = List.of();
+        channels = List.of();
         changed();
     }
 

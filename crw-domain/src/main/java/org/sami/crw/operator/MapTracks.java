@@ -57,6 +57,10 @@ final class MapTracks {
         tracks.remove(boat);
     }
 
+    void clear() {
+        tracks.clear();
+    }
+
     List<ShownTrack> snapshots() {
         List<ShownTrack> all = new ArrayList<>();
         tracks.forEach((boat, track) -> {

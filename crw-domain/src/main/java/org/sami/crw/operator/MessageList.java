@@ -59,6 +59,13 @@ public final class MessageList extends Model<List<MessageEntry>> {
         change();
     }
 
+    /** Forgets the messages, not which are muted. */
+    void clear() {
+        entries.clear();
+        told = 0;
+        change();
+    }
+
     /** The operator knows a message; one that is gone changes nothing. From any thread; done a little later. */
     public void acknowledge(long number) {
         inbox.accept(() -> replace(entry -> entry.number() == number ? acknowledged(entry) : entry));

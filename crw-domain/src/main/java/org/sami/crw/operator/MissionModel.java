@@ -66,6 +66,14 @@ public final class MissionModel extends Model<MissionsSnapshot> {
         super(MissionsSnapshot.EMPTY);
     }
 
+    /** Forgets all. */
+    void clear() {
+        restore(List.of(), Map.of(), 0);
+        globals.clear();
+        firings = 0;
+        change();
+    }
+
     /** Begins anew with a state that was restored: the effects that tell its marking. */
     void restore(List<Effect> effects, Map<Long, StartedPlan> plans, long atMillis) {
         marking = new FollowedMarking();

@@ -40,6 +40,12 @@ public final class OperatorLog extends Model<List<OperatorLogEntry>> {
         inbox.accept(() -> earlier.forEach(this::keep));
     }
 
+    /** Forgets all here; who keeps them keeps them. On the owner's thread. */
+    void clear() {
+        entries.clear();
+        change();
+    }
+
     /** An operator did something. */
     public void add(OperatorLogEntry.Kind kind, String text, String... boats) {
         add(kind, text, Ids.NONE, List.of(boats));

@@ -66,6 +66,7 @@ public final class OperatorModels implements HostListener, MessageSink {
     private final GeoVariables variables = new GeoVariables();
     private final MapModel map;
     private final RunningPlans plans = new RunningPlans(); // for the engine's thread
+    private boolean held; // for the owner's thread
     private final AtomicLong steps = new AtomicLong();
     private final AtomicLong stepsLookedAt = new AtomicLong();
     private final AtomicBoolean looking = new AtomicBoolean();
@@ -116,6 +117,9 @@ public final class OperatorModels implements HostListener, MessageSink {
     }
 
     private void publish() {
+        if (held) {
+            return;
+        }
         List.of(
                         decisions,
                         messages,
@@ -316,13 +320,66 @@ public final class OperatorModels implements HostListener, MessageSink {
                     looking.set(false);
                     if (fault == null) {
                         stepsLookedAt.set(now);
-                        inbox.post(() -> {
-                            missions.details(told.details());
-                            interrupts.show(told.buttons());
-                        });
+                        looked(told);
                     }
                 })
                 .exceptionally(stopped -> null); // the host takes no more questions: what was known stays
+    }
+
+    private void looked(EngineLook told) {
+        inbox.post(() -> {
+            missions.details(told.details());
+            interrupts.show(told.buttons());
+        });
+    }
+
+    // ---- for a replay
+
+    /** Has a replay tell what happened, in place of an engine's host and a fleet; for one thread of the replay's. */
+    public ReplayFeed replayFeed() {
+        return new ReplayFeed(this);
+    }
+
+    void post(Runnable change) {
+        inbox.post(change);
+    }
+
+    /** A boat is still as it was: only ages change. On the owner's thread. */
+    void stillSeen(BoatSnapshot boat) {
+        fleet.refresh(boat);
+        map.seen(boat);
+        communication.seen(boat);
+    }
+
+    /** Listeners are told of nothing while it is held; afterwards of all at once. */
+    void hold(boolean hold) {
+        inbox.post(() -> held = hold);
+    }
+
+    /** Forgets what happened. What the operator chose to see, and muted, stays. On the engine's thread. */
+    void forget(EngineView empty) {
+        plans.restore(empty);
+        inbox.post(() -> {
+            variables.clear();
+            decisions.clear();
+            messages.clear();
+            missions.clear();
+            fleet.clear();
+            commands.clear();
+            interrupts.show(List.of());
+            alarms.clear();
+            allocation.clear();
+            clicks.clear();
+            map.clear();
+            communication.clear();
+            log.clear();
+            logged.clear();
+        });
+    }
+
+    /** Shows what an engine says when it is asked. On the engine's thread. */
+    void look(EngineView view, Vocabulary vocabulary) {
+        looked(EngineLook.at(view, vocabulary));
     }
 
     // ---- fed by handlers and by the fleet

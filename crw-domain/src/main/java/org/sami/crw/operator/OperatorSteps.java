@@ -21,6 +21,11 @@ final class OperatorSteps {
         this.log = log;
     }
 
+    /** No decision waits. */
+    void clear() {
+        open.clear();
+    }
+
     /** These decisions wait. */
     void restore(List<Decision> decisions) {
         decisions.forEach(decision -> open.put(decision.id(), decision));

@@ -81,6 +81,16 @@ final class SensorFields {
         });
     }
 
+    /** Forgets what was measured. */
+    void clear() {
+        execute(() -> {
+            fields.clear();
+            plane = Optional.empty();
+            measured = true;
+            computedAtMillis = Long.MIN_VALUE / 2;
+        });
+    }
+
     /** These layers are wanted from now on. */
     void want(List<Wanted> layers) {
         wanted = List.copyOf(layers);

@@ -13,7 +13,8 @@ import org.sami.spn.value.GeoPoint;
 
 /** The operator's log as rows of the journal's telemetry, so that it survives the process. */
 public final class OperatorLogRows {
-    static final String KIND = "operator";
+    /** Kind of the rows. */
+    public static final String KIND = "operator";
 
     private static final System.Logger LOG = System.getLogger(OperatorLogRows.class.getName());
     private static final ObjectMapper JSON = new ObjectMapper();

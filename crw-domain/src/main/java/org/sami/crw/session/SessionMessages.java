@@ -36,7 +36,7 @@ final class SessionMessages implements MessageSink {
     @Override
     public void tell(OperatorMessage message) {
         if (!closed) {
-            note(SessionNote.of(message));
+            note(() -> telemetry.message(message), SessionNote.of(message));
             models.tell(message);
         }
     }
@@ -44,12 +44,13 @@ final class SessionMessages implements MessageSink {
     /** Tells something about a link. */
     void ofLink(long atMillis, String text) {
         if (!closed) {
-            note(new SessionNote(atMillis, SessionNote.LINK, Ids.NONE, text));
+            SessionNote note = new SessionNote(atMillis, SessionNote.LINK, Ids.NONE, text);
+            note(() -> telemetry.message(note), note);
         }
     }
 
-    private synchronized void note(SessionNote note) {
-        telemetry.message(note);
+    private synchronized void note(Runnable written, SessionNote note) {
+        written.run();
         listeners.each(listener -> listener.onNote(note));
     }
 

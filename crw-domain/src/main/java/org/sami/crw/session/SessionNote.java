@@ -18,6 +18,8 @@ public record SessionNote(long atMillis, String kind, long mission, String text)
     /** Kind of a note about the journal. */
     public static final String JOURNAL = "journal";
 
+    private static final String MESSAGE = " message";
+
     public SessionNote {
         Objects.requireNonNull(kind, "kind");
         Objects.requireNonNull(text, "text");
@@ -25,7 +27,17 @@ public record SessionNote(long atMillis, String kind, long mission, String text)
 
     static SessionNote of(OperatorMessage message) {
         String source = message.source().name().toLowerCase(Locale.ROOT);
-        return new SessionNote(message.atMillis(), source + " message", message.mission(), message.text());
+        return new SessionNote(message.atMillis(), source + MESSAGE, message.mission(), message.text());
+    }
+
+    /** Whether it was a message to the operator. */
+    boolean isMessage() {
+        return kind.endsWith(MESSAGE);
+    }
+
+    /** Who spoke, in a message. */
+    String source() {
+        return kind.substring(0, kind.length() - MESSAGE.length()).toUpperCase(Locale.ROOT);
     }
 
     /** Whether it is the domain that speaks of a boat, or of a link: what the operator is to see at once. */

@@ -52,6 +52,7 @@ final class SessionParts {
     final FleetListener boats;
     final BoatMonitor monitor;
     final PoseLog poses;
+    final BoatLog boatLog;
     final PostedInputs posted;
     final Operators operators = new Operators();
     final CrwDomain domain;
@@ -117,6 +118,8 @@ final class SessionParts {
         boats = new FleetListener(events, history, telemetry, messages, remembered, scheduler::nowMs);
         monitor = new BoatMonitor(history, telemetry, messages);
         poses = new PoseLog(history, telemetry);
+        boatLog = new BoatLog(telemetry, scheduler::nowMs);
+        events.subscribe(boatLog::take);
         connector.open(boats);
         if (loop.isPresent()) { // a run in process is resumed by running its world again, with all that was done in it
             models.log().restore(OperatorLogRows.read(journal.earlier()));
@@ -210,6 +213,7 @@ final class SessionParts {
     private void keepLookingAfterBoats() {
         connector.executor().execute(() -> {
             monitor.look(connector.boats());
+            boatLog.look(connector.boats());
             poses.look(scheduler.nowMs());
         });
         scheduler.after(LOOK_MS, this::keepLookingAfterBoats);
@@ -257,6 +261,7 @@ final class SessionParts {
     /** What becomes of links now is the session's own doing. */
     void listenNoLonger() {
         boats.close();
+        boatLog.close();
         messages.close();
     }
 

@@ -10,9 +10,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.LongSupplier;
+import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.proxy.UploadCount;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -117,14 +119,23 @@ public final class SessionTelemetry {
     }
 
     void message(SessionNote note) {
-        add(
-                note.atMillis(),
-                "",
-                MESSAGE,
-                JSON.createObjectNode()
-                        .put("kind", note.kind())
-                        .put("mission", note.mission())
-                        .put("text", note.text()));
+        add(note.atMillis(), "", MESSAGE, json(note));
+    }
+
+    void message(OperatorMessage message) {
+        ObjectNode json = json(SessionNote.of(message))
+                .put("source", message.source().name())
+                .put("priority", message.priority().name())
+                .put("keyword", message.keyword());
+        message.boats().forEach(json.withArray("boats")::add);
+        add(message.atMillis(), "", MESSAGE, json);
+    }
+
+    private static ObjectNode json(SessionNote note) {
+        return JSON.createObjectNode()
+                .put("kind", note.kind())
+                .put("mission", note.mission())
+                .put("text", note.text());
     }
 
     private static ObjectNode point(GeoPoint point) {
@@ -183,6 +194,9 @@ public final class SessionTelemetry {
         /** What was told. */
         default void message(SessionNote note) {}
 
+        /** The same in full, where it was a message to the operator. */
+        default void message(OperatorMessage message) {}
+
         /** What a boat measured. */
         default void reading(SensorValue reading) {}
 
@@ -230,17 +244,36 @@ public final class SessionTelemetry {
                                 json.path("readBackEqual").asInt(),
                                 json.path("failed").asInt()));
             case WHY -> reader.why(boat, json.path("text").asText());
-            case MESSAGE ->
-                reader.message(new SessionNote(
+            case MESSAGE -> {
+                SessionNote note = new SessionNote(
                         row.atMillis(),
                         json.path("kind").asText(),
                         json.path("mission").asLong(),
-                        json.path("text").asText()));
+                        json.path("text").asText());
+                reader.message(note);
+                if (note.isMessage()) {
+                    reader.message(message(note, json));
+                }
+            }
             case READING -> reader.reading(reading(row.atMillis(), boat, json));
             case READINGS -> ReadingBatch.read(boat, json).forEach(reader::reading);
             case BEGUN -> reader.begun();
             default -> reader.other(row, json);
         }
+    }
+
+    /** Earlier versions wrote no more than the text and who spoke. */
+    private static OperatorMessage message(SessionNote note, JsonNode json) {
+        List<String> boats = new ArrayList<>();
+        json.path("boats").forEach(boat -> boats.add(boat.asText()));
+        return new OperatorMessage(
+                note.atMillis(),
+                note.mission(),
+                OperatorMessage.Source.valueOf(json.path("source").asText(note.source())),
+                Priority.valueOf(json.path("priority").asText(Priority.MEDIUM.name())),
+                note.text(),
+                boats,
+                json.path("keyword").asText());
     }
 
     private static SensorValue reading(long atMillis, String boat, JsonNode json) {

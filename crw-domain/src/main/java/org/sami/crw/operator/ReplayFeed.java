@@ -1,0 +1,92 @@
+package org.sami.crw.operator;
+
+import java.util.List;
+import org.sami.crw.fleet.FleetEvent;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * Tells models what happened once, at any speed and again from the start. Steps of the engine are told to {@link OperatorModels#onPastStep}. For one
+ * thread of the replay's, which never waits for the models' owner.
+ */
+public final class ReplayFeed {
+    private final OperatorModels models;
+
+    ReplayFeed(OperatorModels models) {
+        this.models = models;
+    }
+
+    /**
+     * Begins anew: forgets what happened, and shows what a session shows at its start. What the person who watches chose to see, such as layers
+     * of the map, stays.
+     *
+     * @param start a state without missions
+     */
+    public void begin(EngineView start) {
+        models.forget(start);
+        models.restoreAreas(start);
+        models.restore(start, 0);
+    }
+
+    /** Listeners are told of nothing until {@link #release}: a jump is no flicker. */
+    public void hold() {
+        models.hold(true);
+    }
+
+    /** Tells listeners what is so now. */
+    public void release() {
+        models.hold(false);
+    }
+
+    /** Shows what the engine's state says when it is asked: what blocks missions, which buttons there are. */
+    public void look(EngineView view, Vocabulary vocabulary) {
+        models.look(view, vocabulary);
+    }
+
+    /** A boat was known as this. */
+    public void seen(BoatSnapshot boat) {
+        models.post(() -> models.fleet().show(boat));
+    }
+
+    /** A boat was still as it was; only the ages of what is known of it have changed. */
+    public void stillSeen(BoatSnapshot boat) {
+        models.post(() -> models.stillSeen(boat));
+    }
+
+    /** A boat was gone. */
+    public void gone(String boat) {
+        models.post(() -> models.fleet().remove(boat));
+    }
+
+    /** Something happened to a boat's commands, or a boat measured. */
+    public void happened(FleetEvent event, long atMillis) {
+        if (event instanceof FleetEvent.Measured measured) {
+            models.map().measured(measured);
+        } else if (CommandModel.concerns(event)) {
+            models.post(() -> {
+                models.commands().apply(event, atMillis);
+                models.map().refresh();
+            });
+        }
+    }
+
+    /** The operator did something, as it was logged. */
+    public void logged(List<OperatorLogEntry> entries) {
+        models.log().restore(entries);
+    }
+
+    /** Has this done on the models' owner's thread, after what was told before: the clock of ages goes on. */
+    public void then(Runnable change) {
+        models.post(change);
+    }
+
+    /** So much time has passed: what waits for its time on the map is due. */
+    public void tick(long nowMillis) {
+        models.post(() -> models.map().tick(nowMillis));
+    }
+
+    /** Draws what was measured. */
+    public void draw(long nowMillis) {
+        models.map().look(nowMillis);
+    }
+}

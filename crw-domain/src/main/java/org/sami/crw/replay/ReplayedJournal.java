@@ -1,0 +1,94 @@
+package org.sami.crw.replay;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.sami.spn.engine.Engine;
+import org.sami.spn.host.JournalEntry;
+import org.sami.spn.journal.JournalPlans;
+import org.sami.spn.journal.JournalReader;
+import org.sami.spn.journal.Telemetry;
+import org.sami.spn.journal.TelemetryRow;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * What a session's journal holds, read at once and never written: also that of a session which runs, as far as it was durable when it was
+ * read. Immutable.
+ */
+public final class ReplayedJournal {
+    private final Path file;
+    private final Vocabulary vocabulary;
+    private final Engine engine;
+    private final List<JournalEntry> entries;
+    private final List<TelemetryRow> rows;
+    private final TimeLine timeLine;
+    private final Optional<String> damage;
+
+    private ReplayedJournal(Path file, JournalReader reader) throws IOException {
+        this.file = file;
+        vocabulary = JournalPlans.vocabulary(file, reader.header());
+        engine = new Engine(vocabulary, JournalPlans.project(file, reader.header(), vocabulary));
+        entries = List.copyOf(reader.entries());
+        Telemetry telemetry = reader.telemetry();
+        List<TelemetryRow> ordered = new ArrayList<>(telemetry.rows());
+        ordered.sort(Comparator.comparingLong(TelemetryRow::atMillis)); // those of one moment stay in order
+        rows = List.copyOf(ordered);
+        timeLine = TimeLineBuilder.of(engine, entries, rows);
+        List<String> wrong = Stream.concat(reader.recovery().damage().stream(), telemetry.damage().stream())
+                .toList();
+        damage = wrong.isEmpty() ? Optional.empty() : Optional.of(String.join("; ", wrong));
+    }
+
+    /**
+     * Reads a journal. Of one that is damaged on its way this is what stands before the damage ({@link #damage}).
+     *
+     * @throws IOException with one sentence that names the file, if there is none, it is no journal, it is damaged from its head, or this
+     *     program cannot read its plans
+     */
+    public static ReplayedJournal open(Path file) throws IOException {
+        if (!Files.isRegularFile(file)) {
+            throw new NoSuchFileException("there is no journal " + file);
+        }
+        try (JournalReader reader = JournalReader.open(file)) {
+            return new ReplayedJournal(file, reader);
+        }
+    }
+
+    /** The file that was read. */
+    public Path file() {
+        return file;
+    }
+
+    /** The words of the session. */
+    public Vocabulary vocabulary() {
+        return vocabulary;
+    }
+
+    /** When what happened. */
+    public TimeLine timeLine() {
+        return timeLine;
+    }
+
+    /** What of the file could not be read, in a sentence; empty where all could. */
+    public Optional<String> damage() {
+        return damage;
+    }
+
+    Engine engine() {
+        return engine;
+    }
+
+    List<JournalEntry> entries() {
+        return entries;
+    }
+
+    List<TelemetryRow> rows() {
+        return rows;
+    }
+}

@@ -1,0 +1,2 @@
+/** Replays of sessions: what lay before the operator at any moment of a journal (docs/replay.md). No window, and nothing that acts on boats. */
+package org.sami.crw.replay;

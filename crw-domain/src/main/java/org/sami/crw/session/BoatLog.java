@@ -1,0 +1,134 @@
+package org.sami.crw.session;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.LongSupplier;
+import java.util.stream.Stream;
+import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.proxy.BoatExplanation;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.BoatStatus;
+import org.sami.crw.proxy.CommandQueueSnapshot;
+import org.sami.crw.proxy.ProxyRegistry;
+
+/**
+ * Notes in the journal, beside where boats were, what the operator was shown of them: commands and how they ended, the link, who commands,
+ * the battery's class, why each moved or did not. A replay shows it again. For the fleet's thread.
+ */
+final class BoatLog {
+    /** Each command, once. */
+    static final String COMMAND = "command";
+
+    /** What stands in a boat's queue from now on, by the ids of commands. */
+    static final String QUEUE = "queue";
+
+    /** How many points of a path are behind a boat. */
+    static final String PROGRESS = "progress";
+
+    /** How a command ended. */
+    static final String CONCLUDED = "concluded";
+
+    /** What else is known of a boat, where it has changed. */
+    static final String STATE = "state";
+
+    /** The boat is no longer among those of the base. */
+    static final String REMOVED = "removed";
+
+    private static final ObjectMapper JSON = new ObjectMapper();
+
+    private final SessionTelemetry telemetry;
+    private final LongSupplier nowMillis;
+    private final Set<String> written = new HashSet<>(); // commands
+    private final Map<String, String> states = new HashMap<>();
+    private volatile boolean closed;
+
+    BoatLog(SessionTelemetry telemetry, LongSupplier nowMillis) {
+        this.telemetry = telemetry;
+        this.nowMillis = nowMillis;
+    }
+
+    /** Notes nothing from now on: what becomes of links is the session's own doing. From any thread. */
+    void close() {
+        closed = true;
+    }
+
+    void take(FleetEvent event) {
+        if (event instanceof FleetEvent.QueueChanged changed) {
+            queue(changed.boat(), changed.queue());
+        } else if (event instanceof FleetEvent.Progressed progressed) {
+            add(progressed.boat(), PROGRESS, of(progressed.command()).put("visited", progressed.visited()));
+        } else if (event instanceof FleetEvent.CommandCompleted done) {
+            add(done.boat(), CONCLUDED, of(done.command()).put("end", "completed"));
+        } else if (event instanceof FleetEvent.CommandFailed failed) {
+            add(
+                    failed.boat(),
+                    CONCLUDED,
+                    of(failed.command()).put("end", "failed").put("why", failed.reason()));
+        } else if (event instanceof FleetEvent.CommandWithdrawn withdrawn) {
+            add(
+                    withdrawn.boat(),
+                    CONCLUDED,
+                    of(withdrawn.command())
+                            .put("end", "withdrawn")
+                            .put("why", withdrawn.why().name()));
+        } else if (event instanceof FleetEvent.Removed removed) {
+            states.remove(removed.boat());
+            add(removed.boat(), REMOVED, JSON.createObjectNode());
+        }
+    }
+
+    private ObjectNode of(BoatCommand command) {
+        return JSON.createObjectNode().put("command", command.commandId());
+    }
+
+    private void queue(String boat, CommandQueueSnapshot queue) {
+        Stream.concat(queue.current().stream(), queue.waiting().stream())
+                .map(CommandQueueSnapshot.Entry::command)
+                .filter(command -> written.add(command.commandId() + " " + command.hashCode()))
+                .forEach(command -> add(boat, COMMAND, CommandJson.write(command)));
+        ObjectNode json = JSON.createObjectNode();
+        queue.current().ifPresent(entry -> json.set("current", entry(entry)));
+        ArrayNode waiting = json.putArray("waiting");
+        queue.waiting().forEach(entry -> waiting.add(entry(entry)));
+        queue.blockedBy().ifPresent(mission -> json.put("blockedBy", mission));
+        add(boat, QUEUE, json);
+    }
+
+    private ObjectNode entry(CommandQueueSnapshot.Entry entry) {
+        return of(entry.command()).put("visited", entry.visited()).put("why", entry.why());
+    }
+
+    /** Notes what has changed; to be called once a second. */
+    void look(ProxyRegistry boats) {
+        boats.all().forEach(this::look);
+    }
+
+    private void look(BoatProxy boat) {
+        BoatStatus status = boat.status();
+        BoatExplanation why = boat.explain();
+        ObjectNode json = JSON.createObjectNode().put("link", status.link().name());
+        status.mode().ifPresent(mode -> json.put("mode", mode.name()));
+        status.battery()
+                .ifPresent(battery -> json.put("battery", battery.level().name()));
+        json.put("byHand", boat.isTakenOver())
+                .put("commanded", boat.isCommanding())
+                .put("shouldMove", why.shouldMove())
+                .put("cause", why.cause().name());
+        String words = why.text().replaceAll("[0-9]+", "#"); // whatever is counted in it is no news
+        if (!(json + words).equals(states.put(boat.boatId(), json + words))) {
+            add(boat.boatId(), STATE, json.put("why", why.text()));
+        }
+    }
+
+    private void add(String boat, String kind, ObjectNode json) {
+        if (!closed) {
+            telemetry.add(nowMillis.getAsLong(), boat, kind, json);
+        }
+    }
+}

@@ -1,0 +1,262 @@
+package org.sami.crw.sim.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.server.testing.Await;
+import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.operator.MissionsSnapshot;
+import org.sami.crw.operator.OperatorMessage;
+import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.operator.PendingDecision;
+import org.sami.crw.operator.map.MapSnapshot;
+import org.sami.crw.replay.Replay;
+import org.sami.crw.replay.ReplayedJournal;
+import org.sami.crw.replay.TimeLine.Kind;
+import org.sami.crw.replay.TimeLine.Mark;
+import org.sami.crw.service.Geodesy;
+import org.sami.crw.session.Session;
+import org.sami.crw.sim.boat.BoatOnTcp;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.Value;
+
+/** A replay shows what lay before the operator of a real session, whose boats were reached over TCP. */
+@Timeout(120)
+class ReplayTest {
+    @TempDir
+    private Path folder;
+
+    private TestSession world;
+    private Path file;
+    private Session session;
+
+    /** What the models of the session showed at a moment. */
+    private record Shown(
+            long atMillis,
+            MissionsSnapshot missions,
+            List<PendingDecision> decisions,
+            List<OperatorMessage> messages,
+            List<BoatSnapshot> boats) {
+        static Shown of(long atMillis, OperatorModels models) {
+            return new Shown(
+                    atMillis,
+                    models.missions().snapshot(),
+                    models.decisions().snapshot(),
+                    models.messages().messages(),
+                    models.fleet().snapshot());
+        }
+    }
+
+    /** All that a replay shows. */
+    private record Everything(Shown shown, MapSnapshot map, List<Object> others) {
+        static Everything of(Replay replay) {
+            OperatorModels models = replay.models();
+            return new Everything(
+                    Shown.of(replay.shownMillis(), models),
+                    models.map().snapshot(),
+                    List.of(
+                            models.commands().snapshot(),
+                            models.interrupts().snapshot(),
+                            models.alarms().snapshot(),
+                            models.allocation().snapshot(),
+                            models.clicks().snapshot()));
+        }
+    }
+
+    @BeforeEach
+    void open() throws Exception {
+        world = new TestSession(folder);
+        file = folder.resolve("session.journal");
+        session = world.opened(TestSession.library("clv"), file);
+        session.begin();
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        world.close();
+    }
+
+    private Replay replay() throws IOException {
+        return new Replay(ReplayedJournal.open(file), Runnable::run, Runnable::run);
+    }
+
+    /** Waits until the models show all that the engine did, and what it says when it is asked. */
+    private Shown shown() {
+        OperatorModels models = session.models();
+        Await.until(
+                "missions say what blocks them",
+                TestSession.WITHIN_S,
+                () -> models.missions().snapshot().running().stream()
+                        .allMatch(mission -> !mission.details().blocked().isEmpty()));
+        TestSession.get(models.shown());
+        return Shown.of(session.scheduler().nowMs(), models);
+    }
+
+    private void answer(String type, Answer answer) {
+        TestSession.get(session.answer(TestSession.decision(session, type).id(), answer, "test"));
+    }
+
+    private BoatSnapshot anna() {
+        return session.models().fleet().boat("anna").orElseThrow();
+    }
+
+    /** A mission that asks for boats and locations, sends the boat, and is aborted on its way. */
+    private List<Shown> aMission() throws Exception {
+        List<Shown> moments = new ArrayList<>();
+        BoatOnTcp boat = world.boat("anna");
+        TestSession.get(session.fleet().connect(TestSession.address(boat)));
+        TestSession.until("anna has joined", session, view -> view.proxies().contains("anna"));
+        long mission = TestSession.get(session.start("clv", "visit", Map.of()));
+        TestSession.decision(session, "OperatorSelectBoatList");
+        moments.add(shown());
+        answer("OperatorSelectBoatList", new Answer.Proxies(List.of("anna")));
+        TestSession.decision(session, "OperatorCreateLocations");
+        moments.add(shown());
+        List<Value> locations = List.of(GeoPoint.of(45.4002, 10.9), GeoPoint.of(45.402, 10.9));
+        answer("OperatorCreateLocations", new Answer.Fields(Map.of("locations", new ListValue(locations))));
+        answer("OperatorAllocationOptions", new Answer.Option(0));
+        Await.until(
+                "anna is under way",
+                TestSession.WITHIN_S,
+                () -> Geodesy.distanceM(
+                                TestSession.PIER, anna().pose().orElseThrow().position())
+                        > 4);
+        moments.add(shown());
+        TestSession.get(session.abort(mission));
+        moments.add(shown());
+        return moments;
+    }
+
+    private void over() throws Exception {
+        session.leave();
+        session.close();
+    }
+
+    @Test
+    void showsAtEachMomentWhatTheModelsHadThen() throws Exception {
+        List<Shown> moments = aMission();
+        over();
+
+        Replay replay = replay();
+        for (Shown then : moments) {
+            replay.goTo(then.atMillis());
+            Shown now = Shown.of(replay.shownMillis(), replay.models());
+            assertThat(now.missions()).isEqualTo(then.missions());
+            assertThat(now.decisions()).isEqualTo(then.decisions());
+            assertThat(now.messages()).isEqualTo(then.messages());
+            assertThat(now.boats()).hasSize(1);
+            assertSame(now.boats().get(0), then.boats().get(0));
+        }
+    }
+
+    private static void assertSame(BoatSnapshot now, BoatSnapshot then) {
+        assertThat(now.boat()).isEqualTo(then.boat());
+        assertThat(now.link()).isEqualTo(then.link());
+        assertThat(now.command()).isEqualTo(then.command());
+        assertThat(now.visited()).isEqualTo(then.visited());
+        assertThat(now.points()).isEqualTo(then.points());
+        assertThat(now.commander()).isEqualTo(then.commander());
+        GeoPoint at = now.pose().orElseThrow().position();
+        assertThat(Geodesy.distanceM(at, then.pose().orElseThrow().position()))
+                .as("a pose a metre is noted, once a second")
+                .isLessThan(4);
+    }
+
+    @Test
+    void eachMomentShowsTheSameWhicheverWayItIsReached() throws Exception {
+        List<Shown> moments = aMission();
+        over();
+        ReplayedJournal journal = ReplayedJournal.open(file);
+        Replay once = new Replay(journal, Runnable::run, Runnable::run);
+        List<Everything> forwards = new ArrayList<>();
+        for (Shown moment : moments) {
+            once.goTo(moment.atMillis());
+            forwards.add(Everything.of(once));
+        }
+
+        Replay jumping = replay();
+        for (int i : new int[] {3, 0, 2, 1, 3, 2, 0}) {
+            jumping.goTo(moments.get(i).atMillis());
+            assertThat(Everything.of(jumping)).as("moment " + i).isEqualTo(forwards.get(i));
+        }
+        assertThat(forwards.get(2).map().paths()).as("the way that anna goes").isNotEmpty();
+    }
+
+    @Test
+    void timeLineMarksMissionsDecisionsAndWhatTheOperatorDid() throws Exception {
+        aMission();
+        over();
+
+        List<Mark> marks = ReplayedJournal.open(file).timeLine().marks();
+
+        assertThat(marks)
+                .extracting(Mark::kind)
+                .containsSubsequence(
+                        Kind.MISSION_STARTED,
+                        Kind.DECISION_ASKED,
+                        Kind.DECISION_ANSWERED,
+                        Kind.DECISION_ASKED,
+                        Kind.DECISION_ANSWERED,
+                        Kind.OPERATOR,
+                        Kind.MISSION_ENDED);
+        assertThat(marks).extracting(Mark::text).contains("visit starts", "visit is over: aborted");
+        assertThat(marks).isSortedAccordingTo((a, b) -> Long.compare(a.atMillis(), b.atMillis()));
+    }
+
+    @Test
+    void listenersAreToldOfAJumpOnce() throws Exception {
+        aMission();
+        over();
+        Replay replay = replay();
+        List<MissionsSnapshot> told = new ArrayList<>();
+        replay.models().missions().addListener(told::add);
+
+        replay.goTo(Long.MAX_VALUE);
+        replay.goTo(0);
+
+        assertThat(told).hasSize(2);
+        assertThat(told.get(0).missions()).hasSize(1);
+        assertThat(told.get(1).missions()).isEmpty();
+    }
+
+    @Test
+    void journalOfASessionThatRunsIsReplayedAsFarAsItCame() throws Exception {
+        List<Shown> moments = aMission();
+
+        Replay replay = replay();
+        replay.goTo(Long.MAX_VALUE);
+
+        assertThat(replay.models().missions().snapshot().missions())
+                .extracting(mission -> mission.outcome().isPresent())
+                .containsExactly(true);
+        assertThat(session.models().missions().snapshot())
+                .as("the session goes on undisturbed")
+                .isEqualTo(moments.get(3).missions());
+        TestSession.get(session.start("clv", "next", Map.of()));
+    }
+
+    @Test
+    void refusalNamesTheFile() throws Exception {
+        Path nothing = folder.resolve("nothing.journal");
+        assertThatThrownBy(() -> ReplayedJournal.open(nothing))
+                .isInstanceOf(IOException.class)
+                .hasMessage("there is no journal " + nothing);
+        Path damaged = Files.writeString(folder.resolve("damaged.journal"), "SQLite format 3, or so it says");
+        assertThatThrownBy(() -> ReplayedJournal.open(damaged))
+                .isInstanceOf(IOException.class)
+                .hasMessageContaining(damaged.toString());
+    }
+}
