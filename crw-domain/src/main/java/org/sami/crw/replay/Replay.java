@@ -9,7 +9,10 @@ import org.sami.crw.operator.ReplayFeed;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.HostListener;
 import org.sami.spn.host.JournalEntry;
+import org.sami.spn.host.ListenerList;
+import org.sami.spn.host.Registration;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.protocol.Effect;
 
@@ -31,6 +34,7 @@ public final class Replay {
     private final OperatorModels models;
     private final ReplayFeed feed;
     private final RecordedBoats boats;
+    private final ListenerList<HostListener> listeners = new ListenerList<>();
     private EngineState state;
     private int nextEntry;
     private int nextRow;
@@ -74,6 +78,11 @@ public final class Replay {
     /** What lay before the operator. */
     public OperatorModels models() {
         return models;
+    }
+
+    /** Tells a listener of the engine's steps as they are taken again, also those of the way to a moment. From any thread. */
+    public Registration addListener(HostListener listener) {
+        return listeners.add(listener);
     }
 
     /** The moment that the models show, in ms of the session's clock. From any thread. */
@@ -130,7 +139,9 @@ public final class Replay {
 
     private void step(JournalEntry entry) {
         List<Effect> effects = engine.step(state, entry.atMillis(), entry.input());
-        models.onPastStep(entry.atMillis(), entry.input(), effects, engine.view(state));
+        EngineView view = engine.view(state);
+        models.onPastStep(entry.atMillis(), entry.input(), effects, view);
+        listeners.each(listener -> listener.onStep(entry.index(), entry.atMillis(), entry.input(), effects, view));
     }
 
     /** The models' clock goes on between what happened before and what happens next. */

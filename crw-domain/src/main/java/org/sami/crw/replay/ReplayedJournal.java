@@ -15,6 +15,7 @@ import org.sami.spn.journal.JournalPlans;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.journal.Telemetry;
 import org.sami.spn.journal.TelemetryRow;
+import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
@@ -24,6 +25,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 public final class ReplayedJournal {
     private final Path file;
     private final Vocabulary vocabulary;
+    private final Project project;
     private final Engine engine;
     private final List<JournalEntry> entries;
     private final List<TelemetryRow> rows;
@@ -33,7 +35,8 @@ public final class ReplayedJournal {
     private ReplayedJournal(Path file, JournalReader reader) throws IOException {
         this.file = file;
         vocabulary = JournalPlans.vocabulary(file, reader.header());
-        engine = new Engine(vocabulary, JournalPlans.project(file, reader.header(), vocabulary));
+        project = JournalPlans.project(file, reader.header(), vocabulary);
+        engine = new Engine(vocabulary, project);
         entries = List.copyOf(reader.entries());
         Telemetry telemetry = reader.telemetry();
         List<TelemetryRow> ordered = new ArrayList<>(telemetry.rows());
@@ -68,6 +71,11 @@ public final class ReplayedJournal {
     /** The words of the session. */
     public Vocabulary vocabulary() {
         return vocabulary;
+    }
+
+    /** The project with which the session began. */
+    public Project project() {
+        return project;
     }
 
     /** When what happened. */

@@ -8,11 +8,13 @@ import java.util.concurrent.ExecutionException;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
 import javax.swing.JOptionPane;
+import org.sami.crw.gui.replay.ReplayWindow;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.SessionOpener;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.start.WindowSettings;
 import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.crw.replay.ReplayedJournal;
 import org.sami.crw.session.Session;
 import org.sami.ui.EventThread;
 import org.sami.ui.look.Look;
@@ -23,7 +25,11 @@ final class WindowStart {
 
     /** Opens them; the process ends with the window. */
     static void open(StartOptions options, DataDirectory data) throws IOException {
-        open(options, data, System::exit);
+        if (options.replay().isPresent()) {
+            openReplay(options, data, System::exit);
+        } else {
+            open(options, data, System::exit);
+        }
     }
 
     /**
@@ -50,6 +56,23 @@ final class WindowStart {
         });
         session.begin();
         return window;
+    }
+
+    /**
+     * Opens a replay.
+     *
+     * @param ended is told when the window was closed
+     */
+    static ReplayWindow openReplay(StartOptions options, DataDirectory data, IntConsumer ended) throws IOException {
+        ReplayedJournal journal = ReplayedJournal.open(options.replay().orElseThrow());
+        WindowSettings settings = new WindowSettings(data.settings());
+        return onEventThread(() -> {
+            Look.apply(options.theme().orElse(settings.theme()), options.scale().orElse(settings.scale()));
+            settings.keepLook();
+            ReplayWindow made = new ReplayWindow(journal, data, settings, ended);
+            made.open(options.atMillis());
+            return made;
+        });
     }
 
     private static boolean asksToResume(Path journal) {

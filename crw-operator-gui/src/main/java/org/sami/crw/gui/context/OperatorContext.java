@@ -1,6 +1,7 @@
 package org.sami.crw.gui.context;
 
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.session.RefusedException;
@@ -12,36 +13,59 @@ import org.sami.ui.look.IdentityMarks;
 /**
  * What all panels of a window work on. On the event thread, which the session's results and the models' listeners arrive on as well.
  *
+ * @param shown the session that runs, or the replay of one
  * @param marks of the boats, the same in all panels
  * @param boats which are selected
  * @param notices what the strip at the top tells
  */
 public record OperatorContext(
-        Session session, CommandRegistry commands, IdentityMarks marks, BoatSelection boats, Notices notices) {
+        ShownSession shown, CommandRegistry commands, IdentityMarks marks, BoatSelection boats, Notices notices) {
     /** The name under which the window's operator answers and commands. */
     public static final String OPERATOR = "operator";
 
+    private static final String REPLAY = "this is a replay";
+
     public OperatorContext {
-        Objects.requireNonNull(session, "session");
+        Objects.requireNonNull(shown, "shown");
         Objects.requireNonNull(commands, "commands");
         Objects.requireNonNull(marks, "marks");
         Objects.requireNonNull(boats, "boats");
         Objects.requireNonNull(notices, "notices");
     }
 
+    /** The context of a window over a session that runs. */
+    public OperatorContext(
+            Session session, CommandRegistry commands, IdentityMarks marks, BoatSelection boats, Notices notices) {
+        this(ShownSession.of(session), commands, marks, boats, notices);
+    }
+
+    /**
+     * The session that runs, for what acts on it.
+     *
+     * @throws IllegalStateException in a replay, where nothing that acts can be run ({@link #whyNotAct})
+     */
+    public Session session() {
+        return shown.session().orElseThrow(() -> new IllegalStateException(REPLAY));
+    }
+
+    /** Why nothing can act on boats or missions; empty where it can. */
+    public Optional<String> whyNotAct() {
+        return shown.session().isPresent() ? Optional.empty() : Optional.of(REPLAY);
+    }
+
     /** The session's models. */
     public OperatorModels models() {
-        return session.models();
+        return shown.models();
     }
 
     /** The words of the session. */
     public Vocabulary vocabulary() {
-        return session.setup().vocabulary();
+        return shown.vocabulary();
     }
 
     /** The session's time in ms. */
     public long nowMillis() {
-        return session.scheduler().nowMs();
+        return shown.nowMillis();
     }
 
     /** Tells what came of something that was asked of the session: that it was done, or why not. */

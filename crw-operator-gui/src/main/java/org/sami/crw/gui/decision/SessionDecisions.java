@@ -43,7 +43,8 @@ public final class SessionDecisions {
 
         @Override
         public Optional<String> check(long decision, Answer answer) {
-            return context.models().decisions().check(decision, answer, context.vocabulary());
+            return context.whyNotAct()
+                    .or(() -> context.models().decisions().check(decision, answer, context.vocabulary()));
         }
 
         @Override

@@ -45,7 +45,7 @@ final class SessionNames implements NamedThings {
 
     @Override
     public List<ChoiceRow> plans() {
-        return context.session().setup().project().plans().stream()
+        return context.shown().project().plans().stream()
                 .map(plan -> new ChoiceRow(new PlanReference(plan.id()), plan.name(), ""))
                 .toList();
     }

@@ -142,7 +142,7 @@ public final class MapPanel extends JPanel {
     }
 
     private void goHome() {
-        context.session().ask(EngineView::globals).thenAccept(globals -> {
+        context.shown().ask(EngineView::globals).thenAccept(globals -> {
             Value home = globals.get(HOME);
             if (home instanceof GeoPoint point) {
                 context.notices().told(guided.consequence());

@@ -4,6 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JPanel;
@@ -59,8 +60,10 @@ public final class InterruptsPanel extends JPanel {
         JButton button = new JButton(choice.name() + whom, Icons.normal("interrupt"));
         button.setName("interrupt-" + choice.name().strip().replaceAll("[^A-Za-z0-9]+", "-"));
         button.setHorizontalAlignment(JButton.LEADING);
-        button.setEnabled(choice.isEnabled());
-        button.setToolTipText(choice.isEnabled() ? "Press " + choice.name() + whom : choice.whyNot());
+        Optional<String> whyNot =
+                context.whyNotAct().or(() -> choice.isEnabled() ? Optional.empty() : Optional.of(choice.whyNot()));
+        button.setEnabled(whyNot.isEmpty());
+        button.setToolTipText(whyNot.orElse("Press " + choice.name() + whom));
         button.addActionListener(e -> context.tell(
                 context.session().press(choice.name(), choice.mission(), boats), "Pressed " + choice.name() + whom));
         return button;

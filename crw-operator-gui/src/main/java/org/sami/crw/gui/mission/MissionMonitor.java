@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import javax.swing.Icon;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
@@ -32,7 +33,7 @@ public final class MissionMonitor extends JPanel {
         super(new BorderLayout());
         this.context = context;
         phases = new PhaseFollower(context.vocabulary(), this::phasesChanged);
-        context.session().addListener(phases);
+        context.shown().addListener(phases);
         tabs.setName("mission-tabs");
         tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
         plans = new PlansPanel(context, starter);
@@ -123,7 +124,23 @@ public final class MissionMonitor extends JPanel {
                 tabs.setIconAt(index, icon(mission));
             }
         }
+        leaveOut(missions);
         refreshCommands();
+    }
+
+    /** In a replay that went back there are missions that have not begun yet; a session forgets those that ended long ago only. */
+    private void leaveOut(MissionsSnapshot missions) {
+        if (context.whyNotAct().isPresent()) {
+            Set<Long> known =
+                    missions.missions().stream().map(MissionSnapshot::id).collect(Collectors.toSet());
+            views.entrySet().removeIf(view -> {
+                boolean gone = !known.contains(view.getKey());
+                if (gone) {
+                    tabs.remove(view.getValue());
+                }
+                return gone;
+            });
+        }
     }
 
     private MissionView added(MissionSnapshot mission, MissionsSnapshot all) {

@@ -147,7 +147,7 @@ final class MissionNet extends JPanel {
         if (drawn != shown.mission()) {
             drawn = shown.mission();
             long wanted = drawn;
-            context.session().ask(view -> view.planOf(wanted)).thenAccept(found -> {
+            context.shown().ask(view -> view.planOf(wanted)).thenAccept(found -> {
                 if (drawn == wanted) {
                     plan = found;
                     found.ifPresent(one -> net.show(one, context.vocabulary()));

@@ -80,7 +80,7 @@ public final class PlansPanel extends JPanel {
 
     /** Shows the plans of the newest project, as one was loaded or the session began. */
     public void reload() {
-        context.session().ask(EngineView::project).thenAccept(this::show);
+        context.shown().ask(EngineView::project).thenAccept(this::show);
     }
 
     private void show(Project loaded) {

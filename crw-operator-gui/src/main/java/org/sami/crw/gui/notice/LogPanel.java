@@ -49,6 +49,11 @@ public final class LogPanel extends JPanel {
         keep.setName("log-keep");
         keep.setToolTipText("Keep the note in the log (Enter)");
         keep.addActionListener(e -> write());
+        context.whyNotAct().ifPresent(why -> {
+            note.setEnabled(false);
+            keep.setEnabled(false);
+            keep.setToolTipText(why);
+        });
         JPanel line = new JPanel(new MigLayout("insets 4 8 4 8", "[grow][]", "[]"));
         line.add(note, "growx, hmin 40, wmin 60");
         line.add(keep, "hmin 40");

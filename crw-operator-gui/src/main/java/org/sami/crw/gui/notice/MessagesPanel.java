@@ -3,6 +3,7 @@ package org.sami.crw.gui.notice;
 import java.awt.BorderLayout;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongConsumer;
 import javax.swing.JPanel;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.MessageEntry;
@@ -44,12 +45,25 @@ public final class MessagesPanel extends JPanel {
                         .withIcon("check")
                         .unless(this::whyNotAcknowledge));
         table.addSelectionListener(acknowledge::refresh);
+        context.shown().moments().ifPresent(this::addMoment);
         CommandRow tools = new CommandRow();
         tools.right(new CommandButton(acknowledge));
         add(table);
         add(tools, BorderLayout.SOUTH);
         context.models().messages().addListener(this::show);
         show(context.models().messages().snapshot());
+    }
+
+    private void addMoment(LongConsumer goTo) {
+        Command moment = context.commands()
+                .add(new Command("replay-message", "Show the moment of this message", () -> table.selected()
+                                .ifPresent(entry -> goTo.accept(entry.message().atMillis())))
+                        .withKey("ctrl J")
+                        .withIcon("clock")
+                        .unless(() -> table.selected().isPresent()
+                                ? Optional.empty()
+                                : Optional.of("select a message first")));
+        table.addSelectionListener(moment::refresh);
     }
 
     private void show(List<MessageEntry> entries) {

@@ -19,6 +19,8 @@ import java.util.Optional;
 public final class DataDirectory implements AutoCloseable {
     private static final DateTimeFormatter NAME = DateTimeFormatter.ofPattern("yyyy-MM-dd_HH-mm-ss");
 
+    private static final int MOST_REPLAYS = 9;
+
     private final Path folder;
     private final FileChannel channel;
 
@@ -43,6 +45,23 @@ public final class DataDirectory implements AutoCloseable {
                     + "); close it, or give this one a folder of its own: --data DIR");
         }
         return new DataDirectory(folder, channel);
+    }
+
+    /**
+     * Opens a directory for the window of a replay, below the one of sessions: of several replays at once each has its own.
+     *
+     * @throws IOException if it cannot be made, or there are too many
+     */
+    public static DataDirectory openForReplay(Path folder) throws IOException {
+        IOException taken = new IOException("there are too many replays");
+        for (int i = 1; i <= MOST_REPLAYS; i++) {
+            try {
+                return open(folder.resolve(i == 1 ? "replay" : "replay-" + i));
+            } catch (IOException held) {
+                taken = held;
+            }
+        }
+        throw taken;
     }
 
     private static Optional<FileLock> tryLock(FileChannel channel) throws IOException {
@@ -96,6 +115,11 @@ public final class DataDirectory implements AutoCloseable {
     /** The session that was open is over: nobody is offered it again. */
     public void finished() throws IOException {
         Files.deleteIfExists(open());
+    }
+
+    /** The directory itself. */
+    public Path folder() {
+        return folder;
     }
 
     private Path open() {

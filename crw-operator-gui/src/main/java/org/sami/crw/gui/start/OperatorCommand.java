@@ -27,7 +27,8 @@ import picocli.CommandLine.Spec;
         footer = {
             "  crw-operator",
             "  crw-operator --connect 10.0.0.11:11411,10.0.0.12:11411 --project my-beach.json",
-            "  crw-operator --boats boats.txt --data /media/laptop/today --theme sun"
+            "  crw-operator --boats boats.txt --data /media/laptop/today --theme sun",
+            "  crw-operator --replay today.journal --at 90"
         })
 public final class OperatorCommand implements Callable<Integer> {
     private static final int USAGE = 2;
@@ -73,6 +74,18 @@ public final class OperatorCommand implements Callable<Integer> {
                     "Go on with the session that was not finished, or (--no-resume) begin anew, without being asked.")
     private Boolean resume;
 
+    @Option(
+            names = "--replay",
+            paramLabel = "JOURNAL",
+            description = "Show what was, at any moment of a session's journal, instead of opening a session.")
+    private Path replay;
+
+    @Option(
+            names = "--at",
+            paramLabel = "SECONDS",
+            description = "With --replay: at which moment it begins, in seconds since the session's start.")
+    private Double at;
+
     /** What opens the window, once the command line is understood. */
     @FunctionalInterface
     public interface Opening {
@@ -93,7 +106,9 @@ public final class OperatorCommand implements Callable<Integer> {
     public Integer call() {
         try {
             StartOptions options = options();
-            DataDirectory opened = DataDirectory.open(data == null ? DataDirectory.ofUser() : data);
+            Path folder = data == null ? DataDirectory.ofUser() : data;
+            DataDirectory opened =
+                    options.replay().isPresent() ? DataDirectory.openForReplay(folder) : DataDirectory.open(folder);
             opening.open(options, opened);
             return 0;
         } catch (IllegalArgumentException unfit) {
@@ -132,6 +147,8 @@ public final class OperatorCommand implements Callable<Integer> {
                 Optional.ofNullable(project),
                 chosen,
                 Optional.ofNullable(scale),
-                Optional.ofNullable(resume));
+                Optional.ofNullable(resume),
+                Optional.ofNullable(replay),
+                Optional.ofNullable(at).map(seconds -> Math.round(seconds * 1000)));
     }
 }

@@ -14,13 +14,27 @@ import org.sami.ui.look.Theme;
  * @param theme from now on; empty = as it was
  * @param scale in percent, from now on; empty = as it was
  * @param resume whether an unfinished session is gone on with; empty = the operator is asked
+ * @param replay a journal that is to be shown, instead of a session
+ * @param atMillis the moment of the replay at which it begins
  */
 public record StartOptions(
         List<BoatAddress> boats,
         Optional<Path> project,
         Optional<Theme> theme,
         Optional<Integer> scale,
-        Optional<Boolean> resume) {
+        Optional<Boolean> resume,
+        Optional<Path> replay,
+        Optional<Long> atMillis) {
+    /** A session, without a replay. */
+    public StartOptions(
+            List<BoatAddress> boats,
+            Optional<Path> project,
+            Optional<Theme> theme,
+            Optional<Integer> scale,
+            Optional<Boolean> resume) {
+        this(boats, project, theme, scale, resume, Optional.empty(), Optional.empty());
+    }
+
     public StartOptions {
         boats = List.copyOf(boats);
     }

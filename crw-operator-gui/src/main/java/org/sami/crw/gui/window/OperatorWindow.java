@@ -7,37 +7,20 @@ import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
-import java.util.List;
 import java.util.function.IntConsumer;
 import javax.swing.JFrame;
 import javax.swing.Timer;
-import org.sami.crw.gui.boat.BoatPanel;
-import org.sami.crw.gui.boat.BoatsPanel;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.Notices;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.gui.decision.DecisionsPanel;
-import org.sami.crw.gui.decision.SessionDecisions;
-import org.sami.crw.gui.map.MapPanel;
-import org.sami.crw.gui.map.SessionMaps;
-import org.sami.crw.gui.mission.AllocationPanel;
-import org.sami.crw.gui.mission.InterruptsPanel;
-import org.sami.crw.gui.mission.MissionMonitor;
-import org.sami.crw.gui.mission.MissionStarter;
-import org.sami.crw.gui.notice.AlarmsPanel;
-import org.sami.crw.gui.notice.LogPanel;
-import org.sami.crw.gui.notice.MessagesPanel;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.WindowSettings;
 import org.sami.crw.gui.status.FleetStopCommands;
 import org.sami.crw.gui.status.StatusStrip;
 import org.sami.crw.session.Session;
-import org.sami.spn.json.DomainLibrary;
 import org.sami.ui.command.CommandKeys;
 import org.sami.ui.command.CommandRegistry;
-import org.sami.ui.dock.Arrangement;
 import org.sami.ui.dock.DockArea;
-import org.sami.ui.dock.DockPanel;
 import org.sami.ui.look.IdentityMarks;
 
 /** The operator's window over a session. On the event thread. */
@@ -51,9 +34,7 @@ public final class OperatorWindow {
     private final IntConsumer ended;
     private final JFrame frame = new JFrame("SAMI operator");
     private final DockArea dock;
-    private final MapPanel map;
-    private final MissionMonitor missions;
-    private final DecisionsPanel decisions;
+    private final OperatorPanels panels;
     private final CommandKeys keys;
     private final Timer refresh;
 
@@ -70,45 +51,24 @@ public final class OperatorWindow {
         OperatorContext context = new OperatorContext(
                 session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
         FleetStopCommands fleetStop = new FleetStopCommands(context);
-        BoatsPanel boats = new BoatsPanel(context);
-        BoatPanel boat = new BoatPanel(context);
-        map = new MapPanel(context);
-        missions = new MissionMonitor(context, new MissionStarter(context, settings));
-        decisions = SessionDecisions.panel(
-                context,
-                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow().components(),
-                map.decisionMap(),
-                new SessionMaps(context));
-        List<DockPanel> panels = List.of(
-                new DockPanel("map", "Map", "map", map),
-                new DockPanel("missions", "Missions", "net", missions),
-                new DockPanel("decisions", "Decisions", "decision", decisions),
-                new DockPanel("boats", "Boats", "fleet", boats),
-                new DockPanel("boat", "Boat", "boat", boat),
-                new DockPanel("messages", "Messages", "message", new MessagesPanel(context)),
-                new DockPanel("alarms", "Alarms", "alarm", new AlarmsPanel(context)),
-                new DockPanel("interrupts", "Interrupts", "interrupt", new InterruptsPanel(context)),
-                new DockPanel("allocation", "Allocation", "allocation", new AllocationPanel(context)),
-                new DockPanel("log", "Log", "log", new LogPanel(context)));
-        dock = new DockArea(frame, panels, FIRST, data.arrangement());
-        WindowCommands commands = new WindowCommands(context, frame, settings, missions::reloadPlans);
+        panels = new OperatorPanels(context, settings);
+        dock = new DockArea(frame, panels.all(), OperatorPanels.FIRST, data.arrangement());
+        WindowCommands commands = new WindowCommands(context, frame, settings, panels::reloadPlans);
         commands.addPanels(dock);
+        commands.addReplay(data.folder());
         commands.addEnd(this::end);
         StatusStrip strip =
                 new StatusStrip(context, fleetStop, context.commands().get("panel-alarms"));
         frame.setName("operator-window");
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
-        frame.setJMenuBar(new WindowMenus(context.commands(), panels).bar());
+        frame.setJMenuBar(new WindowMenus(context.commands(), panels.all()).bar());
         frame.getContentPane().add(strip, BorderLayout.NORTH);
         frame.getContentPane().add(dock);
         frame.setMinimumSize(LEAST_SIZE);
         keys = CommandKeys.install(context.commands());
         refresh = new Timer(REFRESH_MS, e -> {
             strip.refresh();
-            boats.refresh();
-            boat.refresh();
-            map.refresh();
-            decisions.refresh();
+            panels.refresh();
         });
         frame.addWindowListener(new WindowAdapter() {
             @Override
@@ -118,17 +78,6 @@ public final class OperatorWindow {
         });
     }
 
-    private static final Arrangement FIRST = Arrangement.of("map")
-            .right("missions", "map", 0.42)
-            .below("boats", "map", 0.3)
-            .behind("boat", "boats")
-            .below("decisions", "missions", 0.62)
-            .below("interrupts", "decisions", 0.38)
-            .right("messages", "interrupts", 0.62)
-            .behind("alarms", "messages")
-            .behind("allocation", "messages")
-            .behind("log", "messages");
-
     /** Shows it, as large as the screen allows. */
     public void open() {
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
@@ -136,7 +85,7 @@ public final class OperatorWindow {
         frame.setLocationRelativeTo(null);
         frame.setVisible(true);
         dock.arrange();
-        missions.focusFirst();
+        panels.focusFirst();
         refresh.start();
     }
 
@@ -155,7 +104,7 @@ public final class OperatorWindow {
         refresh.stop();
         keys.close();
         dock.close();
-        map.close();
+        panels.close();
         frame.dispose();
         boolean unfinished = !session.models().missions().snapshot().running().isEmpty();
         Thread farewell = new Thread(() -> leave(unfinished), "farewell");

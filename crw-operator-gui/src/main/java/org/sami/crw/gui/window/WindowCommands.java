@@ -1,11 +1,13 @@
 package org.sami.crw.gui.window;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import javax.swing.JOptionPane;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.start.ReplayProcess;
 import org.sami.crw.gui.start.WindowSettings;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.spn.finding.Finding;
@@ -13,72 +15,57 @@ import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.Reading;
 import org.sami.spn.model.Project;
 import org.sami.ui.command.Command;
-import org.sami.ui.command.CommandKeysPanel;
-import org.sami.ui.command.CommandSearch;
 import org.sami.ui.dock.DockArea;
-import org.sami.ui.dock.DockPanel;
-import org.sami.ui.look.Look;
-import org.sami.ui.look.Theme;
 
 /** The commands of the window itself: connect boats, open a project, themes and scale, panels, help, end. */
 final class WindowCommands {
     private final OperatorContext context;
     private final JFrame frame;
-    private final WindowSettings settings;
+    private final ViewCommands view;
     private final Runnable projectLoaded;
 
     WindowCommands(OperatorContext context, JFrame frame, WindowSettings settings, Runnable projectLoaded) {
         this.projectLoaded = projectLoaded;
         this.context = context;
         this.frame = frame;
-        this.settings = settings;
         add(new Command("boat-connect", "Connect a boat…", this::connect)
                 .withKey("ctrl B")
                 .withIcon("connect"));
         add(new Command("project-open", "Load a project…", this::load)
                 .withKey("ctrl O")
                 .withIcon("folder"));
-        for (Theme theme : Theme.values()) {
-            add(new Command("theme-" + theme.id(), "Theme: " + theme.title(), () -> look(theme, Look.scalePercent()))
-                    .withIcon("theme"));
-        }
-        add(new Command("scale-larger", "Larger text", () -> look(Look.theme(), Look.nextScale(true)))
-                .withKey("ctrl EQUALS")
-                .withIcon("zoom-in"));
-        add(new Command("scale-smaller", "Smaller text", () -> look(Look.theme(), Look.nextScale(false)))
-                .withKey("ctrl MINUS")
-                .withIcon("zoom-out"));
-        add(new Command("scale-reset", "Text of 100 %", () -> look(Look.theme(), 100)).withKey("ctrl 0"));
-        add(new Command("command-search", "Find a command…", () -> CommandSearch.open(frame, context.commands()))
-                .withKey("ctrl shift P")
-                .withIcon("search"));
-        add(new Command("help-keys", "Commands and keys", () -> CommandKeysPanel.open(frame, context.commands()))
-                .withKey("F1")
-                .withIcon("keyboard"));
+        view = new ViewCommands(context.commands(), frame, settings);
     }
 
     private void add(Command command) {
         context.commands().add(command);
     }
 
-    private void look(Theme theme, int scale) {
-        Look.apply(theme, scale);
-        settings.keepLook();
+    void addPanels(DockArea dock) {
+        view.addPanels(dock);
     }
 
-    /** A command for each panel, with Alt and a digit, and one that puts all back. */
-    void addPanels(DockArea dock) {
-        int digit = 1;
-        for (DockPanel panel : dock.panels()) {
-            String id = panel.getPersistentID();
-            Command show = new Command("panel-" + id, "Show " + panel.title(), () -> dock.show(id));
-            if (digit <= 9) {
-                show.withKey("alt " + digit);
-            }
-            digit++;
-            add(show);
+    /** The command that opens a journal in a window of its own. */
+    void addReplay(Path folder) {
+        add(new Command("replay-open", "Replay a journal…", () -> {
+                    JFileChooser chooser =
+                            new JFileChooser(folder.resolve("sessions").toFile());
+                    chooser.setDialogTitle("Replay a journal; this session goes on");
+                    if (chooser.showOpenDialog(frame) == JFileChooser.APPROVE_OPTION) {
+                        replay(chooser.getSelectedFile().toPath(), folder);
+                    }
+                })
+                .withKey("ctrl shift J")
+                .withIcon("clock"));
+    }
+
+    private void replay(Path journal, Path folder) {
+        try {
+            ReplayProcess.start(journal, folder);
+            context.notices().told(journal.getFileName() + " is opened in a window of its own");
+        } catch (IOException fault) {
+            context.notices().refused("the replay cannot be started: " + fault.getMessage());
         }
-        add(new Command("panels-reset", "Put all panels back", dock::reset).withIcon("layout"));
     }
 
     /** The command that ends the program. */

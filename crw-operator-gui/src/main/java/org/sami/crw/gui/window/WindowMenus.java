@@ -10,19 +10,21 @@ import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockPanel;
 
 /** The menus: every command of the window, by what it is about. */
-final class WindowMenus {
+public final class WindowMenus {
     private final CommandRegistry commands;
     private final List<DockPanel> panels;
 
-    WindowMenus(CommandRegistry commands, List<DockPanel> panels) {
+    /** The menus of a window. */
+    public WindowMenus(CommandRegistry commands, List<DockPanel> panels) {
         this.commands = commands;
         this.panels = panels;
     }
 
-    JMenuBar bar() {
+    /** The bar of a window over a session. */
+    public JMenuBar bar() {
         JMenuBar bar = new JMenuBar();
         bar.setName("menus");
-        bar.add(menu("Session", 'S', "project-open", "", "end"));
+        bar.add(menu("Session", 'S', "project-open", "replay-open", "", "end"));
         bar.add(menu(
                 "Mission",
                 'M',
@@ -75,7 +77,7 @@ final class WindowMenus {
         for (String id : ids) {
             if (id.isEmpty()) {
                 menu.addSeparator();
-            } else {
+            } else if (commands.find(id).isPresent()) { // a replay lacks some
                 menu.add(item(id));
             }
         }

@@ -72,7 +72,9 @@ class ReplayTest {
                             models.interrupts().snapshot(),
                             models.alarms().snapshot(),
                             models.allocation().snapshot(),
-                            models.clicks().snapshot()));
+                            models.clicks().snapshot(),
+                            models.communication().snapshot(),
+                            models.log().snapshot()));
         }
     }
 
@@ -102,7 +104,12 @@ class ReplayTest {
                 () -> models.missions().snapshot().running().stream()
                         .allMatch(mission -> !mission.details().blocked().isEmpty()));
         TestSession.get(models.shown());
-        return Shown.of(session.scheduler().nowMs(), models);
+        Shown shown = Shown.of(session.scheduler().nowMs(), models);
+        Await.until(
+                "what happens next happens later",
+                TestSession.WITHIN_S,
+                () -> session.scheduler().nowMs() > shown.atMillis());
+        return shown;
     }
 
     private void answer(String type, Answer answer) {

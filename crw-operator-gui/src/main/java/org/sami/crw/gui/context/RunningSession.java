@@ -1,0 +1,60 @@
+package org.sami.crw.gui.context;
+
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Function;
+import java.util.function.LongConsumer;
+import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.session.Session;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.model.Project;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/** A session that runs, as a window shows it. */
+record RunningSession(Session running) implements ShownSession {
+    RunningSession {
+        Objects.requireNonNull(running, "session");
+    }
+
+    @Override
+    public OperatorModels models() {
+        return running.models();
+    }
+
+    @Override
+    public Vocabulary vocabulary() {
+        return running.setup().vocabulary();
+    }
+
+    @Override
+    public Project project() {
+        return running.setup().project();
+    }
+
+    @Override
+    public long nowMillis() {
+        return running.scheduler().nowMs();
+    }
+
+    @Override
+    public <T> CompletionStage<T> ask(Function<EngineView, T> question) {
+        return running.ask(question);
+    }
+
+    @Override
+    public void addListener(HostListener listener) {
+        running.addListener(listener);
+    }
+
+    @Override
+    public Optional<LongConsumer> moments() {
+        return Optional.empty();
+    }
+
+    @Override
+    public Optional<Session> session() {
+        return Optional.of(running);
+    }
+}

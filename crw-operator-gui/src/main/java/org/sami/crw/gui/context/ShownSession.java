@@ -1,0 +1,44 @@
+package org.sami.crw.gui.context;
+
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Function;
+import java.util.function.LongConsumer;
+import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.session.Session;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.model.Project;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/** What a window shows: a session that runs, or the replay of one, in which nothing acts. */
+public interface ShownSession {
+    /** What lies before the operator, or lay. */
+    OperatorModels models();
+
+    /** The words of the session. */
+    Vocabulary vocabulary();
+
+    /** The project with which it began. */
+    Project project();
+
+    /** The moment that is shown, in ms of the session's clock. */
+    long nowMillis();
+
+    /** Asks the engine's state; what it says arrives on the event thread. */
+    <T> CompletionStage<T> ask(Function<EngineView, T> question);
+
+    /** Tells a listener of the engine's steps, on the thread on which they are taken. */
+    void addListener(HostListener listener);
+
+    /** Goes to a moment, where what is shown is a replay; empty where it is a session, whose moment is now. */
+    Optional<LongConsumer> moments();
+
+    /** The session, if it runs. */
+    Optional<Session> session();
+
+    /** A session that runs. */
+    static ShownSession of(Session session) {
+        return new RunningSession(session);
+    }
+}

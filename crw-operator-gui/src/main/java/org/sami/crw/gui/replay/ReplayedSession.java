@@ -1,0 +1,66 @@
+package org.sami.crw.gui.replay;
+
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
+import java.util.function.Function;
+import java.util.function.LongConsumer;
+import org.sami.crw.gui.context.ShownSession;
+import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.replay.Replay;
+import org.sami.crw.session.Session;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.model.Project;
+import org.sami.spn.vocabulary.Vocabulary;
+import org.sami.ui.EventThread;
+
+/**
+ * A replay, as a window shows it.
+ *
+ * @param worker the replay's thread
+ * @param goTo goes to a moment
+ */
+record ReplayedSession(Replay replay, Executor worker, LongConsumer goTo) implements ShownSession {
+    @Override
+    public OperatorModels models() {
+        return replay.models();
+    }
+
+    @Override
+    public Vocabulary vocabulary() {
+        return replay.journal().vocabulary();
+    }
+
+    @Override
+    public Project project() {
+        return replay.journal().project();
+    }
+
+    @Override
+    public long nowMillis() {
+        return replay.shownMillis();
+    }
+
+    @Override
+    public <T> CompletionStage<T> ask(Function<EngineView, T> question) {
+        return CompletableFuture.supplyAsync(() -> replay.ask(question), worker)
+                .thenApplyAsync(answer -> answer, EventThread.executor());
+    }
+
+    @Override
+    public void addListener(HostListener listener) {
+        replay.addListener(listener);
+    }
+
+    @Override
+    public Optional<LongConsumer> moments() {
+        return Optional.of(goTo);
+    }
+
+    @Override
+    public Optional<Session> session() {
+        return Optional.empty();
+    }
+}

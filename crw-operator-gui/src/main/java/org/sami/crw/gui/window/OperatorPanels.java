@@ -1,0 +1,95 @@
+package org.sami.crw.gui.window;
+
+import java.util.List;
+import org.sami.crw.gui.boat.BoatPanel;
+import org.sami.crw.gui.boat.BoatsPanel;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.decision.DecisionsPanel;
+import org.sami.crw.gui.decision.SessionDecisions;
+import org.sami.crw.gui.map.MapPanel;
+import org.sami.crw.gui.map.SessionMaps;
+import org.sami.crw.gui.mission.AllocationPanel;
+import org.sami.crw.gui.mission.InterruptsPanel;
+import org.sami.crw.gui.mission.MissionMonitor;
+import org.sami.crw.gui.mission.MissionStarter;
+import org.sami.crw.gui.notice.AlarmsPanel;
+import org.sami.crw.gui.notice.LogPanel;
+import org.sami.crw.gui.notice.MessagesPanel;
+import org.sami.crw.gui.start.WindowSettings;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.ui.dock.Arrangement;
+import org.sami.ui.dock.DockPanel;
+
+/** The panels of a window, over a session or over its replay, and how they lie at first. */
+public final class OperatorPanels implements AutoCloseable {
+    /** How they lie at first. */
+    public static final Arrangement FIRST = Arrangement.of("map")
+            .right("missions", "map", 0.42)
+            .below("boats", "map", 0.3)
+            .behind("boat", "boats")
+            .below("decisions", "missions", 0.62)
+            .below("interrupts", "decisions", 0.38)
+            .right("messages", "interrupts", 0.62)
+            .behind("alarms", "messages")
+            .behind("allocation", "messages")
+            .behind("log", "messages");
+
+    private final BoatsPanel boats;
+    private final BoatPanel boat;
+    private final MapPanel map;
+    private final MissionMonitor missions;
+    private final DecisionsPanel decisions;
+    private final List<DockPanel> all;
+
+    /** The panels of a window. */
+    public OperatorPanels(OperatorContext context, WindowSettings settings) {
+        boats = new BoatsPanel(context);
+        boat = new BoatPanel(context);
+        map = new MapPanel(context);
+        missions = new MissionMonitor(context, new MissionStarter(context, settings));
+        decisions = SessionDecisions.panel(
+                context,
+                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow().components(),
+                map.decisionMap(),
+                new SessionMaps(context));
+        all = List.of(
+                new DockPanel("map", "Map", "map", map),
+                new DockPanel("missions", "Missions", "net", missions),
+                new DockPanel("decisions", "Decisions", "decision", decisions),
+                new DockPanel("boats", "Boats", "fleet", boats),
+                new DockPanel("boat", "Boat", "boat", boat),
+                new DockPanel("messages", "Messages", "message", new MessagesPanel(context)),
+                new DockPanel("alarms", "Alarms", "alarm", new AlarmsPanel(context)),
+                new DockPanel("interrupts", "Interrupts", "interrupt", new InterruptsPanel(context)),
+                new DockPanel("allocation", "Allocation", "allocation", new AllocationPanel(context)),
+                new DockPanel("log", "Log", "log", new LogPanel(context)));
+    }
+
+    /** All of them, in order. */
+    public List<DockPanel> all() {
+        return all;
+    }
+
+    /** Shows what changes by itself; to be called a few times a second. */
+    public void refresh() {
+        boats.refresh();
+        boat.refresh();
+        map.refresh();
+        decisions.refresh();
+    }
+
+    /** Shows the plans of the newest project. */
+    public void reloadPlans() {
+        missions.reloadPlans();
+    }
+
+    /** Puts the focus where the first thing is done. */
+    public void focusFirst() {
+        missions.focusFirst();
+    }
+
+    @Override
+    public void close() {
+        map.close();
+    }
+}
