@@ -25,7 +25,7 @@ enum SamiModule {
     BOAT_SERVER("boat-server-android/server", 32, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
     CRW_DOMAIN(
             "crw-domain",
-            355,
+            400,
             List.of(
                     "org.sami.crw.decision..",
                     "org.sami.crw.event..",
@@ -48,7 +48,7 @@ enum SamiModule {
     /** The operator's window; it knows the simulator for its built-in fleet only, and the link for words of snapshots such as modes. */
     OPERATOR_WINDOW(
             "crw-operator-gui",
-            65,
+            80,
             List.of("org.sami.crw.gui.."),
             List.of(UI_KIT, CRW_DOMAIN, CRW_SIM, BOAT_LINK, SPN_CORE));
 

@@ -8,6 +8,7 @@ import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatCommand;
@@ -42,13 +43,15 @@ final class BoatLog {
 
     private static final ObjectMapper JSON = new ObjectMapper();
 
+    private final Supplier<ProxyRegistry> boats;
     private final SessionTelemetry telemetry;
     private final LongSupplier nowMillis;
     private final Set<String> written = new HashSet<>(); // commands
     private final Map<String, String> states = new HashMap<>();
     private volatile boolean closed;
 
-    BoatLog(SessionTelemetry telemetry, LongSupplier nowMillis) {
+    BoatLog(Supplier<ProxyRegistry> boats, SessionTelemetry telemetry, LongSupplier nowMillis) {
+        this.boats = boats;
         this.telemetry = telemetry;
         this.nowMillis = nowMillis;
     }
@@ -58,7 +61,15 @@ final class BoatLog {
         closed = true;
     }
 
+    /** Something happened to a boat: it is looked at anew, unless it told no more than where it is or what it measured. */
     void take(FleetEvent event) {
+        note(event);
+        if (!(event instanceof FleetEvent.StatusReported || event instanceof FleetEvent.Measured)) {
+            boats.get().find(event.boat()).ifPresent(this::look);
+        }
+    }
+
+    private void note(FleetEvent event) {
         if (event instanceof FleetEvent.QueueChanged changed) {
             queue(changed.boat(), changed.queue());
         } else if (event instanceof FleetEvent.Progressed progressed) {
@@ -104,9 +115,9 @@ final class BoatLog {
         return of(entry.command()).put("visited", entry.visited()).put("why", entry.why());
     }
 
-    /** Notes what has changed; to be called once a second. */
-    void look(ProxyRegistry boats) {
-        boats.all().forEach(this::look);
+    /** Notes what has changed by itself; to be called once a second. */
+    void look() {
+        boats.get().all().forEach(this::look);
     }
 
     private void look(BoatProxy boat) {

@@ -118,7 +118,7 @@ final class SessionParts {
         boats = new FleetListener(events, history, telemetry, messages, remembered, scheduler::nowMs);
         monitor = new BoatMonitor(history, telemetry, messages);
         poses = new PoseLog(history, telemetry);
-        boatLog = new BoatLog(telemetry, scheduler::nowMs);
+        boatLog = new BoatLog(connector::boats, telemetry, scheduler::nowMs);
         events.subscribe(boatLog::take);
         connector.open(boats);
         if (loop.isPresent()) { // a run in process is resumed by running its world again, with all that was done in it
@@ -213,7 +213,7 @@ final class SessionParts {
     private void keepLookingAfterBoats() {
         connector.executor().execute(() -> {
             monitor.look(connector.boats());
-            boatLog.look(connector.boats());
+            boatLog.look();
             poses.look(scheduler.nowMs());
         });
         scheduler.after(LOOK_MS, this::keepLookingAfterBoats);

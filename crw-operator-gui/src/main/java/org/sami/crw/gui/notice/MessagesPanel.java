@@ -56,8 +56,12 @@ public final class MessagesPanel extends JPanel {
 
     private void addMoment(LongConsumer goTo) {
         Command moment = context.commands()
-                .add(new Command("replay-message", "Show the moment of this message", () -> table.selected()
-                                .ifPresent(entry -> goTo.accept(entry.message().atMillis())))
+                .add(new Command(
+                                "replay-message",
+                                "Show the moment of this message",
+                                () -> table.selected()
+                                        .ifPresent(entry ->
+                                                goTo.accept(entry.message().atMillis())))
                         .withKey("ctrl J")
                         .withIcon("clock")
                         .unless(() -> table.selected().isPresent()

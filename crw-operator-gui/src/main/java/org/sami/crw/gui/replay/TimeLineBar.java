@@ -10,7 +10,7 @@ import java.awt.event.MouseEvent;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import javax.swing.JComponent;
+import javax.swing.JPanel;
 import org.sami.crw.gui.notice.SessionClock;
 import org.sami.crw.replay.TimeLine.Mark;
 import org.sami.ui.look.Fonts;
@@ -19,7 +19,7 @@ import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
 /** The time line: what happened when, one row for missions and decisions, one for messages and the operator, one for alarms; and where the replay is. */
-final class TimeLineBar extends JComponent {
+final class TimeLineBar extends JPanel {
     private static final int ROW = 12;
     private static final int TOP = 6;
     private static final int NEAR = 6;
@@ -30,6 +30,7 @@ final class TimeLineBar extends JComponent {
         this.player = player;
         setName("time-line");
         setFocusable(true);
+        setOpaque(false);
         setPreferredSize(new Dimension(Look.px(400), Look.px(2 * TOP + 3 * ROW + 18)));
         getAccessibleContext().setAccessibleName("Time line of the replay");
         setToolTipText("");
