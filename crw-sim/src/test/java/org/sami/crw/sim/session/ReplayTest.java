@@ -16,11 +16,13 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.operator.BoatSnapshot.Commander;
 import org.sami.crw.operator.MissionsSnapshot;
 import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.PendingDecision;
 import org.sami.crw.operator.map.MapSnapshot;
+import org.sami.crw.proxy.LinkState;
 import org.sami.crw.replay.Replay;
 import org.sami.crw.replay.ReplayedJournal;
 import org.sami.crw.replay.TimeLine.Kind;
@@ -103,6 +105,7 @@ class ReplayTest {
                 TestSession.WITHIN_S,
                 () -> models.missions().snapshot().running().stream()
                         .allMatch(mission -> !mission.details().blocked().isEmpty()));
+        Await.until("boats are shown as they are", TestSession.WITHIN_S, this::areBoatsShown);
         TestSession.get(models.shown());
         Shown shown = Shown.of(session.scheduler().nowMs(), models);
         Await.until(
@@ -110,6 +113,19 @@ class ReplayTest {
                 TestSession.WITHIN_S,
                 () -> session.scheduler().nowMs() > shown.atMillis());
         return shown;
+    }
+
+    /** A boat is shown ten times a second at most. */
+    private boolean areBoatsShown() {
+        return session.models().fleet().snapshot().stream()
+                .allMatch(boat -> boat.link() == LinkState.LINKED
+                        && boat.commander() == Commander.THIS_BASE
+                        && boat.pose().isPresent()
+                        && boat.command()
+                                .equals(TestSession.get(session.fleet()
+                                        .ask(boats -> boats.find(boat.boat())
+                                                .orElseThrow()
+                                                .currentCommand()))));
     }
 
     private void answer(String type, Answer answer) {
