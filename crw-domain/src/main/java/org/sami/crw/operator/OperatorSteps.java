@@ -85,8 +85,6 @@ final class OperatorSteps {
                     List.of());
         } else if (input instanceof Input.LoadProject) {
             log.add(Kind.PROJECT, "loaded a project");
-        } else if (input instanceof Input.HoldDecision hold) {
-            log.add(Kind.ANSWER, "held autonomy back from [" + hold.decision() + "]");
         } else if (input instanceof Input.AnswerDecision answer && answer.by() == Answerer.OPERATOR) {
             answered(answer, effects);
         } else if (input instanceof Input.HoldDecision hold && open.containsKey(hold.decision())) {

@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.tuple;
 
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.OptionalLong;
 import org.assertj.core.groups.Tuple;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -14,16 +12,11 @@ import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.MissionView;
-import org.sami.spn.model.MarkupSpec;
-import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Occurrence;
-import org.sami.spn.protocol.Priority;
-import org.sami.spn.protocol.Question;
 import org.sami.spn.protocol.Token;
-import org.sami.spn.value.EnumValue;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.RealValue;
@@ -162,38 +155,6 @@ class WatchingTest {
         assertThat(engine.received("ProxyPathCompleted"))
                 .extracting(Occurrence::activation)
                 .containsExactly(2L);
-    }
-
-    @Test
-    void aDescriptionSelectsWhichBoatsTheOperatorIsOffered() {
-        happens(new TestActivations("ProxySetDescription")
-                .with("description", new TextValue("SHORE"))
-                .of("a"));
-        happens(new TestActivations("ProxySetDescription")
-                .with("description", new TextValue("WATER"))
-                .of("b"));
-        MarkupSpec onShore = new MarkupSpec(
-                "Filter", Map.of("source", new TextValue("shore"), "action", new EnumValue("FilterAction", "INCLUDE")));
-
-        world.happens(engine, new Effect.DecisionOpened(choiceOfBoats(onShore)));
-
-        assertThat(world.operator.decisions().pending())
-                .extracting(pending -> pending.decision().question())
-                .containsExactly(new Question.ChooseProxies(List.of("a"), 1, 1));
-    }
-
-    private static Decision choiceOfBoats(MarkupSpec markup) {
-        return new Decision(
-                1,
-                1,
-                7,
-                "OperatorSelectBoat",
-                "Which?",
-                new Question.ChooseProxies(List.of("a", "b"), 1, 1),
-                Optional.empty(),
-                OptionalLong.empty(),
-                Priority.MEDIUM,
-                List.of(markup));
     }
 
     private static TestActivations subscription() {

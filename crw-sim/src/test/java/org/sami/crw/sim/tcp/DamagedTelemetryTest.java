@@ -58,10 +58,24 @@ class DamagedTelemetryTest {
     void missionGoesOnAfterABitOfAPoseWasFlipped() throws Exception {
         assertGoesOnAfter("damaged and left out", journal -> {
             byte[] bytes = Files.readAllBytes(journal);
-            int at = new String(bytes, StandardCharsets.ISO_8859_1).indexOf("\"headingRad\"");
-            bytes[at] ^= 1;
+            bytes[firstPose(journal, bytes)] ^= 1;
             Files.write(journal, bytes);
         });
+    }
+
+    /**
+     * Where the first pose stands in the file. A page is filled from its end; what stands before its rows can be left over from rows that were
+     * moved, and belongs to none.
+     */
+    private static int firstPose(Path journal, byte[] bytes) throws Exception {
+        String text = new String(bytes, StandardCharsets.ISO_8859_1);
+        for (int page : pages(journal)) {
+            int at = text.lastIndexOf("\"headingRad\"", page * PAGE - 1);
+            if (at >= (page - 1) * PAGE) {
+                return at;
+            }
+        }
+        throw new AssertionError("no pose is in the telemetry of " + journal);
     }
 
     @Test

@@ -1,0 +1,52 @@
+package org.sami.crw.gui.value;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.sami.crw.gui.boat.BoatWords;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.operator.AllocationSnapshot;
+import org.sami.crw.operator.BoatSnapshot;
+import org.sami.spn.value.PlanReference;
+import org.sami.spn.value.ProxyValue;
+import org.sami.ui.value.ChoiceRow;
+import org.sami.ui.value.NamedThings;
+
+/** Boats with their state and mark, tasks and plans of a session, as editors offer them. On the event thread. */
+final class SessionNames implements NamedThings {
+    private final OperatorContext context;
+
+    SessionNames(OperatorContext context) {
+        this.context = context;
+    }
+
+    @Override
+    public List<ChoiceRow> proxies() {
+        return context.models().fleet().snapshot().stream().map(this::row).toList();
+    }
+
+    private ChoiceRow row(BoatSnapshot boat) {
+        String state = BoatWords.battery(boat) + " · " + BoatWords.state(boat);
+        return new ChoiceRow(
+                new ProxyValue(boat.boat()),
+                boat.boat(),
+                state,
+                Optional.of(context.marks().of(boat.boat())));
+    }
+
+    @Override
+    public List<ChoiceRow> tasks() {
+        AllocationSnapshot allocation = context.models().allocation().snapshot();
+        return Stream.concat(
+                        allocation.queues().values().stream().flatMap(List::stream), allocation.unallocated().stream())
+                .map(task -> new ChoiceRow(task, task.name(), ""))
+                .toList();
+    }
+
+    @Override
+    public List<ChoiceRow> plans() {
+        return context.shown().project().plans().stream()
+                .map(plan -> new ChoiceRow(new PlanReference(plan.id()), plan.name(), ""))
+                .toList();
+    }
+}
