@@ -3,12 +3,12 @@ package org.sami.crw.gui.decision;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.value.SessionEditors;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.ComponentLibrary;
 import org.sami.spn.component.Interactions;
 import org.sami.spn.protocol.Answer;
 import org.sami.ui.value.MapMaker;
-import org.sami.ui.value.ValueContext;
 import org.sami.ui.value.ValueEditors;
 
 /** The decisions of a session: makes the panel, and keeps it as the queue is. */
@@ -26,8 +26,7 @@ public final class SessionDecisions {
             OperatorContext context, ComponentLibrary components, DecisionMap map, MapMaker maps) {
         ComponentChoice choice =
                 new ComponentChoice(components, context.vocabulary().types());
-        ValueEditors editors = new ValueEditors(
-                choice, new ValueContext(context.vocabulary().types(), new SessionNames(context), maps));
+        ValueEditors editors = SessionEditors.of(context, choice, maps);
         DecisionsPanel panel = new DecisionsPanel(
                 context.commands(), new Actions(context), new Interactions(context.vocabulary()), choice, editors, map);
         context.models().decisions().addListener(panel::queue);

@@ -1,10 +1,17 @@
 package org.sami.crw.gui.mission;
 
 import java.awt.Component;
+import java.awt.event.KeyEvent;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
+import javax.swing.JComponent;
 import javax.swing.JDialog;
+import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.start.WindowSettings;
@@ -14,20 +21,24 @@ import org.sami.spn.model.Project;
 import org.sami.spn.value.Value;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Spacing;
+import org.sami.ui.value.ValueEditors;
 
 /** Starts missions: at once, when what the plan asks is asked as it goes, or with values given beforehand. */
 public final class MissionStarter {
     private final OperatorContext context;
     private final WindowSettings settings;
+    private final ValueEditors editors;
 
     /**
      * A starter.
      *
      * @param settings keeps the values that were given last
+     * @param editors with which values are given
      */
-    public MissionStarter(OperatorContext context, WindowSettings settings) {
+    public MissionStarter(OperatorContext context, WindowSettings settings, ValueEditors editors) {
         this.context = context;
         this.settings = settings;
+        this.editors = editors;
     }
 
     /** Starts a mission of a plan; what it asks is asked as it goes. */
@@ -42,23 +53,47 @@ public final class MissionStarter {
     /** Asks for values beforehand, those of the last time offered, and starts. */
     void startWithValues(Component over, Project project, Plan plan) {
         Parameters parameters = new Parameters(context.vocabulary(), project, plan);
-        Map<String, String> last = new LinkedHashMap<>();
-        parameters.describe().forEach(each -> last.put(each.name(), settings.text(key(plan, each.name()))));
+        Set<String> globals = new HashSet<>();
+        project.globals().forEach(global -> globals.add(global.name()));
+        List<String> names = Stream.concat(parameters.fields().stream(), parameters.variables().stream())
+                .filter(name -> !globals.contains(name) && !globals.contains(name.replaceFirst("^@", "")))
+                .toList();
         JDialog dialog = new JDialog(SwingUtilities.getWindowAncestor(over), "Start " + plan.title());
         dialog.setName("mission-values-window");
-        ParametersForm form = new ParametersForm(parameters, last, values -> {
+        ParametersForm form = new ParametersForm(parameters, names, editors, last(parameters, plan, names), values -> {
             dialog.dispose();
-            values.forEach((name, text) -> settings.keep(key(plan, name), text));
-            values.values().removeIf(String::isBlank);
-            start(plan, parameters.read(values));
+            names.forEach(name -> settings.keep(
+                    key(plan, name), values.containsKey(name) ? parameters.text(name, values.get(name)) : ""));
+            start(plan, values);
         });
         int inset = Look.px(Spacing.INSET);
         form.setBorder(BorderFactory.createEmptyBorder(inset, inset, inset, inset));
         dialog.setContentPane(form);
         dialog.getRootPane().setDefaultButton(form.startButton());
+        dialog.getRootPane()
+                .registerKeyboardAction(
+                        e -> dialog.dispose(),
+                        KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
+                        JComponent.WHEN_IN_FOCUSED_WINDOW);
         dialog.pack();
         dialog.setLocationRelativeTo(SwingUtilities.getWindowAncestor(over));
         dialog.setVisible(true);
+    }
+
+    /** The values of the last time; one that the plan of today does not take is left out. */
+    private Map<String, Value> last(Parameters parameters, Plan plan, List<String> names) {
+        Map<String, Value> last = new LinkedHashMap<>();
+        for (String name : names) {
+            String text = settings.text(key(plan, name));
+            if (!text.isBlank()) {
+                try {
+                    last.putAll(parameters.read(Map.of(name, text)));
+                } catch (IllegalArgumentException unfit) {
+                    settings.keep(key(plan, name), "");
+                }
+            }
+        }
+        return last;
     }
 
     private static String key(Plan plan, String name) {

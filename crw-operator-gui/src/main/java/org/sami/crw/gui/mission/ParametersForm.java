@@ -1,104 +1,103 @@
 package org.sami.crw.gui.mission;
 
+import java.awt.Dimension;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JTextField;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
+import javax.swing.JScrollPane;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.sim.run.Parameters;
+import org.sami.spn.value.Value;
+import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.value.ValueEditors;
+import org.sami.ui.value.ValueField;
 
-/** What a plan asks at its start, as text; it says what does not fit before it is started. What is left empty is asked later. */
+/** The values with which a mission of a plan can start, each with the editor of its type; what is left out is asked as the mission goes. */
 final class ParametersForm extends JPanel {
-    private final Parameters parameters;
-    private final Map<String, JTextField> fields = new LinkedHashMap<>();
+    private static final int WIDTH = 560;
+    private static final int HEIGHT = 420;
+    private static final int STEP = 24;
+
+    private final List<ParameterRow> rows = new ArrayList<>();
     private final JLabel wrong = new JLabel(" ");
     private final JButton start = new JButton("Start mission");
 
     /**
      * A form.
      *
-     * @param last the texts of the last time, by name
-     * @param started is given the texts, which can be read
+     * @param names the parameters that are offered, those that are not locked
+     * @param last the values of the last time, by name
+     * @param started is given the values, by name
      */
-    ParametersForm(Parameters parameters, Map<String, String> last, Consumer<Map<String, String>> started) {
-        super(new MigLayout("wrap 3", "[][grow, 320::][]", ""));
-        this.parameters = parameters;
+    ParametersForm(
+            Parameters parameters,
+            List<String> names,
+            ValueEditors editors,
+            Map<String, Value> last,
+            Consumer<Map<String, Value>> started) {
+        super(new MigLayout("insets 0, wrap 2", "[grow, fill][]", "[grow, fill][]"));
         setName("mission-values");
+        JPanel column = new JPanel(new MigLayout("insets 0, gap 4 8, fillx, wrap 1", "[grow,fill]"));
         for (Parameters.Description each : parameters.describe()) {
-            if (each.editable()) {
-                JTextField field = new JTextField(last.getOrDefault(each.name(), ""), 30);
-                field.setName("mission-value-" + each.name().replaceAll("[^A-Za-z0-9]+", "-"));
-                field.putClientProperty(
-                        "JTextField.placeholderText",
-                        each.preset().map(Object::toString).orElse("asked as the mission goes"));
-                field.getDocument().addDocumentListener(new Check());
-                JLabel label = new JLabel(each.name());
-                label.setLabelFor(field);
-                JLabel type = new JLabel(each.type());
-                type.setForeground(SemanticColor.MUTED.get());
-                fields.put(each.name(), field);
-                add(label);
-                add(field, "growx");
-                add(type);
+            if (each.editable() && names.contains(each.name())) {
+                ValueField field = ValueField.of(
+                        "start." + each.name(), parameters.type(each.name()).orElseThrow());
+                String otherwise = each.preset().map(preset -> "is " + preset).orElse("is asked as the mission goes");
+                ParameterRow row = new ParameterRow(
+                        each.name(),
+                        editors.editor(field),
+                        otherwise,
+                        Optional.ofNullable(last.get(each.name())),
+                        this::check);
+                rows.add(row);
+                column.add(row);
             }
         }
-        if (fields.isEmpty()) {
-            add(new JLabel("This plan asks nothing at its start."), "span");
+        if (rows.isEmpty()) {
+            column.add(new JLabel("This plan asks nothing at its start."));
         }
         wrong.setForeground(SemanticColor.CRITICAL.get());
         wrong.setName("mission-values-wrong");
         start.setName("mission-values-start");
-        start.addActionListener(e -> started.accept(texts()));
-        add(wrong, "span 2, growx, wmin 0");
+        start.addActionListener(e -> started.accept(values()));
+        add(scrolled(column), "span");
+        add(wrong, "wmin 0");
         add(start, "hmin 40");
         check();
+    }
+
+    private static JScrollPane scrolled(JPanel column) {
+        JScrollPane pane = new JScrollPane(
+                column, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        pane.setBorder(null);
+        pane.getVerticalScrollBar().setUnitIncrement(Look.px(STEP));
+        pane.setPreferredSize(new Dimension(Look.px(WIDTH), Look.px(HEIGHT)));
+        return pane;
     }
 
     JButton startButton() {
         return start;
     }
 
-    private Map<String, String> texts() {
-        Map<String, String> texts = new LinkedHashMap<>();
-        fields.forEach((name, field) -> texts.put(name, field.getText().strip()));
-        return texts;
+    private Map<String, Value> values() {
+        Map<String, Value> values = new LinkedHashMap<>();
+        rows.forEach(row -> row.value().ifPresent(value -> values.put(row.parameter(), value)));
+        return values;
     }
 
     private void check() {
-        Map<String, String> given = texts();
-        given.values().removeIf(String::isEmpty);
-        Optional<String> fault = Optional.empty();
-        try {
-            parameters.read(given);
-        } catch (IllegalArgumentException unfit) {
-            fault = Optional.of(unfit.getMessage());
-        }
+        Optional<String> fault =
+                rows.stream().map(ParameterRow::wrong).flatMap(Optional::stream).findFirst();
         wrong.setText(fault.map(text -> "▲ " + text).orElse(" "));
+        wrong.setToolTipText(fault.orElse(null));
         start.setEnabled(fault.isEmpty());
         start.setToolTipText(fault.orElse("Start the mission with these values (Enter)"));
-    }
-
-    private final class Check implements DocumentListener {
-        @Override
-        public void insertUpdate(DocumentEvent e) {
-            check();
-        }
-
-        @Override
-        public void removeUpdate(DocumentEvent e) {
-            check();
-        }
-
-        @Override
-        public void changedUpdate(DocumentEvent e) {
-            check();
-        }
     }
 }

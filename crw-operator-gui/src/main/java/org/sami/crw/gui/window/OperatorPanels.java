@@ -16,9 +16,14 @@ import org.sami.crw.gui.notice.AlarmsPanel;
 import org.sami.crw.gui.notice.LogPanel;
 import org.sami.crw.gui.notice.MessagesPanel;
 import org.sami.crw.gui.start.WindowSettings;
+import org.sami.crw.gui.value.SessionEditors;
+import org.sami.spn.component.ComponentChoice;
+import org.sami.spn.component.ComponentLibrary;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.ui.dock.Arrangement;
 import org.sami.ui.dock.DockPanel;
+import org.sami.ui.value.MapMaker;
+import org.sami.ui.value.ValueEditors;
 
 /** The panels of a window, over a session or over its replay, and how they lie at first. */
 public final class OperatorPanels implements AutoCloseable {
@@ -46,12 +51,13 @@ public final class OperatorPanels implements AutoCloseable {
         boats = new BoatsPanel(context);
         boat = new BoatPanel(context);
         map = new MapPanel(context);
-        missions = new MissionMonitor(context, new MissionStarter(context, settings));
-        decisions = SessionDecisions.panel(
-                context,
-                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow().components(),
-                map.decisionMap(),
-                new SessionMaps(context));
+        ComponentLibrary components =
+                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow().components();
+        MapMaker maps = new SessionMaps(context);
+        ValueEditors editors = SessionEditors.of(
+                context, new ComponentChoice(components, context.vocabulary().types()), maps);
+        missions = new MissionMonitor(context, new MissionStarter(context, settings, editors));
+        decisions = SessionDecisions.panel(context, components, map.decisionMap(), maps);
         all = List.of(
                 new DockPanel("map", "Map", "map", map),
                 new DockPanel("missions", "Missions", "net", missions),

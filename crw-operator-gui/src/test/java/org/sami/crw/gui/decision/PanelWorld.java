@@ -1,12 +1,12 @@
 package org.sami.crw.gui.decision;
 
+import static org.sami.crw.gui.EventThreadCall.onEventThread;
+
 import java.awt.Component;
 import java.awt.Container;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
-import java.util.function.Supplier;
 import javax.swing.AbstractButton;
 import javax.swing.text.JTextComponent;
 import org.sami.boat.server.testing.Await;
@@ -62,21 +62,6 @@ final class PanelWorld implements AutoCloseable {
                             .join());
         }
         session.start(plan, plan, java.util.Map.of()).toCompletableFuture().get(30, TimeUnit.SECONDS);
-    }
-
-    static <T> T onEventThread(Supplier<T> action) {
-        if (EventThread.isCurrent()) {
-            return action.get();
-        }
-        CompletableFuture<T> done = new CompletableFuture<>();
-        EventThread.later(() -> {
-            try {
-                done.complete(action.get());
-            } catch (Throwable fault) {
-                done.completeExceptionally(fault);
-            }
-        });
-        return done.orTimeout(30, TimeUnit.SECONDS).join();
     }
 
     void until(String what, BooleanSupplier condition) {

@@ -105,6 +105,17 @@ public final class Parameters {
         return new Description(name, TypeNames.of(parameter.type()), preset, parameter.editable());
     }
 
+    /** The type of a parameter's values; empty where there is no such parameter. */
+    public Optional<ValueType> type(String name) {
+        return Optional.ofNullable(byName.get(name)).map(Parameter::type);
+    }
+
+    /** A value as a file has it, which {@link #read} reads again. */
+    public String text(String name, Value value) {
+        return ValueJson.write(value, byName.get(name).type(), vocabulary.types())
+                .toString();
+    }
+
     /**
      * Reads values that were given as text.
      *

@@ -1,0 +1,95 @@
+package org.sami.crw.gui.mission;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.sami.crw.gui.EventThreadCall.onEventThread;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import javax.swing.JCheckBox;
+import javax.swing.JLabel;
+import javax.swing.text.JTextComponent;
+import org.junit.jupiter.api.Test;
+import org.sami.crw.sim.run.Parameters;
+import org.sami.spn.component.ComponentChoice;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.model.Project;
+import org.sami.spn.value.RealValue;
+import org.sami.spn.value.Value;
+import org.sami.ui.check.Layout;
+import org.sami.ui.value.MapMaker;
+import org.sami.ui.value.NamedThings;
+import org.sami.ui.value.ValueContext;
+import org.sami.ui.value.ValueEditors;
+
+class ParametersFormTest {
+    private static final DomainLibrary LIBRARY =
+            DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
+    private static final Project PROJECT = LIBRARY.projectOf("explore-team").orElseThrow();
+    private static final Parameters PARAMETERS = new Parameters(
+            LIBRARY.vocabulary(),
+            PROJECT,
+            PROJECT.plans().stream()
+                    .filter(plan -> plan.id().equals("explore-team"))
+                    .findFirst()
+                    .orElseThrow());
+
+    private final Map<String, Value> started = new HashMap<>();
+
+    @Test
+    void whatIsNotTickedIsNotGiven() {
+        onEventThread(() -> {
+            ParametersForm form = form(Map.of());
+
+            form.startButton().doClick(0);
+
+            assertThat(started).isEmpty();
+            return null;
+        });
+    }
+
+    @Test
+    void aTickedValueMustBeThereAndIsGiven() {
+        onEventThread(() -> {
+            ParametersForm form = form(Map.of());
+            find(form, "value-start-spacing-given", JCheckBox.class).doClick(0);
+            assertThat(form.startButton().isEnabled()).isFalse();
+            assertThat(find(form, "mission-values-wrong", JLabel.class).getText())
+                    .isEqualTo("▲ Spacing: Enter a number, such as 2.5");
+
+            find(form, "value-start-spacing-text", JTextComponent.class).setText("12.5");
+            form.startButton().doClick(0);
+
+            assertThat(started).isEqualTo(Map.of("@spacing", new RealValue(12.5)));
+            return null;
+        });
+    }
+
+    @Test
+    void whatWasGivenTheLastTimeIsOffered() {
+        onEventThread(() -> {
+            Value spacing = PARAMETERS
+                    .read(Map.of("@spacing", PARAMETERS.text("@spacing", new RealValue(7))))
+                    .get("@spacing");
+            ParametersForm form = form(Map.of("@spacing", spacing));
+            assertThat(find(form, "value-start-spacing-given", JCheckBox.class).isSelected())
+                    .isTrue();
+
+            form.startButton().doClick(0);
+
+            assertThat(started).isEqualTo(Map.of("@spacing", new RealValue(7)));
+            return null;
+        });
+    }
+
+    private ParametersForm form(Map<String, Value> last) {
+        ValueEditors editors = new ValueEditors(
+                new ComponentChoice(LIBRARY.components(), LIBRARY.vocabulary().types()),
+                new ValueContext(LIBRARY.vocabulary().types(), NamedThings.NONE, MapMaker.PLAIN));
+        return new ParametersForm(PARAMETERS, List.of("@area", "@spacing"), editors, last, started::putAll);
+    }
+
+    private static <T extends java.awt.Component> T find(ParametersForm form, String name, Class<T> type) {
+        return Layout.find(form, name, type).orElseThrow(() -> new AssertionError("there is no " + name));
+    }
+}
