@@ -5,16 +5,21 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.Robot;
+import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
+import javax.imageio.ImageIO;
 import javax.swing.JLabel;
 import javax.swing.JTable;
 import org.sami.ui.EventThread;
@@ -50,12 +55,29 @@ final class WindowRobot {
 
     /** Waits until something is so; looked at on the event thread. */
     void until(String what, Supplier<Boolean> so) {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
+        until(what, PATIENCE_S, so);
+    }
+
+    /** Waits until something is so that takes boats their time. */
+    void until(String what, int withinS, Supplier<Boolean> so) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(withinS);
         while (!ask(so)) {
             if (System.nanoTime() > end) {
-                throw new AssertionError("not within " + PATIENCE_S + " s: " + what);
+                throw new AssertionError("not within " + withinS + " s: " + what + picture());
             }
             LockSupport.parkNanos(LOOK_NANOS);
+        }
+    }
+
+    /** What the screen shows, in a file that the failure names. */
+    private String picture() {
+        Path file = Path.of("build", "window-failure.png").toAbsolutePath();
+        Rectangle screen = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
+        try {
+            ImageIO.write(robot.createScreenCapture(screen), "png", file.toFile());
+            return "; the screen is in " + file;
+        } catch (IOException full) {
+            return "; the screen could not be written to " + file + ": " + full.getMessage();
         }
     }
 
@@ -151,7 +173,7 @@ final class WindowRobot {
         robot.waitForIdle();
     }
 
-    /** Types small letters, digits and spaces. */
+    /** Types small letters, digits, spaces, points and commas. */
     void type(String text) {
         text.chars().forEach(letter -> press(KeyEvent.getExtendedKeyCodeForChar(letter)));
     }

@@ -1,0 +1,103 @@
+package org.sami.crw.gui;
+
+import static java.awt.event.KeyEvent.VK_ALT;
+import static java.awt.event.KeyEvent.VK_ENTER;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.Component;
+import java.awt.GraphicsEnvironment;
+import java.awt.Point;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.gui.start.StartOptions;
+import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.operator.MissionSnapshot;
+import org.sami.spn.protocol.Outcome;
+import org.sami.ui.look.Theme;
+
+/** A whole mission in the real window, by pointer and keys: the area and the boats are given as they are asked for. */
+@Tag("window")
+class ExploreWindowTest {
+    private static final int THERE_WITHIN_S = 120;
+
+    /** On the map of the decision, in pixels: some tens of metres of free water east of the boats. */
+    private static final List<Point> CORNERS =
+            List.of(new Point(335, 90), new Point(355, 90), new Point(355, 110), new Point(335, 110));
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void aDrawnAreaIsExploredByTheChosenBoatsUntilTheMissionIsCompleted() throws Exception {
+        assumeFalse(
+                GraphicsEnvironment.isHeadless(),
+                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        CompletableFuture<Integer> ended = new CompletableFuture<>();
+        StartOptions options = new StartOptions(
+                List.of(), Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
+        OperatorWindow window = WindowStart.open(options, DataDirectory.open(folder), ended::complete);
+        try {
+            explore(new WindowRobot(), window);
+        } finally {
+            WindowRobot.ask(() -> {
+                window.end();
+                return null;
+            });
+            ended.get(30, TimeUnit.SECONDS);
+        }
+    }
+
+    private static void explore(WindowRobot robot, OperatorWindow window) {
+        robot.untilSaid("boats-count", "5 of 5");
+        robot.clickRow("plans-table", "Explore Area with interrupts");
+        robot.click("mission-start");
+
+        Component map = robot.find(Component.class, "value-area-canvas");
+        for (Point corner : CORNERS) {
+            robot.clickAt(map, corner.x, corner.y);
+        }
+        robot.press(VK_ENTER, VK_ALT);
+
+        robot.click("value-decision-none-chosen");
+        robot.click("value-decision-option-1");
+        robot.click("value-decision-option-2");
+        robot.press(VK_ENTER, VK_ALT);
+
+        robot.until("two boats are under way", () -> underWay(window) == 2);
+        assertThat(boats(window))
+                .filteredOn(boat -> boat.points() > 0)
+                .extracting(BoatSnapshot::boat)
+                .containsExactlyInAnyOrder("anna", "bert");
+
+        robot.until("both are in the area", THERE_WITHIN_S, () -> visitors(window) == 2);
+        robot.click("mission-complete");
+
+        robot.untilSaid("mission-state", "completed");
+        assertThat(mission(window).outcome()).contains(Outcome.COMPLETED);
+    }
+
+    private static long visitors(OperatorWindow window) {
+        return boats(window).stream().filter(boat -> boat.visited() > 0).count();
+    }
+
+    private static long underWay(OperatorWindow window) {
+        return boats(window).stream().filter(boat -> boat.points() > 0).count();
+    }
+
+    private static List<BoatSnapshot> boats(OperatorWindow window) {
+        return window.session().models().fleet().snapshot();
+    }
+
+    private static MissionSnapshot mission(OperatorWindow window) {
+        return window.session().models().missions().snapshot().missions().get(0);
+    }
+}
