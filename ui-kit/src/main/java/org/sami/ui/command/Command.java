@@ -3,11 +3,13 @@ package org.sami.ui.command;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
+import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import org.sami.ui.look.Icons;
 
@@ -23,6 +25,7 @@ public final class Command extends AbstractAction {
     private final Runnable run;
     private Supplier<Optional<String>> whyNot = Optional::empty;
     private Optional<KeyStroke> key = Optional.empty();
+    private transient List<KeyStroke> focusKeys = List.of();
     private boolean always;
 
     /**
@@ -55,6 +58,33 @@ public final class Command extends AbstractAction {
         putValue(ACCELERATOR_KEY, read);
         refresh();
         return this;
+    }
+
+    /**
+     * Gives it keys that run it while what it acts on has the focus, such as a map ({@link #bindTo}): other commands may have them
+     * elsewhere.
+     */
+    public Command withFocusKeys(List<KeyStroke> strokes) {
+        focusKeys = List.copyOf(strokes);
+        refresh();
+        return this;
+    }
+
+    /** Has a component run it by its focus keys; where it cannot be run now, somebody else may have the key. */
+    public void bindTo(JComponent component) {
+        focusKeys.forEach(
+                stroke -> component.getInputMap(JComponent.WHEN_FOCUSED).put(stroke, id));
+        component.getActionMap().put(id, new AbstractAction(title) {
+            @Override
+            public boolean isEnabled() {
+                return whyNot().isEmpty();
+            }
+
+            @Override
+            public void actionPerformed(ActionEvent e) {
+                Command.this.run();
+            }
+        });
     }
 
     /** Gives it an icon of {@link Icons}. */
@@ -91,9 +121,9 @@ public final class Command extends AbstractAction {
         return key;
     }
 
-    /** The key in words, such as Ctrl+Shift+P; empty text where it has none. */
+    /** The key in words, such as Ctrl+Shift+P, or the first that it has in what it acts on; empty text where it has none. */
     public String keyText() {
-        return key.map(Command::text).orElse("");
+        return key.or(() -> focusKeys.stream().findFirst()).map(Command::text).orElse("");
     }
 
     boolean isAlways() {
@@ -113,7 +143,7 @@ public final class Command extends AbstractAction {
     }
 
     private void describe(Optional<String> reason) {
-        String keyed = key.isPresent() ? title + " (" + keyText() + ")" : title;
+        String keyed = keyText().isEmpty() ? title : title + " (" + keyText() + ")";
         putValue(Action.SHORT_DESCRIPTION, reason.map(why -> keyed + ": " + why).orElse(keyed));
     }
 
@@ -135,7 +165,8 @@ public final class Command extends AbstractAction {
         throw new CloneNotSupportedException("a command is one of its id");
     }
 
-    private static String text(KeyStroke stroke) {
+    /** A key in words, such as Ctrl+Shift+P. */
+    public static String text(KeyStroke stroke) {
         String modifiers = InputEvent.getModifiersExText(stroke.getModifiers());
         String name = KeyEvent.getKeyText(stroke.getKeyCode());
         return modifiers.isEmpty() ? name : modifiers + "+" + name;

@@ -32,7 +32,7 @@ public final class CommandKeysPanel extends JPanel {
         };
         for (boolean keyed : List.of(true, false)) {
             commands.all().stream()
-                    .filter(command -> command.key().isPresent() == keyed)
+                    .filter(command -> !command.keyText().isEmpty() == keyed)
                     .forEach(command -> rows.addRow(new Object[] {command.title(), command.keyText()}));
         }
         JTable table = new JTable(rows);

@@ -70,7 +70,7 @@ final class MapStatusBar extends JPanel {
     private static JButton button(MapKey key, String icon, Consumer<MapKey> keys) {
         JButton button = new JButton(Icons.normal(icon));
         button.putClientProperty("JButton.buttonType", "toolBarButton");
-        button.setName(key.id().replace('.', '-'));
+        button.setName(key.id());
         button.setToolTipText(key.label() + " (" + key.keyText() + ")");
         button.getAccessibleContext().setAccessibleName(key.label());
         button.setFocusable(true);

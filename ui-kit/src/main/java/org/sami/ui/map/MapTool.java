@@ -1,26 +1,10 @@
 package org.sami.ui.map;
 
 import java.awt.Cursor;
+import org.sami.ui.canvas.CanvasTool;
 
 /** What the pointer and the keys do on a map. */
-interface MapTool {
-    /** The button went down. If the tool takes the pointer, dragging is the tool's and not the map's. */
-    default boolean press(MapPointer pointer) {
-        return false;
-    }
-
-    /** The pointer that was taken is elsewhere. */
-    default void drag(MapPointer pointer) {}
-
-    /** The pointer that was taken is free again. */
-    default void release(MapPointer pointer) {}
-
-    /** A click that nobody took before. */
-    default void click(MapPointer pointer) {}
-
-    /** The pointer moved with no button down. */
-    default void move(MapPointer pointer) {}
-
+interface MapTool extends CanvasTool<MapPointer> {
     /** A key of {@link MapKey}; false where the map may have it. */
     default boolean key(MapKey key) {
         return false;

@@ -3,18 +3,18 @@ package org.sami.ui.map;
 import java.awt.BorderLayout;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
-import java.awt.event.ActionEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
-import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
-import javax.swing.KeyStroke;
 import org.sami.spn.value.GeoPoint;
+import org.sami.ui.canvas.CanvasKey;
+import org.sami.ui.canvas.CanvasMouse;
+import org.sami.ui.command.Command;
 import org.sami.ui.geo.CoordinateNotation;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.GeoShape;
@@ -37,6 +37,7 @@ public final class MapView extends JPanel implements AutoCloseable {
     private transient Optional<SketchTool> editing = Optional.empty();
     private transient Optional<SketchTool> measuring = Optional.empty();
     private transient Optional<MapPointer> pointer = Optional.empty();
+    private final transient List<Command> commands = CanvasKey.commands(MapKey.values(), this::run, this::whyNot);
     private transient String valueSaid = "-";
     private final transient Runnable sketchChanged = this::sketchChanged;
 
@@ -52,25 +53,33 @@ public final class MapView extends JPanel implements AutoCloseable {
                 canvas::repaint);
         canvas.setTool(chooseTool);
         canvas.getAccessibleContext().setAccessibleName("Map");
-        MapMouse.listen(canvas, this::pointed);
+        CanvasMouse.listen(canvas, new MapSurface(canvas, this::pointed));
         canvas.addPropertyChangeListener("center", e -> listeners.forEach(MapListener::moved));
         add(canvas, BorderLayout.CENTER);
         add(status, BorderLayout.SOUTH);
-        bindKeys();
+        commands.forEach(command -> command.bindTo(canvas));
     }
 
-    private void bindKeys() {
-        for (MapKey key : MapKey.values()) {
-            for (KeyStroke stroke : key.strokes()) {
-                canvas.getInputMap(JComponent.WHEN_FOCUSED).put(stroke, key.id());
-            }
-            canvas.getActionMap().put(key.id(), new AbstractAction(key.label()) {
-                @Override
-                public void actionPerformed(ActionEvent e) {
-                    press(key);
-                }
-            });
-        }
+    /** What can be done with the map, with the keys that do it while the map has the focus: for the window's registry. */
+    public List<Command> commands() {
+        return commands;
+    }
+
+    /** The command of a key. */
+    public Command command(MapKey key) {
+        return commands.stream()
+                .filter(command -> command.id().equals(key.id()))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private Optional<String> whyNot(MapKey key) {
+        return key.isOfSketch() && drawn().isEmpty() ? Optional.of("nothing is drawn on the map") : Optional.empty();
+    }
+
+    private void run(MapKey key) {
+        canvas.requestFocusInWindow(); // what comes next is meant for the map, too
+        press(key);
     }
 
     /** The layers, from the lowest to the topmost. */

@@ -2,7 +2,6 @@ package org.sami.ui.net;
 
 import java.awt.Dimension;
 import java.awt.Graphics2D;
-import java.awt.event.ActionEvent;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
@@ -14,10 +13,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
-import javax.swing.AbstractAction;
+import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
-import javax.swing.KeyStroke;
 import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetDrawing.Vertex;
@@ -26,6 +24,9 @@ import org.sami.spn.drawing.TextStyle;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.vocabulary.Vocabulary;
+import org.sami.ui.canvas.CanvasKey;
+import org.sami.ui.canvas.CanvasMouse;
+import org.sami.ui.command.Command;
 import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.look.SemanticColor;
 
@@ -72,25 +73,23 @@ public final class NetView extends JPanel {
         super(null);
         setName("net");
         painter = new NetPainter(marks);
-        viewer.setGraphMouse(new NetMouse(this, viewport));
+        CanvasMouse.listen(viewer, new NetSurface(this, viewport));
         viewer.getAccessibleContext().setAccessibleName("Net");
         add(overview);
         add(viewer);
-        bindKeys();
+        commands(() -> Optional.of(this)).forEach(command -> command.bindTo(viewer));
     }
 
-    private void bindKeys() {
-        for (NetKey key : NetKey.values()) {
-            for (KeyStroke stroke : key.strokes()) {
-                viewer.getInputMap(JComponent.WHEN_FOCUSED).put(stroke, key.id());
-            }
-            viewer.getActionMap().put(key.id(), new AbstractAction(key.label()) {
-                @Override
-                public void actionPerformed(ActionEvent e) {
-                    press(key);
-                }
-            });
-        }
+    /**
+     * The commands of the net that a window shows at the moment, for the window's registry; the view has its keys without that.
+     *
+     * @param shown the net that they act on; none where no net is shown
+     */
+    public static List<Command> commands(Supplier<Optional<NetView>> shown) {
+        return CanvasKey.commands(
+                NetKey.values(),
+                key -> shown.get().ifPresent(view -> view.press(key)),
+                key -> shown.get().isPresent() ? Optional.empty() : Optional.of("no net is shown"));
     }
 
     /** Shows a plan where its author has laid it out, in layers where it does not say so of each vertex. */

@@ -9,6 +9,7 @@ import java.util.Optional;
 import javax.swing.Action;
 import javax.swing.JButton;
 import javax.swing.JTable;
+import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
 
 class CommandTest {
@@ -45,6 +46,27 @@ class CommandTest {
 
         assertThat(ran).containsExactly("abort");
         assertThat(button.getToolTipText()).isEqualTo("Abort mission (Ctrl+Shift+X)");
+    }
+
+    @Test
+    void aKeyOfWhatHasTheFocusBelongsToItAlone() {
+        JButton map = new JButton();
+        JButton net = new JButton();
+        Command here = commands.add(new Command("map-zoom-in", "Map: zoom in", () -> ran.add("map"))
+                .withFocusKeys(List.of(KeyStroke.getKeyStroke("PLUS"))));
+        Command there = commands.add(new Command("net-zoom-in", "Net: zoom in", () -> ran.add("net"))
+                .withFocusKeys(List.of(KeyStroke.getKeyStroke("PLUS")))
+                .unless(() -> reason));
+        here.bindTo(map);
+        there.bindTo(net);
+
+        assertThat(commands.ofKey(KeyStroke.getKeyStroke("PLUS"))).isEmpty();
+        assertThat(here.getValue(Action.SHORT_DESCRIPTION)).isEqualTo("Map: zoom in (Plus)");
+        Object name = net.getInputMap().get(KeyStroke.getKeyStroke("PLUS"));
+        assertThat(net.getActionMap().get(name).isEnabled()).isFalse(); // and somebody else may have the key
+        reason = Optional.empty();
+        net.getActionMap().get(name).actionPerformed(null);
+        assertThat(ran).containsExactly("net");
     }
 
     @Test

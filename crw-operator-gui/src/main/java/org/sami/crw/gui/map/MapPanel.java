@@ -88,19 +88,11 @@ public final class MapPanel extends JPanel {
                 .withKey("ctrl L")
                 .withIcon("layers");
         tools.right(new CommandButton(context.commands().add(layers)));
-        Command measure = new Command("map-measure", "Measure", () -> {
-                    view.canvas().requestFocusInWindow();
-                    view.press(MapKey.MEASURE);
-                })
-                .withKey("ctrl shift L")
-                .withIcon("measure");
-        context.commands().add(measure);
         Command base = new Command("map-base", "Base map…", this::openBaseMap).withIcon("map");
         tools.right(new CommandButton(context.commands().add(base)));
-        Command fit = new Command("map-fit", "Show all", view::fitAll)
-                .withKey("ctrl shift F")
-                .withIcon("fit");
-        context.commands().add(fit);
+        view.command(MapKey.MEASURE).withKey("ctrl shift L").withIcon("measure");
+        view.command(MapKey.FIT).withKey("ctrl shift F").withIcon("fit");
+        view.commands().forEach(context.commands()::add);
     }
 
     private void tool(String id, String title, String key, String icon, Runnable run) {

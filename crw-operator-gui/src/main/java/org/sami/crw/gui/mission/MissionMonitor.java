@@ -18,6 +18,7 @@ import org.sami.spn.protocol.Ids;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.net.NetView;
 
 /** The plans that can be started, and a tab for each mission that runs or has ended and was not closed yet. */
 public final class MissionMonitor extends JPanel {
@@ -72,6 +73,7 @@ public final class MissionMonitor extends JPanel {
                         .unless(() -> shown().map(view -> view.hasEnded()).orElse(false)
                                 ? Optional.empty()
                                 : Optional.of("only the tab of an ended mission can be closed")));
+        NetView.commands(() -> shown().map(MissionView::net)).forEach(context.commands()::add);
         tabs.addChangeListener(e -> refreshCommands());
     }
 

@@ -90,6 +90,11 @@ final class MissionNet extends JPanel {
         show(missions);
     }
 
+    /** The net itself. */
+    NetView view() {
+        return net;
+    }
+
     /** Shows how all stand now. */
     void show(MissionsSnapshot now) {
         missions = now;

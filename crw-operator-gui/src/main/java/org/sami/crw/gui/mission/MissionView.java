@@ -21,6 +21,7 @@ import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.net.NetView;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 
@@ -69,6 +70,11 @@ final class MissionView extends JPanel {
         parts.addTab("Variables", variables);
         add(head, BorderLayout.NORTH);
         add(parts);
+    }
+
+    /** Its net. */
+    NetView net() {
+        return net.view();
     }
 
     private static RowTable<Line> table(String name, String nothing, String what, String text) {
