@@ -1,7 +1,10 @@
 package org.sami.spn.edit;
 
+import java.util.Collections;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Mode;
@@ -135,7 +138,7 @@ public sealed interface EdgeEdit extends PlanEdit {
 
         @Override
         public Plan change(Plan before, EditContext context) throws EditRefusedException {
-            check(before.inEdges().stream().anyMatch(e -> e.id().equals(edge)), plan, edge, "to a transition");
+            check(isIn(before, edge), plan, edge, " to a transition");
             return before.withInEdges(
                     Parts.replaced(before.inEdges(), e -> e.id().equals(edge), e -> e.withRequirements(requirements)));
         }
@@ -156,15 +159,47 @@ public sealed interface EdgeEdit extends PlanEdit {
 
         @Override
         public Plan change(Plan before, EditContext context) throws EditRefusedException {
-            check(before.outEdges().stream().anyMatch(e -> e.id().equals(edge)), plan, edge, "to a place");
+            check(isOut(before, edge), plan, edge, " to a place");
             return before.withOutEdges(
                     Parts.replaced(before.outEdges(), e -> e.id().equals(edge), e -> e.withRequirements(requirements)));
         }
     }
 
+    /** Locks edges, so that the computation of requirements leaves them as they are (thesis 5.1.1), or unlocks them. */
+    record SetLocked(String plan, Set<String> edges, boolean locked) implements EdgeEdit {
+        public SetLocked {
+            Objects.requireNonNull(plan, "plan");
+            edges = Collections.unmodifiableSet(new LinkedHashSet<>(edges));
+        }
+
+        @Override
+        public String label() {
+            return (locked ? "Lock " : "Unlock ") + RemoveElements.inWords(edges);
+        }
+
+        @Override
+        public Plan change(Plan before, EditContext context) throws EditRefusedException {
+            for (String edge : edges) {
+                check(isIn(before, edge) || isOut(before, edge), plan, edge, "");
+            }
+            return before.withInEdges(
+                            Parts.replaced(before.inEdges(), e -> edges.contains(e.id()), e -> e.withLocked(locked)))
+                    .withOutEdges(
+                            Parts.replaced(before.outEdges(), e -> edges.contains(e.id()), e -> e.withLocked(locked)));
+        }
+    }
+
+    private static boolean isIn(Plan plan, String edge) {
+        return plan.inEdges().stream().anyMatch(e -> e.id().equals(edge));
+    }
+
+    private static boolean isOut(Plan plan, String edge) {
+        return plan.outEdges().stream().anyMatch(e -> e.id().equals(edge));
+    }
+
     private static void check(boolean known, String plan, String edge, String way) throws EditRefusedException {
         if (!known) {
-            throw new EditRefusedException("The plan \"" + plan + "\" has no edge " + edge + " " + way);
+            throw new EditRefusedException("The plan \"" + plan + "\" has no edge " + edge + way);
         }
     }
 }

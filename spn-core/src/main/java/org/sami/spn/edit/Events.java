@@ -38,8 +38,13 @@ final class Events {
     }
 
     static Plan withMarkups(Plan plan, String event, UnaryOperator<List<MarkupSpec>> by) throws EditRefusedException {
-        return isOutput(plan, event)
-                ? withOutput(plan, event, o -> o.withMarkups(by.apply(o.markups())))
-                : withInput(plan, event, i -> i.withMarkups(by.apply(i.markups())));
+        return with(plan, event, o -> o.withMarkups(by.apply(o.markups())), i -> i.withMarkups(by.apply(i.markups())));
+    }
+
+    /** Replaces an event, of whichever direction it is. */
+    static Plan with(
+            Plan plan, String event, UnaryOperator<OutputEventSpec> output, UnaryOperator<InputEventSpec> input)
+            throws EditRefusedException {
+        return isOutput(plan, event) ? withOutput(plan, event, output) : withInput(plan, event, input);
     }
 }

@@ -12,9 +12,7 @@ public sealed interface FieldEdit extends PlanEdit {
     /** Says where a field of an output event comes from. */
     record SetField(String plan, String event, String field, FieldSource source) implements FieldEdit {
         public SetField {
-            Objects.requireNonNull(plan, "plan");
-            Objects.requireNonNull(event, "event");
-            Objects.requireNonNull(field, "field");
+            check(plan, event, field);
             Objects.requireNonNull(source, "source");
         }
 
@@ -32,9 +30,7 @@ public sealed interface FieldEdit extends PlanEdit {
     /** Sets the value by which an input event is selected. */
     record SetInputField(String plan, String event, String field, Value value) implements FieldEdit {
         public SetInputField {
-            Objects.requireNonNull(plan, "plan");
-            Objects.requireNonNull(event, "event");
-            Objects.requireNonNull(field, "field");
+            check(plan, event, field);
             Objects.requireNonNull(value, "value");
         }
 
@@ -52,9 +48,7 @@ public sealed interface FieldEdit extends PlanEdit {
     /** Takes the value or source of a field away. */
     record ClearField(String plan, String event, String field) implements FieldEdit {
         public ClearField {
-            Objects.requireNonNull(plan, "plan");
-            Objects.requireNonNull(event, "event");
-            Objects.requireNonNull(field, "field");
+            check(plan, event, field);
         }
 
         @Override
@@ -64,18 +58,18 @@ public sealed interface FieldEdit extends PlanEdit {
 
         @Override
         public Plan change(Plan before, EditContext context) throws EditRefusedException {
-            return Events.isOutput(before, event)
-                    ? Events.withOutput(before, event, o -> o.withFields(without(o.fields(), field)))
-                    : Events.withInput(before, event, i -> i.withFields(without(i.fields(), field)));
+            return Events.with(
+                    before,
+                    event,
+                    o -> o.withFields(without(o.fields(), field)),
+                    i -> i.withFields(without(i.fields(), field)));
         }
     }
 
     /** Writes a field of an event into a variable. */
     record SetWrite(String plan, String event, String field, String variable) implements FieldEdit {
         public SetWrite {
-            Objects.requireNonNull(plan, "plan");
-            Objects.requireNonNull(event, "event");
-            Objects.requireNonNull(field, "field");
+            check(plan, event, field);
             Objects.requireNonNull(variable, "variable");
         }
 
@@ -86,18 +80,18 @@ public sealed interface FieldEdit extends PlanEdit {
 
         @Override
         public Plan change(Plan before, EditContext context) throws EditRefusedException {
-            return Events.isOutput(before, event)
-                    ? Events.withOutput(before, event, o -> o.withWrites(with(o.writes(), field, variable)))
-                    : Events.withInput(before, event, i -> i.withWrites(with(i.writes(), field, variable)));
+            return Events.with(
+                    before,
+                    event,
+                    o -> o.withWrites(with(o.writes(), field, variable)),
+                    i -> i.withWrites(with(i.writes(), field, variable)));
         }
     }
 
     /** Writes a field of an event into no variable any more. */
     record ClearWrite(String plan, String event, String field) implements FieldEdit {
         public ClearWrite {
-            Objects.requireNonNull(plan, "plan");
-            Objects.requireNonNull(event, "event");
-            Objects.requireNonNull(field, "field");
+            check(plan, event, field);
         }
 
         @Override
@@ -107,9 +101,11 @@ public sealed interface FieldEdit extends PlanEdit {
 
         @Override
         public Plan change(Plan before, EditContext context) throws EditRefusedException {
-            return Events.isOutput(before, event)
-                    ? Events.withOutput(before, event, o -> o.withWrites(without(o.writes(), field)))
-                    : Events.withInput(before, event, i -> i.withWrites(without(i.writes(), field)));
+            return Events.with(
+                    before,
+                    event,
+                    o -> o.withWrites(without(o.writes(), field)),
+                    i -> i.withWrites(without(i.writes(), field)));
         }
     }
 
@@ -141,6 +137,12 @@ public sealed interface FieldEdit extends PlanEdit {
             }
             return after;
         }
+    }
+
+    private static void check(String plan, String event, String field) {
+        Objects.requireNonNull(plan, "plan");
+        Objects.requireNonNull(event, "event");
+        Objects.requireNonNull(field, "field");
     }
 
     private static <T> Map<String, T> with(Map<String, T> map, String key, T value) {

@@ -194,7 +194,8 @@ final class PlanNames {
                 e.mode(),
                 e.requirements().stream()
                         .map(r -> new InRequirement(r.kind(), r.match(), r.n(), task(r.task(), e.id())))
-                        .toList());
+                        .toList(),
+                e.locked());
     }
 
     private OutEdge out(OutEdge e) {
@@ -205,7 +206,8 @@ final class PlanNames {
                 e.mode(),
                 e.requirements().stream()
                         .map(r -> new OutRequirement(r.kind(), r.n(), r.action(), task(r.task(), e.id())))
-                        .toList());
+                        .toList(),
+                e.locked());
     }
 
     private String task(String task, String edge) {

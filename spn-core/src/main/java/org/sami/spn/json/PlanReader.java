@@ -171,7 +171,8 @@ final class PlanReader {
                 e.objects("requirements").stream()
                         .map(requirements::in)
                         .flatMap(Optional::stream)
-                        .toList());
+                        .toList(),
+                e.flag("locked"));
         e.done();
         return edge;
     }
@@ -189,7 +190,8 @@ final class PlanReader {
                 e.objects("requirements").stream()
                         .map(requirements::out)
                         .flatMap(Optional::stream)
-                        .toList());
+                        .toList(),
+                e.flag("locked"));
         e.done();
         return edge;
     }

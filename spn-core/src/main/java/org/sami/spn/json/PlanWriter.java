@@ -108,6 +108,7 @@ final class PlanWriter {
                 .put("transition", edge.transition());
         putMode(node, edge.mode());
         put(node, "requirements", edge.requirements(), PlanWriter::inRequirement);
+        putFlag(node, "locked", edge.locked());
         return node;
     }
 
@@ -118,6 +119,7 @@ final class PlanWriter {
                 .put("place", edge.place());
         putMode(node, edge.mode());
         put(node, "requirements", edge.requirements(), PlanWriter::outRequirement);
+        putFlag(node, "locked", edge.locked());
         return node;
     }
 

@@ -1,6 +1,7 @@
 package org.sami.spn.edit;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
 
 import java.util.List;
 import java.util.Map;
@@ -8,9 +9,11 @@ import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.model.FieldSource;
+import org.sami.spn.model.InEdge;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Mode;
+import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.TestCase;
@@ -203,6 +206,21 @@ class EditTest {
         assertThat(b.outEdges()).hasSize(1);
         assertThat(b.variables()).extracting(VariableSpec::name).containsExactly("@said");
         assertThat(done.told()).singleElement().asString().contains("@said");
+    }
+
+    @Test
+    void lockedEdgesStayLockedWhateverIsRenamed() {
+        Project project = NetBuilder.project(saying("p").build());
+        String edge = project.plans().get(0).inEdges().get(0).id();
+
+        Project locked =
+                done(project, new EdgeEdit.SetLocked("p", Set.of(edge), true)).changed();
+        Plan renamed = plan(done(locked, new RenameElement("p", "start", "begin")), "p");
+
+        assertThat(renamed.inEdges()).extracting(InEdge::id, InEdge::locked).contains(tuple(edge, true));
+        assertThat(renamed.outEdges()).extracting(OutEdge::locked).containsOnly(false);
+        assertThat(refused(project, new EdgeEdit.SetLocked("p", Set.of("start"), true)))
+                .contains("no edge start");
     }
 
     @Test

@@ -100,7 +100,7 @@ final class Shrinking {
         for (int i = 0; i < plan.inEdges().size(); i++) {
             InEdge e = plan.inEdges().get(i);
             for (int r = 0; e.requirements().size() > 1 && r < e.requirements().size(); r++) {
-                InEdge fewer = new InEdge(e.id(), e.place(), e.transition(), e.mode(), without(e.requirements(), r));
+                InEdge fewer = e.withRequirements(without(e.requirements(), r));
                 candidates.add(
                         with(plan, plan.places(), plan.transitions(), set(plan.inEdges(), i, fewer), plan.outEdges()));
             }
@@ -108,7 +108,7 @@ final class Shrinking {
         for (int i = 0; i < plan.outEdges().size(); i++) {
             OutEdge e = plan.outEdges().get(i);
             for (int r = 0; e.requirements().size() > 1 && r < e.requirements().size(); r++) {
-                OutEdge fewer = new OutEdge(e.id(), e.transition(), e.place(), e.mode(), without(e.requirements(), r));
+                OutEdge fewer = e.withRequirements(without(e.requirements(), r));
                 candidates.add(
                         with(plan, plan.places(), plan.transitions(), plan.inEdges(), set(plan.outEdges(), i, fewer)));
             }

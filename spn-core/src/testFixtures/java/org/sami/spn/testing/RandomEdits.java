@@ -110,6 +110,7 @@ public final class RandomEdits {
         kinds.add(() -> new EdgeEdit.ConnectOut(
                 plan.id(), transition(), place(), mode(), List.of(Requirements.out(OUT[random.nextInt(OUT.length)]))));
         kinds.add(() -> new EdgeEdit.Disconnect(plan.id(), vertex(), vertex()));
+        kinds.add(() -> new EdgeEdit.SetLocked(plan.id(), Set.of(element()), random.nextBoolean()));
         kinds.add(() -> new EdgeEdit.SetInRequirements(
                 plan.id(), element(), List.of(Requirements.in(IN[random.nextInt(IN.length)]))));
         kinds.add(() -> new EdgeEdit.SetOutRequirements(
