@@ -1,6 +1,7 @@
 package org.sami.crw.session;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -12,6 +13,7 @@ import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.json.Reading;
 import org.sami.spn.model.Project;
+import org.sami.spn.model.VariableSpec;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -50,6 +52,29 @@ final class ProjectFiles {
                             .orElseThrow(() ->
                                     new RefusedException("nothing is saved: " + words(path + ": ", saved.findings()))),
                     saved.findings());
+        } catch (IOException fault) {
+            throw new RefusedException("nothing is saved: " + path + " cannot be written: " + fault.getMessage());
+        }
+    }
+
+    /** A project whose globals begin with these values. */
+    static Project withValues(Project project, Map<String, Value> values) {
+        return project.withGlobals(project.globals().stream()
+                .map(global -> new VariableSpec(
+                        global.name(),
+                        global.type(),
+                        Optional.ofNullable(values.get(global.name())).or(global::initial)))
+                .toList());
+    }
+
+    /** Writes a project to a file that is not there yet. */
+    Void saveNew(Project project, Path path) {
+        if (Files.exists(path)) {
+            throw new RefusedException("nothing is saved: " + path + " is there already");
+        }
+        try {
+            new ProjectWriter(vocabulary).write(project, path);
+            return null;
         } catch (IOException fault) {
             throw new RefusedException("nothing is saved: " + path + " cannot be written: " + fault.getMessage());
         }

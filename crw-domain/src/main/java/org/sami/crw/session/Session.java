@@ -249,6 +249,16 @@ public final class Session implements AutoCloseable {
                 .thenCompose(values -> parts.replies.on(parts.files, () -> parts.projects.save(values, file)));
     }
 
+    /**
+     * Writes the newest project, with the values that its global variables have now, to a new file, on a thread of the session's. One
+     * that is there already is refused.
+     */
+    public CompletionStage<Void> saveProject(Path file) {
+        return parts.replies
+                .of(parts.host.query(view -> ProjectFiles.withValues(view.project(), view.globals())))
+                .thenCompose(project -> parts.replies.on(parts.files, () -> parts.projects.saveNew(project, file)));
+    }
+
     /** Takes a boat out of one mission, which waits for it no longer; the boat goes on with what others want of it. */
     public CompletionStage<Void> drop(String boat, long mission) {
         return post(new Input.ProxyDropped(boat, mission));

@@ -50,7 +50,7 @@ final class WindowStart {
                 && options.resume().orElseGet(() -> onEventThread(() -> asksToResume(unfinished.get())));
         Session session = goesOn ? opener.resume(unfinished.get()) : opener.openNew();
         OperatorWindow window = onEventThread(() -> {
-            OperatorWindow made = new OperatorWindow(session, data, settings, ended);
+            OperatorWindow made = new OperatorWindow(session, options.project(), data, settings, ended);
             made.open();
             return made;
         });

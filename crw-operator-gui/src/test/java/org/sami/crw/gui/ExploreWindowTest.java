@@ -80,6 +80,7 @@ class ExploreWindowTest {
 
         robot.until("both are in the area", THERE_WITHIN_S, () -> visitors(window) == 2);
         robot.click("mission-complete");
+        robot.click("mission-end-confirm");
 
         robot.untilSaid("mission-state", "completed");
         assertThat(mission(window).outcome()).contains(Outcome.COMPLETED);

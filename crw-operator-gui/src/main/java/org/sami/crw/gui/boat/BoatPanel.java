@@ -12,10 +12,6 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.BoatCommands;
 import org.sami.crw.operator.BoatSnapshot;
 import org.sami.crw.proxy.CommandQueueSnapshot.Entry;
-import org.sami.crw.proxy.FollowPath;
-import org.sami.crw.proxy.KeepStation;
-import org.sami.crw.proxy.Panorama;
-import org.sami.crw.proxy.Stop;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.MarkIcon;
@@ -127,13 +123,16 @@ public final class BoatPanel extends JPanel {
                 .current()
                 .ifPresent(entry -> rows.add(new Row(
                         "in force",
-                        words(entry),
+                        CommandWords.full(entry),
                         (entry.points() == 0 ? "running" : entry.visited() + " / " + entry.points() + upload),
                         SemanticColor.OK)));
         List<Entry> waiting = commands.queue().waiting();
         for (int i = 0; i < waiting.size(); i++) {
             rows.add(new Row(
-                    (i + 1) + ". next", words(waiting.get(i)), waiting.get(i).why(), SemanticColor.MUTED));
+                    (i + 1) + ". next",
+                    CommandWords.full(waiting.get(i)),
+                    waiting.get(i).why(),
+                    SemanticColor.MUTED));
         }
         List<BoatCommands.Concluded> gone = commands.concluded();
         for (int i = gone.size() - 1; i >= 0; i--) {
@@ -145,21 +144,5 @@ public final class BoatPanel extends JPanel {
                     each.end() == BoatCommands.End.FAILED ? SemanticColor.WARNING : SemanticColor.MUTED));
         }
         return rows;
-    }
-
-    private static String words(Entry entry) {
-        String what = "";
-        if (entry.command() instanceof FollowPath path) {
-            what = "follow a path of " + path.points().size();
-        } else if (entry.command() instanceof KeepStation) {
-            what = "keep station";
-        } else if (entry.command() instanceof Panorama) {
-            what = "take pictures all round";
-        } else if (entry.command() instanceof Stop) {
-            what = "stop";
-        }
-        return what + ", mission " + entry.command().mission() + ", "
-                + entry.command().priority().name().toLowerCase(Locale.ROOT)
-                + (entry.command().block() ? ", keeps the boat" : "");
     }
 }

@@ -69,12 +69,17 @@ public final class BoatWords {
 
     /** How its link is, and since when nothing came. */
     public static String link(BoatSnapshot boat, long nowMillis) {
-        OptionalLong age = boat.linkAgeMillis(nowMillis);
-        if (age.isEmpty()) {
+        return link(boat.link(), boat.heardAtMillis(), nowMillis);
+    }
+
+    /** How a link is, and since when nothing came over it. */
+    public static String link(LinkState link, OptionalLong heardAtMillis, long nowMillis) {
+        if (heardAtMillis.isEmpty()) {
             return "connecting";
         }
-        String seconds = String.format(Locale.ROOT, "%.1f s", age.getAsLong() / 1000.0);
-        return boat.link() == LinkState.LOST ? "lost " + seconds : seconds;
+        String seconds =
+                String.format(Locale.ROOT, "%.1f s", Math.max(0, nowMillis - heardAtMillis.getAsLong()) / 1000.0);
+        return link == LinkState.LOST ? "lost " + seconds : seconds;
     }
 
     /** Whether what is known of it is old. */

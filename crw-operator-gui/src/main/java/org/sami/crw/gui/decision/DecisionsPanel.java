@@ -15,6 +15,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
+import org.sami.crw.gui.value.WidthTrackingPanel;
 import org.sami.crw.markup.Attention;
 import org.sami.crw.operator.PendingDecision;
 import org.sami.crw.session.RefusedException;

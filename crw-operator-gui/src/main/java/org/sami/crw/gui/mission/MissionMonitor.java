@@ -12,6 +12,7 @@ import javax.swing.Icon;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.context.ProjectFile;
 import org.sami.crw.operator.MissionSnapshot;
 import org.sami.crw.operator.MissionsSnapshot;
 import org.sami.spn.protocol.Ids;
@@ -19,6 +20,7 @@ import org.sami.ui.command.Command;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.net.NetView;
+import org.sami.ui.value.ValueEditors;
 
 /** The plans that can be started, and a tab for each mission that runs or has ended and was not closed yet. */
 public final class MissionMonitor extends JPanel {
@@ -26,11 +28,17 @@ public final class MissionMonitor extends JPanel {
     private final JTabbedPane tabs = new JTabbedPane();
     private final Map<Long, MissionView> views = new LinkedHashMap<>();
     private final PlansPanel plans;
+    private final GlobalsPanel globals;
     private final PhaseFollower phases;
     private final Set<Long> closed = new HashSet<>();
 
-    /** The missions of the session. */
-    public MissionMonitor(OperatorContext context, MissionStarter starter) {
+    /**
+     * The missions of the session.
+     *
+     * @param editors with which globals are changed
+     * @param file of the project
+     */
+    public MissionMonitor(OperatorContext context, MissionStarter starter, ValueEditors editors, ProjectFile file) {
         super(new BorderLayout());
         this.context = context;
         phases = new PhaseFollower(context.vocabulary(), this::phasesChanged);
@@ -38,7 +46,9 @@ public final class MissionMonitor extends JPanel {
         tabs.setName("mission-tabs");
         tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
         plans = new PlansPanel(context, starter);
+        globals = new GlobalsPanel(context, editors, file);
         tabs.addTab("Plans", Icons.small("folder"), plans);
+        tabs.addTab("Globals", Icons.small("variables"), globals);
         add(tabs);
         addCommands();
         context.models().missions().addListener(this::show);
@@ -53,19 +63,32 @@ public final class MissionMonitor extends JPanel {
     /** Shows the plans of the newest project. */
     public void reloadPlans() {
         plans.reload();
+        globals.reload();
     }
 
     private void addCommands() {
         context.commands()
-                .add(new Command("mission-abort", "Abort mission", this::abort)
+                .add(new Command("mission-abort", "Abort mission…", () -> propose(true))
                         .withKey("ctrl shift A")
                         .withIcon("abort")
                         .unless(this::whyNotEnd));
         context.commands()
-                .add(new Command("mission-complete", "Complete mission", this::complete)
+                .add(new Command("mission-complete", "Complete mission…", () -> propose(false))
                         .withKey("ctrl shift C")
                         .withIcon("complete")
                         .unless(this::whyNotEnd));
+        context.commands()
+                .add(new Command(
+                                "mission-end-confirm",
+                                "End the mission as proposed",
+                                () -> ending().ifPresent(EndingPanel::confirm))
+                        .withKey("ctrl shift E")
+                        .withIcon("check")
+                        .unless(this::whyNothingProposed));
+        context.commands()
+                .add(new Command("mission-end-leave", "Let it run", () -> ending().ifPresent(EndingPanel::leave))
+                        .withIcon("close")
+                        .unless(this::whyNothingProposed));
         context.commands()
                 .add(new Command("mission-close", "Close the tab of an ended mission", this::closeShown)
                         .withKey("ctrl W")
@@ -78,7 +101,7 @@ public final class MissionMonitor extends JPanel {
     }
 
     private void refreshCommands() {
-        List.of("mission-abort", "mission-complete", "mission-close")
+        List.of("mission-abort", "mission-complete", "mission-end-confirm", "mission-end-leave", "mission-close")
                 .forEach(id -> context.commands().get(id).refresh());
     }
 
@@ -92,14 +115,22 @@ public final class MissionMonitor extends JPanel {
         return tabs.getSelectedComponent() instanceof MissionView view ? Optional.of(view) : Optional.empty();
     }
 
-    private void abort() {
-        shown().ifPresent(view ->
-                context.tell(context.session().abort(view.mission()), view.title() + " is asked to abort"));
+    private Optional<EndingPanel> ending() {
+        return shown().map(MissionView::ending)
+                .filter(ending -> ending.proposed().isPresent());
     }
 
-    private void complete() {
-        shown().ifPresent(view ->
-                context.tell(context.session().complete(view.mission()), view.title() + " is asked to complete"));
+    private Optional<String> whyNothingProposed() {
+        return ending().isPresent() ? Optional.empty() : Optional.of("press Abort mission or Complete mission first");
+    }
+
+    private void propose(boolean abort) {
+        shown().ifPresent(view -> view.propose(abort));
+    }
+
+    /** Shows what changes by itself; to be called a few times a second. */
+    public void refresh() {
+        shown().ifPresent(MissionView::refreshEnding);
     }
 
     private void closeShown() {
@@ -146,7 +177,7 @@ public final class MissionMonitor extends JPanel {
     }
 
     private MissionView added(MissionSnapshot mission, MissionsSnapshot all) {
-        MissionView view = new MissionView(context, mission, all);
+        MissionView view = new MissionView(context, mission, all, this::refreshCommands);
         view.show(phases.of(mission.id()));
         tabs.addTab(mission.title(), view);
         tabs.setSelectedComponent(view);

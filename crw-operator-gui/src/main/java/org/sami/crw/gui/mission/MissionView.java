@@ -13,8 +13,10 @@ import javax.swing.JTabbedPane;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.notice.SessionClock;
 import org.sami.crw.operator.EngineText;
+import org.sami.crw.operator.MissionEnd;
 import org.sami.crw.operator.MissionSnapshot;
 import org.sami.crw.operator.MissionsSnapshot;
+import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.Wait;
 import org.sami.spn.value.Value;
 import org.sami.ui.command.CommandButton;
@@ -30,20 +32,25 @@ final class MissionView extends JPanel {
     private final long mission;
     private final String title;
     private final JLabel state = new JLabel();
-    private final List<CommandButton> ending;
+    private final List<CommandButton> endButtons;
     private final CommandButton close;
     private final RowTable<Line> places;
     private final RowTable<Line> variables;
     private final JTabbedPane parts = new JTabbedPane();
     private final MissionNet net;
     private final PhasesView phases = new PhasesView();
+    private final OperatorContext context;
+    private final EndingPanel ending;
+    private Optional<String> interceptor = Optional.empty();
     private boolean ended;
 
     /** A line of a table: what, and what is so. */
     private record Line(String what, String text, boolean wrong) {}
 
-    MissionView(OperatorContext context, MissionSnapshot first, MissionsSnapshot all) {
+    /** @param proposed is told when an end is proposed, or no longer */
+    MissionView(OperatorContext context, MissionSnapshot first, MissionsSnapshot all, Runnable proposed) {
         super(new BorderLayout());
+        this.context = context;
         mission = first.id();
         title = first.title();
         setName("mission-" + mission);
@@ -59,7 +66,8 @@ final class MissionView extends JPanel {
         CommandRow head = new CommandRow();
         state.setName("mission-state");
         head.left(state).right(complete).right(abort).right(close);
-        ending = List.of(complete, abort);
+        endButtons = List.of(complete, abort);
+        ending = new EndingPanel(context.commands(), this::end, proposed);
         parts.setName("mission-parts");
         JScrollPane scrolledPhases = new JScrollPane(phases);
         scrolledPhases.setBorder(BorderFactory.createEmptyBorder());
@@ -68,13 +76,54 @@ final class MissionView extends JPanel {
         parts.addTab("Waits", places);
         parts.addTab("Phases", scrolledPhases);
         parts.addTab("Variables", variables);
-        add(head, BorderLayout.NORTH);
+        JPanel top = new JPanel(new BorderLayout());
+        top.add(head, BorderLayout.NORTH);
+        top.add(ending);
+        add(top, BorderLayout.NORTH);
         add(parts);
     }
 
     /** Its net. */
     NetView net() {
         return net.view();
+    }
+
+    EndingPanel ending() {
+        return ending;
+    }
+
+    /** Says what an abort, or a completion, will do, and lets the operator have it done or leave it. */
+    void propose(boolean abort) {
+        interceptor = Optional.empty();
+        ending.propose(abort, title);
+        refreshEnding();
+        context.shown()
+                .ask(view ->
+                        view.planOf(mission).flatMap(plan -> MissionEnd.interceptor(plan, view.vocabulary(), abort)))
+                .thenAccept(transition -> {
+                    interceptor = transition.map(one -> one.name().isEmpty() ? one.id() : one.name());
+                    refreshEnding();
+                });
+    }
+
+    /** Says anew what the proposed end will do, as boats go on meanwhile. */
+    void refreshEnding() {
+        if (ending.proposed().isPresent()) {
+            OperatorModels models = context.models();
+            ending.say(EndWords.lines(
+                    MissionEnd.of(
+                            mission,
+                            models.missions().snapshot(),
+                            models.commands().snapshot(),
+                            models.decisions().snapshot()),
+                    interceptor));
+        }
+    }
+
+    private void end(boolean abort) {
+        context.tell(
+                abort ? context.session().abort(mission) : context.session().complete(mission),
+                title + (abort ? " is asked to abort" : " is asked to complete"));
     }
 
     private static RowTable<Line> table(String name, String nothing, String what, String text) {
@@ -126,7 +175,10 @@ final class MissionView extends JPanel {
     /** Shows how it stands now. */
     void show(MissionSnapshot now, MissionsSnapshot all) {
         ended = now.hasEnded();
-        ending.forEach(button -> button.setVisible(!ended));
+        endButtons.forEach(button -> button.setVisible(!ended));
+        if (ended) {
+            ending.leave();
+        }
         close.setVisible(ended);
         state.setText(now.outcome()
                         .map(outcome -> outcome.name().toLowerCase(Locale.ROOT) + " at "

@@ -22,6 +22,7 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.Notices;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.context.ProjectFile;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.WindowSettings;
 import org.sami.crw.gui.window.OperatorPanels;
@@ -86,7 +87,7 @@ public final class ReplayWindow {
                 new BoatSelection(),
                 new Notices());
         CommandRegistry commands = context.commands();
-        panels = new OperatorPanels(context, settings);
+        panels = new OperatorPanels(context, settings, new ProjectFile(Optional.empty()));
         dock = new DockArea(frame, panels.all(), OperatorPanels.FIRST, data.arrangement());
         ViewCommands view = new ViewCommands(commands, frame, settings);
         view.addPanels(dock);

@@ -4,6 +4,7 @@ import java.util.List;
 import org.sami.crw.gui.boat.BoatPanel;
 import org.sami.crw.gui.boat.BoatsPanel;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.context.ProjectFile;
 import org.sami.crw.gui.decision.DecisionsPanel;
 import org.sami.crw.gui.decision.SessionDecisions;
 import org.sami.crw.gui.map.MapPanel;
@@ -13,6 +14,7 @@ import org.sami.crw.gui.mission.InterruptsPanel;
 import org.sami.crw.gui.mission.MissionMonitor;
 import org.sami.crw.gui.mission.MissionStarter;
 import org.sami.crw.gui.notice.AlarmsPanel;
+import org.sami.crw.gui.notice.CommunicationPanel;
 import org.sami.crw.gui.notice.LogPanel;
 import org.sami.crw.gui.notice.MessagesPanel;
 import org.sami.crw.gui.start.WindowSettings;
@@ -32,6 +34,7 @@ public final class OperatorPanels implements AutoCloseable {
             .right("missions", "map", 0.42)
             .below("boats", "map", 0.3)
             .behind("boat", "boats")
+            .behind("communication", "boats")
             .below("decisions", "missions", 0.62)
             .below("interrupts", "decisions", 0.38)
             .right("messages", "interrupts", 0.62)
@@ -44,10 +47,15 @@ public final class OperatorPanels implements AutoCloseable {
     private final MapPanel map;
     private final MissionMonitor missions;
     private final DecisionsPanel decisions;
+    private final CommunicationPanel communication;
     private final List<DockPanel> all;
 
-    /** The panels of a window. */
-    public OperatorPanels(OperatorContext context, WindowSettings settings) {
+    /**
+     * The panels of a window.
+     *
+     * @param file of the project that is shown
+     */
+    public OperatorPanels(OperatorContext context, WindowSettings settings, ProjectFile file) {
         boats = new BoatsPanel(context);
         boat = new BoatPanel(context);
         map = new MapPanel(context);
@@ -56,8 +64,9 @@ public final class OperatorPanels implements AutoCloseable {
         MapMaker maps = new SessionMaps(context);
         ValueEditors editors = SessionEditors.of(
                 context, new ComponentChoice(components, context.vocabulary().types()), maps);
-        missions = new MissionMonitor(context, new MissionStarter(context, settings, editors));
+        missions = new MissionMonitor(context, new MissionStarter(context, settings, editors), editors, file);
         decisions = SessionDecisions.panel(context, components, map.decisionMap(), maps);
+        communication = new CommunicationPanel(context);
         all = List.of(
                 new DockPanel("map", "Map", "map", map),
                 new DockPanel("missions", "Missions", "net", missions),
@@ -68,6 +77,7 @@ public final class OperatorPanels implements AutoCloseable {
                 new DockPanel("alarms", "Alarms", "alarm", new AlarmsPanel(context)),
                 new DockPanel("interrupts", "Interrupts", "interrupt", new InterruptsPanel(context)),
                 new DockPanel("allocation", "Allocation", "allocation", new AllocationPanel(context)),
+                new DockPanel("communication", "Communication", "link", communication),
                 new DockPanel("log", "Log", "log", new LogPanel(context)));
     }
 
@@ -82,6 +92,8 @@ public final class OperatorPanels implements AutoCloseable {
         boat.refresh();
         map.refresh();
         decisions.refresh();
+        communication.refresh();
+        missions.refresh();
     }
 
     /** Shows the plans of the newest project. */

@@ -7,12 +7,15 @@ import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
 import java.util.function.IntConsumer;
 import javax.swing.JFrame;
 import javax.swing.Timer;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.Notices;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.context.ProjectFile;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.WindowSettings;
 import org.sami.crw.gui.status.FleetStopCommands;
@@ -41,19 +44,25 @@ public final class OperatorWindow {
     /**
      * A window that is not shown yet.
      *
+     * @param project file of the project with which the session began; empty = it came with the program
      * @param data is closed with the window, as the session is
      * @param ended is told when all is closed: 0, or 4 where something could not be
      */
-    public OperatorWindow(Session session, DataDirectory data, WindowSettings settings, IntConsumer ended) {
+    public OperatorWindow(
+            Session session, Optional<Path> project, DataDirectory data, WindowSettings settings, IntConsumer ended) {
         this.ended = ended;
         this.session = session;
         this.data = data;
         OperatorContext context = new OperatorContext(
                 session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
         FleetStopCommands fleetStop = new FleetStopCommands(context);
-        panels = new OperatorPanels(context, settings);
+        ProjectFile file = new ProjectFile(project);
+        panels = new OperatorPanels(context, settings, file);
         dock = new DockArea(frame, panels.all(), OperatorPanels.FIRST, data.arrangement());
-        WindowCommands commands = new WindowCommands(context, frame, settings, panels::reloadPlans);
+        WindowCommands commands = new WindowCommands(context, frame, settings, loaded -> {
+            file.set(loaded);
+            panels.reloadPlans();
+        });
         commands.addPanels(dock);
         commands.addReplay(data.folder());
         commands.addEnd(this::end);

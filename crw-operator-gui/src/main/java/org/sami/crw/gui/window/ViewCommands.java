@@ -13,6 +13,8 @@ import org.sami.ui.look.Theme;
 
 /** The commands of how a window looks: themes and scale, panels, help. */
 public final class ViewCommands {
+    private static final int DIGITS = 10;
+
     private final CommandRegistry commands;
     private final WindowSettings settings;
 
@@ -48,17 +50,14 @@ public final class ViewCommands {
         settings.keepLook();
     }
 
-    /** A command for each panel, with Alt and a digit, and one that puts all back. */
+    /** A command for each panel, with Alt and a digit (from the eleventh on with Shift as well), and one that puts all back. */
     public void addPanels(DockArea dock) {
-        int digit = 1;
+        int number = 1;
         for (DockPanel panel : dock.panels()) {
             String id = panel.getPersistentID();
-            Command show = new Command("panel-" + id, "Show " + panel.title(), () -> dock.show(id));
-            if (digit <= 9) {
-                show.withKey("alt " + digit);
-            }
-            digit++;
-            add(show);
+            add(new Command("panel-" + id, "Show " + panel.title(), () -> dock.show(id))
+                    .withKey((number > DIGITS ? "alt shift " : "alt ") + number % DIGITS));
+            number++;
         }
         add(new Command("panels-reset", "Put all panels back", dock::reset).withIcon("layout"));
     }

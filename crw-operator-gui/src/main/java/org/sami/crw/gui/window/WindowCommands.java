@@ -3,6 +3,7 @@ package org.sami.crw.gui.window;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import javax.swing.JOptionPane;
@@ -22,9 +23,9 @@ final class WindowCommands {
     private final OperatorContext context;
     private final JFrame frame;
     private final ViewCommands view;
-    private final Runnable projectLoaded;
+    private final Consumer<Path> projectLoaded;
 
-    WindowCommands(OperatorContext context, JFrame frame, WindowSettings settings, Runnable projectLoaded) {
+    WindowCommands(OperatorContext context, JFrame frame, WindowSettings settings, Consumer<Path> projectLoaded) {
         this.projectLoaded = projectLoaded;
         this.context = context;
         this.frame = frame;
@@ -115,7 +116,7 @@ final class WindowCommands {
             return;
         }
         context.tell(
-                context.session().load(reading.result().get()).thenAccept(version -> projectLoaded.run()),
+                context.session().load(reading.result().get()).thenAccept(version -> projectLoaded.accept(file)),
                 file.getFileName() + " is loaded; missions that start now have its plans");
     }
 }

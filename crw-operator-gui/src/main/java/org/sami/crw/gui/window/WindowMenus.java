@@ -24,7 +24,7 @@ public final class WindowMenus {
     public JMenuBar bar() {
         JMenuBar bar = new JMenuBar();
         bar.setName("menus");
-        bar.add(menu("Session", 'S', "project-open", "replay-open", "", "end"));
+        bar.add(menu("Session", 'S', "project-open", "globals-save", "replay-open", "", "end"));
         bar.add(menu(
                 "Mission",
                 'M',
@@ -33,6 +33,8 @@ public final class WindowMenus {
                 "",
                 "mission-complete",
                 "mission-abort",
+                "mission-end-confirm",
+                "mission-end-leave",
                 "mission-close"));
         bar.add(menu(
                 "Boats",

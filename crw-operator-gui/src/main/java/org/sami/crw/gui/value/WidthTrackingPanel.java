@@ -1,4 +1,4 @@
-package org.sami.crw.gui.decision;
+package org.sami.crw.gui.value;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -9,10 +9,10 @@ import javax.swing.Scrollable;
 import org.sami.ui.look.Look;
 
 /** Scrolls what is in it upwards and downwards only: it is as wide as the pane, and as high as long as what is in it can be. */
-final class WidthTrackingPanel extends JPanel implements Scrollable {
+public final class WidthTrackingPanel extends JPanel implements Scrollable {
     private static final int STEP = 16;
 
-    WidthTrackingPanel(JComponent content) {
+    public WidthTrackingPanel(JComponent content) {
         super(new BorderLayout());
         setOpaque(false);
         add(content);

@@ -1,0 +1,48 @@
+package org.sami.crw.gui.boat;
+
+import java.util.Locale;
+import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.proxy.CommandQueueSnapshot.Entry;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.KeepStation;
+import org.sami.crw.proxy.Panorama;
+import org.sami.crw.proxy.Stop;
+import org.sami.spn.protocol.Ids;
+
+/** What panels say of a boat's commands. */
+public final class CommandWords {
+    private CommandWords() {}
+
+    /** What is to be done, such as {@code follow a path of 9}. */
+    public static String what(BoatCommand command) {
+        if (command instanceof FollowPath path) {
+            int points = path.points().size();
+            return points == 1 ? "go to a point" : "follow a path of " + points + " points";
+        } else if (command instanceof KeepStation) {
+            return "keep station";
+        } else if (command instanceof Panorama) {
+            return "take pictures all round";
+        } else if (command instanceof Stop) {
+            return "stop";
+        }
+        return "something this window does not know";
+    }
+
+    /** The same and how far it is. */
+    public static String progress(Entry entry) {
+        return what(entry.command()) + (entry.points() > 1 ? " (" + entry.visited() + " of them done)" : "");
+    }
+
+    /** Who wants it. */
+    public static String whose(BoatCommand command) {
+        return command.mission() == Ids.NONE ? "the operator" : "mission " + command.mission();
+    }
+
+    /** What is to be done, for whom, how urgent it is, and whether the mission keeps the boat afterwards. */
+    static String full(Entry entry) {
+        BoatCommand command = entry.command();
+        return what(command) + ", " + whose(command) + ", "
+                + command.priority().name().toLowerCase(Locale.ROOT)
+                + (command.block() ? ", keeps the boat" : "");
+    }
+}

@@ -1,0 +1,110 @@
+package org.sami.crw.gui.mission;
+
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.command.CommandRegistry;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.value.WrappedText;
+
+/** Says what an abort or a completion will do, in place, and has it done or left. Not seen while nothing is proposed. */
+final class EndingPanel extends JPanel {
+    private final WrappedText title = new WrappedText("");
+    private final WrappedText lines = new WrappedText("");
+    private final CommandButton confirm;
+    private final Consumer<Boolean> end;
+    private final Runnable changed;
+    private Optional<Boolean> abort = Optional.empty();
+
+    /**
+     * Nothing is proposed.
+     *
+     * @param end is told true to abort, false to complete
+     * @param changed is told when something is proposed, or no longer
+     */
+    EndingPanel(CommandRegistry commands, Consumer<Boolean> end, Runnable changed) {
+        super(new MigLayout("novisualpadding, insets 8 12 8 12, gap 8 4, fillx, wrap 1", "[grow,fill]"));
+        this.end = end;
+        this.changed = changed;
+        setName("mission-ending");
+        title.setHeading(true);
+        title.setName("mission-ending-title");
+        lines.setName("mission-ending-lines");
+        confirm = new CommandButton(commands.get("mission-end-confirm"));
+        CommandButton leave = new CommandButton(commands.get("mission-end-leave"));
+        add(title, "wmin 60");
+        add(lines, "wmin 60");
+        add(confirm, "split 2, growx 0");
+        add(leave, "growx 0");
+        getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+                .put(KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0), "leave");
+        getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+                .put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), "confirm");
+        getActionMap().put("leave", commands.get("mission-end-leave"));
+        getActionMap().put("confirm", commands.get("mission-end-confirm"));
+        dress();
+        setVisible(false);
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (title != null) {
+            dress();
+        }
+    }
+
+    private void dress() {
+        setBackground(SemanticColor.SURFACE_RAISED.get());
+        setBorder(BorderFactory.createMatteBorder(Look.px(2), 0, Look.px(2), 0, SemanticColor.WARNING.get()));
+    }
+
+    /** What is proposed: true = abort, false = complete. */
+    Optional<Boolean> proposed() {
+        return abort;
+    }
+
+    /** Proposes an end; the button that does it has the focus, and Escape leaves. */
+    void propose(boolean toAbort, String mission) {
+        abort = Optional.of(toAbort);
+        title.setText((toAbort ? "Abort " : "Complete ") + mission + "?");
+        confirm.setText(toAbort ? "Abort it" : "Complete it");
+        setVisible(true);
+        confirm.requestFocusInWindow();
+        changed.run();
+    }
+
+    /** Says what it will do now. */
+    void say(List<String> consequences) {
+        String text = String.join("\n", consequences);
+        if (!text.equals(lines.getText())) {
+            lines.setText(text);
+            revalidate();
+        }
+    }
+
+    /** Proposes nothing any longer. */
+    void leave() {
+        if (abort.isPresent()) {
+            abort = Optional.empty();
+            setVisible(false);
+            changed.run();
+        }
+    }
+
+    /** Has it done. */
+    void confirm() {
+        abort.ifPresent(toAbort -> {
+            leave();
+            end.accept(toAbort);
+        });
+    }
+}

@@ -1,0 +1,284 @@
+package org.sami.crw.gui.mission;
+
+import java.awt.BorderLayout;
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletionStage;
+import javax.swing.BorderFactory;
+import javax.swing.JFileChooser;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import net.miginfocom.swing.MigLayout;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.context.ProjectFile;
+import org.sami.crw.gui.value.WidthTrackingPanel;
+import org.sami.crw.operator.EngineText;
+import org.sami.crw.session.RefusedException;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.value.Value;
+import org.sami.ui.command.Command;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.command.CommandRow;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.table.RowColumn;
+import org.sami.ui.table.RowTable;
+import org.sami.ui.value.ValueEditor;
+import org.sami.ui.value.ValueEditors;
+import org.sami.ui.value.ValueField;
+import org.sami.ui.value.WrappedText;
+
+/**
+ * The global variables of the project while missions run: each with the editor of its type. A new value counts for missions at once, and goes
+ * to the project's file when that is asked for.
+ */
+final class GlobalsPanel extends JPanel {
+    private final OperatorContext context;
+    private final ValueEditors editors;
+    private final ProjectFile file;
+    private final RowTable<Row> table;
+    private final JLabel title = new JLabel("Global variables");
+    private final WrappedText about = new WrappedText("Select a variable to change it.");
+    private final WrappedText problem = new WrappedText("");
+    private final JPanel body = new JPanel(new BorderLayout());
+    private final Command set;
+    private final Command save;
+    private Optional<GlobalsState> state = Optional.empty();
+    private Optional<Edited> edited = Optional.empty();
+    private Map<String, Value> saved = Map.of();
+    private boolean asking;
+
+    /** A global as it is listed. */
+    private record Row(VariableSpec global, String value, boolean differs) {}
+
+    /** The global that is edited. */
+    private record Edited(VariableSpec global, ValueEditor editor, Optional<Value> shown) {}
+
+    GlobalsPanel(OperatorContext context, ValueEditors editors, ProjectFile file) {
+        super(new BorderLayout());
+        this.context = context;
+        this.editors = editors;
+        this.file = file;
+        setName("globals");
+        table = new RowTable<>(
+                "globals-table",
+                "The project has no global variable.",
+                row -> row.global().name(),
+                List.of(
+                        RowColumn.<Row>words(
+                                        "Variable", 130, row -> row.global().name())
+                                .colored(row -> row.differs() ? SemanticColor.ACCENT : SemanticColor.TEXT),
+                        RowColumn.words("Value now", 0, row -> (row.differs() ? "● " : "") + row.value())));
+        table.addSelectionListener(this::edit);
+        set = context.commands()
+                .add(new Command("global-set", "Set the variable", this::set)
+                        .withKey("ctrl shift G")
+                        .withIcon("check")
+                        .unless(this::whyNotSet));
+        save = context.commands()
+                .add(new Command("globals-save", "Save to the project", this::save)
+                        .withKey("ctrl S")
+                        .withIcon("file")
+                        .unless(this::whyNotSave));
+        title.setFont(Fonts.strong());
+        CommandRow head = new CommandRow();
+        head.left(title).right(new CommandButton(save));
+        head.setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
+        add(head, BorderLayout.NORTH);
+        add(parts());
+        context.models().missions().addListener(now -> reload());
+        reload();
+    }
+
+    private JPanel parts() {
+        about.setName("global-about");
+        problem.setName("global-problem");
+        problem.setColor(SemanticColor.CRITICAL);
+        JScrollPane scroll = new JScrollPane(new WidthTrackingPanel(body));
+        scroll.setBorder(BorderFactory.createEmptyBorder());
+        JPanel one = new JPanel(new MigLayout(
+                "novisualpadding, insets 8 12 8 12, gap 4 8, fill, hidemode 3, wrap 1",
+                "[grow,fill]",
+                "[][grow,fill][][]"));
+        one.add(about, "wmin 60");
+        one.add(scroll, "hmin 80");
+        one.add(problem, "wmin 60");
+        one.add(new CommandButton(set), "growx 0");
+        JPanel parts = new JPanel(new MigLayout("insets 0, gap 0, fill", "[40%,fill][60%,fill]", "[grow,fill]"));
+        parts.add(table, "wmin 120");
+        parts.add(one, "wmin 160");
+        return parts;
+    }
+
+    /** Asks the engine anew; at most one question is under way. */
+    void reload() {
+        if (!asking) {
+            asking = true;
+            context.shown().ask(GlobalsState::of).whenComplete((told, fault) -> {
+                asking = false;
+                if (fault == null) {
+                    show(told);
+                }
+            });
+        }
+    }
+
+    private void show(GlobalsState told) {
+        if (state.map(before -> !before.project().equals(told.project())).orElse(false)) {
+            saved = Map.of(); // another project was loaded
+        }
+        GlobalsState now = told.withSaved(saved);
+        state = Optional.of(now);
+        table.show(now.project().globals().stream()
+                .map(global -> new Row(
+                        global,
+                        now.value(global).map(EngineText::value).orElse("has no value yet"),
+                        now.differs(global)))
+                .toList());
+        title.setText(
+                now.differing() == 0
+                        ? "Global variables"
+                        : "Global variables, " + now.differing() + " not as in the project");
+        follow(now);
+        refreshCommands();
+    }
+
+    /** What is edited follows what missions write, unless the operator has begun to change it. */
+    private void follow(GlobalsState now) {
+        edited.ifPresent(one -> {
+            Optional<Value> value = now.value(one.global());
+            if (!value.equals(one.shown()) && !one.editor().isTouched()) {
+                edited = Optional.of(new Edited(one.global(), one.editor(), value));
+                value.ifPresent(one.editor()::show);
+            }
+            tell(now, one.global(), one.editor());
+        });
+    }
+
+    private void tell(GlobalsState now, VariableSpec global, ValueEditor editor) {
+        String text = global.name() + ". " + now.readBy(global);
+        if (!about.getText().equals(text)) {
+            about.setText(text);
+        }
+        String wrong = editor.isTouched() ? editor.entry().reason().orElse("") : "";
+        problem.setText(wrong);
+        problem.setVisible(!wrong.isEmpty());
+    }
+
+    private void edit() {
+        Optional<Row> row = table.selected();
+        if (row.isEmpty() || state.isEmpty()) {
+            return;
+        }
+        VariableSpec global = row.get().global();
+        if (edited.map(Edited::global).equals(Optional.of(global))) {
+            return;
+        }
+        ValueEditor editor = editors.editor(ValueField.of("global." + global.name(), global.type()));
+        Optional<Value> value = state.get().value(global);
+        value.ifPresent(editor::show);
+        editor.setEditable(context.whyNotAct().isEmpty());
+        editor.addListener(() -> {
+            state.ifPresent(now -> tell(now, global, editor));
+            set.refresh();
+        });
+        edited = Optional.of(new Edited(global, editor, value));
+        body.removeAll();
+        body.add(editor.component());
+        body.revalidate();
+        body.repaint();
+        tell(state.get(), global, editor);
+        refreshCommands();
+    }
+
+    private void refreshCommands() {
+        set.refresh();
+        save.refresh();
+    }
+
+    private Optional<String> whyNotSet() {
+        if (edited.isEmpty()) {
+            return Optional.of("select a variable in the table of globals first");
+        }
+        Edited one = edited.get();
+        if (one.editor().entry().value().isEmpty()) {
+            return one.editor().entry().reason();
+        }
+        return one.editor().entry().value().equals(one.shown())
+                ? Optional.of(one.global().name() + " has this value already")
+                : Optional.empty();
+    }
+
+    private void set() {
+        Edited one = edited.orElseThrow();
+        Value value = one.editor().entry().value().orElseThrow();
+        CompletionStage<Void> done =
+                context.session().setVariable(Ids.NONE, one.global().name(), value);
+        context.tell(done, one.global().name() + " is " + EngineText.value(value) + " now");
+        done.thenRun(() -> {
+            if (edited.map(Edited::editor).equals(Optional.of(one.editor()))) {
+                edited = Optional.of(new Edited(one.global(), one.editor(), Optional.of(value)));
+                one.editor().show(value);
+            }
+            reload();
+        });
+    }
+
+    private Optional<String> whyNotSave() {
+        return state.map(GlobalsState::differing).orElse(0L) > 0
+                ? Optional.empty()
+                : Optional.of("all globals are as the project has them");
+    }
+
+    private void save() {
+        file.path().or(this::chosen).ifPresent(this::save);
+    }
+
+    private Optional<Path> chosen() {
+        JFileChooser chooser = new JFileChooser();
+        chooser.setDialogTitle("Keep the project with these values in a file of its own");
+        chooser.setSelectedFile(new File(state.map(now -> now.project().id()).orElse("project") + ".json"));
+        return chooser.showSaveDialog(this) == JFileChooser.APPROVE_OPTION
+                ? Optional.of(chooser.getSelectedFile().toPath())
+                : Optional.empty();
+    }
+
+    /** Saves to the project's file; makes one where the project has none yet. */
+    void save(Path to) {
+        Map<String, Value> values = state.map(GlobalsState::values).orElse(Map.of());
+        boolean isNew = file.path().isEmpty() && !Files.exists(to);
+        CompletionStage<String> written = isNew
+                ? context.session().saveProject(to).thenApply(done -> "The project is in " + to + " now")
+                : context.session()
+                        .saveGlobals(to)
+                        .thenApply(what -> what.changes().size() + " globals are saved to "
+                                + to.getFileName()
+                                + (what.warnings().isEmpty()
+                                        ? ""
+                                        : "; not saved: "
+                                                + what.warnings().get(0).message()));
+        written.whenComplete((text, fault) -> {
+            if (fault == null) {
+                file.set(to);
+                saved = values;
+                reload();
+                context.notices().told(text);
+            } else {
+                context.notices().refused(RefusedException.reason(fault));
+            }
+        });
+    }
+
+    /** Selects a variable. */
+    void select(String name) {
+        table.selectKeys(Set.of(name));
+        edit();
+    }
+}
