@@ -16,12 +16,15 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.sami.spn.model.Plan;
 import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
+import org.sami.ui.map.MapKey;
 import org.sami.ui.map.MapScenes;
 import org.sami.ui.map.MapView;
+import org.sami.ui.map.MovingFleet;
 import org.sami.ui.net.NetKey;
 import org.sami.ui.net.NetMode;
 import org.sami.ui.net.NetView;
@@ -51,10 +54,18 @@ public final class RepaintBenchmarkMain {
         Look.apply(Theme.LIGHT, 100);
         System.out.printf(Locale.ROOT, "%n%-22s %-34s %10s %10s %s%n", "name", "params", "median", "p95", "unit");
         for (int vehicles : new int[] {20, 250}) {
-            try (MapView map = MapScenes.fleet(vehicles, 1000)) {
+            MovingFleet fleet = new MovingFleet(vehicles, 1000);
+            try (MapView map = fleet.map()) {
                 MapScenes.size(map, WIDTH, HEIGHT);
                 map.fitAll();
-                measure("map", new TreeMap<>(Map.of("vehicles", vehicles, "trackPoints", 1000)), map);
+                SortedMap<String, Integer> params = new TreeMap<>(Map.of("vehicles", vehicles, "trackPoints", 1000));
+                measure("map", params, map, fleet::move);
+                AtomicBoolean left = new AtomicBoolean();
+                measure(
+                        "map.panned",
+                        params,
+                        map,
+                        () -> map.press(left.getAndSet(!left.get()) ? MapKey.LEFT : MapKey.RIGHT));
             }
         }
         Plan plan = WidePlan.of(250);
@@ -65,16 +76,18 @@ public final class RepaintBenchmarkMain {
         long before = System.nanoTime();
         net.show(plan, WidePlan.NO_VOCABULARY);
         figure("net.show", new TreeMap<>(Map.of("vertices", 500)), (System.nanoTime() - before) / 1e6, 0);
-        measure("net.whole", new TreeMap<>(Map.of("vertices", 500)), net);
+        measure("net.whole", new TreeMap<>(Map.of("vertices", 500)), net, () -> {});
         net.press(NetKey.ACTUAL_SIZE);
-        measure("net.part", new TreeMap<>(Map.of("vertices", 500)), net);
+        measure("net.part", new TreeMap<>(Map.of("vertices", 500)), net, () -> {});
         write(Path.of(System.getProperty("benchmarks.file", "build/benchmarks.json")));
     }
 
-    private void measure(String name, SortedMap<String, Integer> params, Component component) {
+    /** How long a component is painted after something was changed, without the change. */
+    private void measure(String name, SortedMap<String, Integer> params, Component component, Runnable change) {
         BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
         double[] ms = new double[times];
         for (int i = -times / 3; i < times; i++) { // the first ones warm up
+            change.run();
             Graphics2D g = image.createGraphics();
             long before = System.nanoTime();
             component.paint(g);

@@ -44,6 +44,9 @@ public final class AreaLayer extends MapLayer {
 
     /** Shows these areas instead of those before. */
     public void show(List<ShownArea> areas) {
+        if (areas.equals(this.areas.stream().map(Shown::area).toList())) {
+            return;
+        }
         this.areas = areas.stream()
                 .map(area -> {
                     List<WorldLine> rings = new ArrayList<>();
@@ -54,11 +57,11 @@ public final class AreaLayer extends MapLayer {
                     return new Shown(area, rings);
                 })
                 .toList();
-        changed();
+        stillChanged();
     }
 
     @Override
-    protected void paint(MapPaint paint) {
+    protected void paintStill(MapPaint paint) {
         areas.forEach(shown -> paint.paint(shown.area().id(), () -> paint(paint, shown)));
     }
 

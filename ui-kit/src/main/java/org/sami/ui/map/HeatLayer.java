@@ -32,9 +32,12 @@ public final class HeatLayer extends MapLayer {
 
     /** Shows a heat map instead of the one before; none leaves the layer empty. */
     public void show(Optional<HeatMap> map) {
+        if (map.equals(this.map)) {
+            return;
+        }
         this.map = map;
         image = map.map(HeatLayer::image).orElse(null);
-        changed();
+        stillChanged();
     }
 
     private static BufferedImage image(HeatMap map) {
@@ -70,7 +73,7 @@ public final class HeatLayer extends MapLayer {
     }
 
     @Override
-    protected void paint(MapPaint paint) {
+    protected void paintStill(MapPaint paint) {
         map.ifPresent(heat -> {
             MapFrame frame = paint.frame();
             int left = (int) Math.round(frame.px(heat.bounds().corners().get(0)));

@@ -13,7 +13,9 @@ import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.geo.Mercator;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.Theme;
 
 /** The map itself, without what stands around it: base map, grid, layers, tool, scale. */
 final class MapCanvas extends JXMapViewer {
@@ -23,6 +25,7 @@ final class MapCanvas extends JXMapViewer {
     private final transient MapLayers layers = new MapLayers(this::repaint);
     private final transient MapScale scale = new MapScale();
     private final transient MapMessage message = new MapMessage();
+    private final transient StillImage still = new StillImage();
     private transient MapTool tool = new MapTool() {};
     private transient Set<String> highlighted = Set.of();
     private transient Optional<GeoBounds> toFit = Optional.empty();
@@ -165,28 +168,57 @@ final class MapCanvas extends JXMapViewer {
         toFit.ifPresent(this::fit);
     }
 
+    /** All that {@link #paintStill} depends on. */
+    private record Still(
+            MapFrame frame,
+            boolean grid,
+            OfflineTiles tiles,
+            long tilesRevision,
+            Object layers,
+            Set<String> highlighted,
+            Theme theme,
+            int percent) {}
+
     @Override
     protected void drawMapTiles(Graphics g, int zoom, Rectangle viewport) {
+        Still now = new Still(
+                frame(),
+                grid,
+                tiles(),
+                tiles().revision(),
+                layers.stillRevision(),
+                highlighted,
+                Look.theme(),
+                Look.scalePercent());
+        still.paint((Graphics2D) g, now, getWidth(), getHeight(), own -> paintStill(own, zoom, viewport));
+    }
+
+    private void paintStill(Graphics2D g, int zoom, Rectangle viewport) {
         g.setColor(SemanticColor.MAP_WATER.get());
         g.fillRect(0, 0, getWidth(), getHeight());
-        g.setFont(Fonts.small());
-        tiles().paint((Graphics2D) g, zoom, viewport);
+        MapPaint paint = paint(g);
+        tiles().paint(g, zoom, viewport);
+        if (grid) {
+            scale.paintGrid(paint);
+        }
+        layers.visible().forEach(layer -> layer.paintStill(paint));
     }
 
     private void paintLayers(Graphics2D graphics) {
         Graphics2D g = (Graphics2D) graphics.create();
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        g.setFont(Fonts.small());
-        MapPaint paint = new MapPaint(g, frame(), highlighted);
-        if (grid) {
-            scale.paintGrid(paint);
-        }
+        MapPaint paint = paint(g);
         layers.visible().forEach(layer -> layer.paint(paint));
         tool.paint(paint);
         scale.paint(paint, tiles().source().map(TileSource::attribution).orElse(""));
         message.paint(paint);
         g.dispose();
+    }
+
+    private MapPaint paint(Graphics2D g) {
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        g.setFont(Fonts.small());
+        return new MapPaint(g, frame(), highlighted);
     }
 }

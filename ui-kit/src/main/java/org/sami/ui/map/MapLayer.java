@@ -6,12 +6,16 @@ import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.geo.Snapping;
 
-/** One layer of a map: what it shows is set by its owner on the event thread, and painted at once. */
+/**
+ * One layer of a map: what it shows is set by its owner on the event thread, and painted at once. What stays as it is while vehicles move is
+ * painted by {@link #paintStill}, below all that moves, and kept until the layer says {@link #stillChanged}.
+ */
 public abstract class MapLayer {
     private final String id;
     private final String title;
     private boolean visible = true;
     private Runnable listener = () -> {};
+    private long stillRevision;
 
     /**
      * Makes a layer that is shown.
@@ -43,21 +47,35 @@ public abstract class MapLayer {
     public final void setVisible(boolean visible) {
         if (this.visible != visible) {
             this.visible = visible;
-            changed();
+            stillChanged();
         }
     }
 
-    /** Has the map painted again. */
+    /** Has the map painted again; of this layer what moves. */
     protected final void changed() {
         listener.run();
+    }
+
+    /** Has the map painted again with all of this layer. */
+    protected final void stillChanged() {
+        stillRevision++;
+        listener.run();
+    }
+
+    /** Grows when what is kept of this layer is to be painted again. */
+    final long stillRevision() {
+        return stillRevision;
     }
 
     final void listen(Runnable listener) {
         this.listener = listener;
     }
 
-    /** Paints it. */
-    protected abstract void paint(MapPaint paint);
+    /** Paints what stays as it is while vehicles move, if there is something. */
+    protected void paintStill(MapPaint paint) {}
+
+    /** Paints what moves, if something does. */
+    protected void paint(MapPaint paint) {}
 
     /** The box around what it shows; none where it has no place of its own. */
     public Optional<GeoBounds> bounds() {

@@ -2,6 +2,7 @@ package org.sami.ui.map;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import org.sami.ui.geo.GeoBounds;
@@ -57,6 +58,14 @@ public final class MapLayers {
     /** Those that are shown. */
     List<MapLayer> visible() {
         return layers.stream().filter(MapLayer::isVisible).toList();
+    }
+
+    /** Changes when what stays of the layers that are shown is to be painted again. */
+    Object stillRevision() {
+        return layers.stream()
+                .filter(MapLayer::isVisible)
+                .map(layer -> Map.entry(layer.id(), layer.stillRevision()))
+                .toList();
     }
 
     /** The box around all that is shown. */

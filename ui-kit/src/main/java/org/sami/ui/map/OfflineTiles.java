@@ -42,6 +42,7 @@ final class OfflineTiles extends TileFactory implements AutoCloseable {
         }
     };
     private boolean told;
+    private long revision;
 
     /**
      * Makes the tiles of a source, or of none.
@@ -74,6 +75,11 @@ final class OfflineTiles extends TileFactory implements AutoCloseable {
 
     Optional<TileSource> source() {
         return source;
+    }
+
+    /** Grows with each tile that has come: what was painted before is old then. */
+    long revision() {
+        return revision;
     }
 
     @Override
@@ -109,6 +115,7 @@ final class OfflineTiles extends TileFactory implements AutoCloseable {
         Optional<BufferedImage> answer = image;
         EventThread.later(() -> {
             tile.answer(answer);
+            revision++;
             repaint.run();
         });
     }

@@ -33,7 +33,7 @@ final class OutlineLayer extends MapLayer {
     }
 
     @Override
-    protected void paint(MapPaint paint) {
+    protected void paintStill(MapPaint paint) {
         paint.g().setStroke(Painting.line(1.5));
         for (List<WorldLine> rings : polygons) {
             Path2D path = new Path2D.Double(Path2D.WIND_EVEN_ODD);

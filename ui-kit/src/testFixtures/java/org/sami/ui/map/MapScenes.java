@@ -8,11 +8,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.Random;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.GeoBounds;
-import org.sami.ui.look.IdentityMark;
 
 /** Maps with something on them, for tests and benchmarks, and how one is painted without a display. */
 public final class MapScenes {
@@ -32,8 +30,11 @@ public final class MapScenes {
 
     /** A map with vehicles, their tracks of {@code trackPoints} points and paths, areas, a fence and a heat map. */
     public static MapView fleet(int vehicles, int trackPoints) {
-        MapView map = new MapView();
-        Random random = new Random(7);
+        return new MovingFleet(vehicles, trackPoints).map();
+    }
+
+    /** The areas and the heat map below a fleet. */
+    static void addGround(MapView map) {
         AreaLayer areas = map.layers().add(new AreaLayer("areas", "Areas"));
         areas.show(List.of(
                 new ShownArea("fence", "fence", square(0, 0, 190), ShownArea.Kind.FENCE),
@@ -41,45 +42,7 @@ public final class MapScenes {
                 new ShownArea("reeds", "reeds", square(110, -90, 40), ShownArea.Kind.NO_GO)));
         HeatLayer heat = map.layers().add(new HeatLayer("heat", "Temperature"));
         heat.show(Optional.of(heat()));
-        TrackLayer tracks = map.layers().add(new TrackLayer("tracks", "Tracks"));
-        PathLayer paths = map.layers().add(new PathLayer("paths", "Paths"));
-        VehicleLayer layer = map.layers().add(new VehicleLayer("vehicles", "Vehicles"));
-        List<ShownVehicle> shown = new ArrayList<>();
-        List<Track> past = new ArrayList<>();
-        List<PlannedPath> planned = new ArrayList<>();
-        for (int i = 0; i < vehicles; i++) {
-            double heading = random.nextDouble() * 2 * Math.PI;
-            List<GeoPoint> track = new ArrayList<>();
-            double x = random.nextDouble() * 300 - 150;
-            double y = random.nextDouble() * 300 - 150;
-            for (int k = 0; k < trackPoints; k++) {
-                heading += random.nextGaussian() * 0.06;
-                x += Math.sin(heading) * 0.3;
-                y += Math.cos(heading) * 0.3;
-                track.add(at(x, y));
-            }
-            IdentityMark mark = new IdentityMark(i);
-            String id = "proxy-" + i;
-            GeoPoint here = at(x, y);
-            past.add(new Track(id, mark, track));
-            planned.add(new PlannedPath(
-                    id,
-                    mark,
-                    List.of(track.get(trackPoints / 2), here, at(x + 40, y), at(x + 40, y + 30), at(x, y + 30)),
-                    2));
-            shown.add(new ShownVehicle(
-                    id, NAMES[i % NAMES.length], mark, here, heading, heading, i % 4 * 0.5, i == 3 ? 12 : 0.3, i == 1));
-        }
-        tracks.show(past);
-        paths.show(planned);
-        layer.show(shown);
-        return map;
     }
-
-    private static final String[] NAMES = {
-        "anna", "bert", "carl", "dora", "emil", "frida", "gustav", "hanna", "ida", "jan", "karl", "lena", "moritz",
-        "nora", "otto", "paula", "quirin", "rosa", "sven", "tilda"
-    };
 
     /** A square around a point so many metres east and north of the middle. */
     public static GeoArea square(double eastM, double northM, double halfM) {
