@@ -6,7 +6,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TestCase;
+import org.sami.spn.model.TestStart;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.value.Value;
 
@@ -29,9 +31,17 @@ final class TestCaseNames {
                 where = "test case \"" + testCase.name() + "\", step " + (steps.size() + 1);
                 steps.add(step(step));
             }
-            cases.add(testCase.withSteps(steps));
+            where = "test case \"" + testCase.name() + "\", start";
+            cases.add(testCase.withStart(testCase.start().map(this::start)).withSteps(steps));
         }
         return cases;
+    }
+
+    private TestStart start(TestStart start) {
+        List<StartMarking.Tokens> at = start.marking().places().stream()
+                .map(p -> new StartMarking.Tokens(element(p.place()), p.generic(), p.proxies(), tasks(p.tasks())))
+                .toList();
+        return new TestStart(new StartMarking(at), answers("", start.values()));
     }
 
     private TestStep step(TestStep step) {
@@ -56,9 +66,13 @@ final class TestCaseNames {
         if (!(answer.reply() instanceof TestStep.Reply.Values given)) {
             return answer.reply();
         }
+        return new TestStep.Reply.Values(answers(answer.event(), given.values()));
+    }
+
+    private Map<String, Value> answers(String event, Map<String, Value> given) {
         Map<String, Value> values = new LinkedHashMap<>();
-        given.values().forEach((key, value) -> values.put(key(answer.event(), key), value(value)));
-        return new TestStep.Reply.Values(values);
+        given.forEach((key, value) -> values.put(key(event, key), value(value)));
+        return values;
     }
 
     private String key(String event, String key) {

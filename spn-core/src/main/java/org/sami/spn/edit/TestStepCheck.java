@@ -49,15 +49,19 @@ final class TestStepCheck {
         if (!answer.event().isEmpty() && !outputs.containsKey(answer.event())) {
             return Optional.of("there is no output event " + answer.event());
         }
-        if (answer.reply() instanceof TestStep.Reply.Values given) {
-            return given.values().entrySet().stream()
-                    .filter(e -> AnswerKeys.type(vocabulary, outputs, variables, answer.event(), e.getKey())
-                            .filter(type -> type.accepts(e.getValue(), vocabulary.types()))
-                            .isEmpty())
-                    .map(e -> "nothing is asked under the name " + e.getKey() + ", or something of another type")
-                    .findFirst();
-        }
-        return Optional.empty();
+        return answer.reply() instanceof TestStep.Reply.Values given
+                ? given.values().entrySet().stream()
+                        .filter(e -> !isAsked(answer.event(), e.getKey(), e.getValue()))
+                        .map(e -> "nothing is asked under the name " + e.getKey() + ", or something of another type")
+                        .findFirst()
+                : Optional.empty();
+    }
+
+    /** Whether a value answers what an output event asks, or with empty text the mission at its start. */
+    boolean isAsked(String event, String key, Value value) {
+        return AnswerKeys.type(vocabulary, outputs, variables, event, key)
+                .filter(type -> type.accepts(value, vocabulary.types()))
+                .isPresent();
     }
 
     private Optional<String> occur(TestStep.Occur occur) {

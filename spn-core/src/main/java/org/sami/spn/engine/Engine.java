@@ -12,12 +12,12 @@ import org.sami.spn.engine.state.NetState;
 import org.sami.spn.engine.state.OpenDecision;
 import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.model.Project;
+import org.sami.spn.model.StartMarking;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Priority;
-import org.sami.spn.protocol.StartMarking;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**

@@ -10,7 +10,9 @@ import org.sami.spn.finding.Suggestions;
 import org.sami.spn.model.AnswerKeys;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Place;
+import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TestCase;
+import org.sami.spn.model.TestStart;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.value.DurationValue;
@@ -53,13 +55,37 @@ final class TestCaseReader {
     TestCase read(JsonObjectReader m) {
         String name = m.text("name");
         List<String> proxies = m.texts("proxies");
+        Optional<TestStart> start = m.object("start").map(this::start);
         List<TestStep> steps = new ArrayList<>();
         for (JsonObjectReader s : m.objects("steps")) {
             step(s).ifPresent(steps::add);
             s.done();
         }
         m.done();
-        return new TestCase(name, proxies, steps);
+        return new TestCase(name, proxies, start, steps);
+    }
+
+    private TestStart start(JsonObjectReader m) {
+        List<StartMarking.Tokens> at = new ArrayList<>();
+        for (JsonObjectReader p : m.objects("places")) {
+            at.add(new StartMarking.Tokens(
+                    known(p, "place", places), generic(p), p.texts("proxies"), p.texts("tasks")));
+            p.done();
+        }
+        if (at.isEmpty()) {
+            m.problem(Codes.BAD_VALUE, "places", "\"places\" says where the test case starts");
+        }
+        Map<String, Value> values = values(m, "");
+        m.done();
+        return new TestStart(new StartMarking(at), values);
+    }
+
+    private static int generic(JsonObjectReader m) {
+        int generic = m.integer("generic", 0);
+        if (generic < 0) {
+            m.problem(Codes.BAD_VALUE, "generic", "A number of tokens is not negative: " + generic);
+        }
+        return Math.max(0, generic);
     }
 
     private Optional<TestStep> step(JsonObjectReader s) {
@@ -84,12 +110,7 @@ final class TestCaseReader {
     }
 
     private TestStep expectTokens(JsonObjectReader s) {
-        int generic = s.integer("generic", 0);
-        if (generic < 0) {
-            s.problem(Codes.BAD_VALUE, "generic", "A number of tokens is not negative: " + generic);
-        }
-        return new TestStep.ExpectTokens(
-                known(s, "place", places), Math.max(0, generic), s.texts("proxies"), s.texts("tasks"));
+        return new TestStep.ExpectTokens(known(s, "place", places), generic(s), s.texts("proxies"), s.texts("tasks"));
     }
 
     private Optional<TestStep> answer(JsonObjectReader s) {
@@ -107,12 +128,7 @@ final class TestCaseReader {
             }
             reply = Optional.of(new TestStep.Reply.Rejected());
         } else if (s.has("values")) {
-            Map<String, Value> values = new LinkedHashMap<>();
-            s.map("values")
-                    .forEach((key, element) -> answerType(event, key, element.pointer())
-                            .flatMap(type -> parts.value(element, type))
-                            .ifPresent(v -> values.put(key, v)));
-            reply = Optional.of(new TestStep.Reply.Values(values));
+            reply = Optional.of(new TestStep.Reply.Values(values(s, event)));
         } else {
             s.problem(
                     Codes.MISSING,
@@ -120,6 +136,15 @@ final class TestCaseReader {
                     "An answer has one of \"yes\", \"proxies\", \"option\", \"rejected\", \"values\"");
         }
         return reply.map(r -> new TestStep.Answer(event, r));
+    }
+
+    private Map<String, Value> values(JsonObjectReader m, String event) {
+        Map<String, Value> values = new LinkedHashMap<>();
+        m.map("values")
+                .forEach((key, element) -> answerType(event, key, element.pointer())
+                        .flatMap(type -> parts.value(element, type))
+                        .ifPresent(v -> values.put(key, v)));
+        return values;
     }
 
     /** The type of a value in an answer, empty where the key means nothing, which is reported. */

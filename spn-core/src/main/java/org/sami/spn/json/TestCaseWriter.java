@@ -4,12 +4,15 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import org.sami.spn.model.AnswerKeys;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
+import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TestCase;
+import org.sami.spn.model.TestStart;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.value.DurationValue;
 import org.sami.spn.value.Value;
@@ -38,9 +41,30 @@ final class TestCaseWriter {
     ObjectNode write(TestCase test) {
         ObjectNode node = NODES.objectNode().put("name", test.name());
         PlanWriter.putTexts(node, "proxies", test.proxies());
+        test.start().ifPresent(start -> node.set("start", start(start)));
         ArrayNode steps = node.putArray("steps");
         test.steps().forEach(s -> steps.add(step(s)));
         return node;
+    }
+
+    private ObjectNode start(TestStart start) {
+        ObjectNode node = NODES.objectNode();
+        ArrayNode places = node.putArray("places");
+        for (StartMarking.Tokens at : start.marking().places()) {
+            putTokens(places.addObject().put("place", at.place()), at.generic(), at.proxies(), at.tasks());
+        }
+        if (!start.values().isEmpty()) {
+            putValues(node, "", start.values());
+        }
+        return node;
+    }
+
+    private static void putTokens(ObjectNode node, int generic, List<String> proxies, List<String> tasks) {
+        if (generic > 0) {
+            node.put("generic", generic);
+        }
+        PlanWriter.putTexts(node, "proxies", proxies);
+        PlanWriter.putTexts(node, "tasks", tasks);
     }
 
     private ObjectNode step(TestStep step) {
@@ -70,11 +94,7 @@ final class TestCaseWriter {
             node.put("do", "advance").set("by", ValueWriter.leaf(new DurationValue(s.millis())));
         } else if (step instanceof TestStep.ExpectTokens s) {
             node.put("expect", "tokens").put("place", s.place());
-            if (s.generic() > 0) {
-                node.put("generic", s.generic());
-            }
-            PlanWriter.putTexts(node, "proxies", s.proxies());
-            PlanWriter.putTexts(node, "tasks", s.tasks());
+            putTokens(node, s.generic(), s.proxies(), s.tasks());
         } else {
             node.put("expect", "ended");
         }
@@ -89,14 +109,18 @@ final class TestCaseWriter {
         } else if (reply instanceof TestStep.Reply.Option r) {
             node.put("option", r.index());
         } else if (reply instanceof TestStep.Reply.Values r) {
-            ObjectNode given = node.putObject("values");
-            for (Map.Entry<String, Value> e : r.values().entrySet()) {
-                ValueType type = AnswerKeys.type(vocabulary, outputs, variables, event, e.getKey())
-                        .orElseThrow(() -> new IllegalArgumentException("Nothing is asked as " + e.getKey()));
-                given.set(e.getKey(), values.write(e.getValue(), type));
-            }
+            putValues(node, event, r.values());
         } else {
             node.put("rejected", true);
+        }
+    }
+
+    private void putValues(ObjectNode node, String event, Map<String, Value> answers) {
+        ObjectNode given = node.putObject("values");
+        for (Map.Entry<String, Value> e : answers.entrySet()) {
+            ValueType type = AnswerKeys.type(vocabulary, outputs, variables, event, e.getKey())
+                    .orElseThrow(() -> new IllegalArgumentException("Nothing is asked as " + e.getKey()));
+            given.set(e.getKey(), values.write(e.getValue(), type));
         }
     }
 }

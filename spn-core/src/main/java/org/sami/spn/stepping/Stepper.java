@@ -10,7 +10,10 @@ import org.sami.spn.engine.EnablingExplanation;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.StateCodec;
+import org.sami.spn.engine.StateKey;
+import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TestCase;
+import org.sami.spn.model.TestStart;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Answer;
@@ -22,7 +25,6 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Outcome;
-import org.sami.spn.protocol.StartMarking;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
@@ -38,18 +40,23 @@ public final class Stepper {
     private final Engine engine;
     private final String plan;
     private final List<String> proxies;
-    private final boolean fromItsStart;
+    private final Optional<TestStart> from;
     private final List<Effect> startEffects = new ArrayList<>();
     private final List<Past> past = new ArrayList<>();
     private Moment now;
 
-    private Stepper(Engine engine, String plan, List<String> proxies, boolean fromItsStart) {
+    private Stepper(Engine engine, String plan, List<String> proxies, Optional<TestStart> from, Moment now) {
         this.engine = Objects.requireNonNull(engine, "engine");
         this.plan = Objects.requireNonNull(plan, "plan");
         this.proxies = List.copyOf(proxies);
-        this.fromItsStart = fromItsStart;
-        this.now = new Moment(engine.newState());
-        this.proxies.forEach(p -> run(new Input.ProxyJoined(p), startEffects));
+        this.from = from;
+        this.now = now;
+    }
+
+    private static Stepper knowing(List<String> proxies, Engine engine, String plan, Optional<TestStart> from) {
+        Stepper stepper = new Stepper(engine, plan, proxies, from, new Moment(engine.newState()));
+        proxies.forEach(p -> stepper.run(new Input.ProxyJoined(p), stepper.startEffects));
+        return stepper;
     }
 
     /**
@@ -61,7 +68,7 @@ public final class Stepper {
      * @throws IllegalArgumentException with the reason if the plan cannot start
      */
     public static Stepper start(Engine engine, String plan, String name, List<String> proxies) {
-        Stepper stepper = new Stepper(engine, plan, proxies, true);
+        Stepper stepper = knowing(proxies, engine, plan, Optional.empty());
         stepper.run(new Input.StartMission(plan, name, Map.of()), stepper.startEffects);
         rejection(stepper.startEffects).ifPresent(reason -> {
             throw new IllegalArgumentException(reason);
@@ -83,7 +90,7 @@ public final class Stepper {
             List<String> proxies,
             StartMarking marking,
             Map<String, Value> parameters) {
-        Stepper stepper = new Stepper(engine, plan, proxies, false);
+        Stepper stepper = knowing(proxies, engine, plan, Optional.of(new TestStart(marking, parameters)));
         engine.startAt(stepper.now.state, 0, new Input.StartMission(plan, name, parameters), marking, effect -> {
                     stepper.startEffects.add(effect);
                     stepper.now.saw(effect);
@@ -92,6 +99,31 @@ public final class Stepper {
                     throw new IllegalArgumentException(reason);
                 });
         return stepper;
+    }
+
+    /**
+     * Starts a plan as one of its test cases does, without taking its steps.
+     *
+     * @throws IllegalArgumentException with the reason if the plan cannot start so
+     */
+    public static Stepper startAs(Engine engine, String plan, TestCase test) {
+        return test.start().isEmpty()
+                ? start(engine, plan, test.name(), test.proxies())
+                : startAt(
+                        engine,
+                        plan,
+                        test.name(),
+                        test.proxies(),
+                        test.start().get().marking(),
+                        test.start().get().values());
+    }
+
+    /** A stepper of its own that has taken the same steps: what one of them does from now on, the other does not see. */
+    public Stepper fork() {
+        Stepper fork = new Stepper(engine, plan, proxies, from, now.copy());
+        fork.startEffects.addAll(startEffects);
+        fork.past.addAll(past);
+        return fork;
     }
 
     // ---- Steps
@@ -290,6 +322,11 @@ public final class Stepper {
         return Possible.of(view(), engine.vocabulary());
     }
 
+    /** Id of the output event that asks a decision; empty text where the mission asks at its start, or the engine itself does. */
+    public String eventAsking(Decision decision) {
+        return meaning().eventOf(decision);
+    }
+
     /** Why a transition of the tried mission, or of an instance in it, cannot fire now. */
     public EnablingExplanation whyNot(long mission, String transition) {
         return view().whyNotEnabled(mission, transition);
@@ -320,6 +357,11 @@ public final class Stepper {
         return StateCodec.encode(now.state);
     }
 
+    /** Names the present state by what it means: equal keys go on alike, whatever ids were given and at whatever time. */
+    public StateKey key() {
+        return StateKey.of(now.state);
+    }
+
     // ---- Recording
 
     /** Records that a place has the tokens that stand there now. */
@@ -336,8 +378,11 @@ public final class Stepper {
 
     /** Why the steps cannot be saved as a test case, naming the step; empty where they can. */
     public Optional<String> whyNotATestCase() {
-        if (!fromItsStart) {
-            return Optional.of("a test case begins at the plan's start place, and this began at a marking of its own");
+        for (String key : from.map(TestStart::values).orElse(Map.of()).keySet()) {
+            if (!key.startsWith("@") && key.indexOf('.') < 0) {
+                return Optional.of(
+                        "the value of " + key + " was given at the start without the event that asks for it");
+            }
         }
         for (int i = 0; i < past.size(); i++) {
             Optional<String> reason = past.get(i).notRecorded();
@@ -357,7 +402,8 @@ public final class Stepper {
         whyNotATestCase().ifPresent(reason -> {
             throw new IllegalStateException(reason);
         });
-        return new TestCase(name, proxies, past.stream().map(Past::recorded).toList());
+        return new TestCase(
+                name, proxies, from, past.stream().map(Past::recorded).toList());
     }
 
     private StepMeaning meaning() {

@@ -40,7 +40,12 @@ public final class TestCaseRunner {
         if (plan.startPlace().isEmpty()) {
             return Optional.of(finding(plan, test, "", "cannot run: the plan has no start place"));
         }
-        Stepper stepper = Stepper.start(engine, plan.id(), test.name(), test.proxies());
+        Stepper stepper;
+        try {
+            stepper = Stepper.startAs(engine, plan.id(), test);
+        } catch (IllegalArgumentException refused) {
+            return Optional.of(finding(plan, test, "/start", "cannot start: " + refused.getMessage()));
+        }
         for (int i = 0; i < test.steps().size(); i++) {
             Optional<String> difference = stepper.take(test.steps().get(i)).refusal();
             if (difference.isPresent()) {

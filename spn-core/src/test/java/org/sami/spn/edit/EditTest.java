@@ -16,7 +16,9 @@ import org.sami.spn.model.Mode;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
+import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TestCase;
+import org.sami.spn.model.TestStart;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.testing.NetBuilder;
@@ -82,6 +84,51 @@ class EditTest {
                 .singleElement()
                 .asString()
                 .contains("Step 2", "there is no output event start.Do");
+    }
+
+    @Test
+    void startOfATestCaseLosesAPlaceThatIsGoneAndGoesWithItsLast() {
+        TestStart both = new TestStart(
+                new StartMarking(List.of(
+                        new StartMarking.Tokens("start", 1, List.of(), List.of()),
+                        new StartMarking.Tokens("side", 1, List.of(), List.of()))),
+                Map.of());
+        TestStart one = new TestStart(
+                new StartMarking(List.of(new StartMarking.Tokens("side", 1, List.of(), List.of()))), Map.of());
+        TestCase test = new TestCase("runs", List.of(), List.of(new TestStep.ExpectEnded()));
+        Project project = NetBuilder.project(saying("p")
+                .places("side")
+                .build()
+                .withTestCases(List.of(
+                        test.withStart(Optional.of(both)),
+                        test.withName("later").withStart(Optional.of(one)))));
+
+        EditResult.Done done = done(project, new RemoveElements("p", Set.of("side")));
+
+        assertThat(plan(done, "p").testCases()).singleElement().satisfies(left -> {
+            assertThat(left.name()).isEqualTo("runs");
+            assertThat(left.start().orElseThrow().marking().places())
+                    .extracting(StartMarking.Tokens::place)
+                    .containsExactly("start");
+        });
+        assertThat(done.told())
+                .anyMatch(told -> told.contains("The tokens in side went along"))
+                .anyMatch(told -> told.contains("\"later\"") && told.contains("no place is left"));
+    }
+
+    @Test
+    void startOfATestCaseIsSpokenOfByItsNewId() {
+        TestStart start = new TestStart(
+                new StartMarking(List.of(new StartMarking.Tokens("start", 1, List.of(), List.of()))), Map.of());
+        Project project = NetBuilder.project(saying("p")
+                .build()
+                .withTestCases(List.of(new TestCase("runs", List.of(), Optional.of(start), List.of()))));
+
+        EditResult.Done done = done(project, new RenameElement("p", "start", "begin"));
+
+        assertThat(new Usages(done.changed()).ofElement("p", "begin"))
+                .extracting(Usage::where)
+                .contains("test case \"runs\", start");
     }
 
     @Test

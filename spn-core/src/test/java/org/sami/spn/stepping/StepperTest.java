@@ -13,13 +13,14 @@ import org.sami.spn.engine.MissionView;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
+import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TestCase;
+import org.sami.spn.model.TestStart;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Outcome;
-import org.sami.spn.protocol.StartMarking;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.testcase.TestCaseRunner;
 import org.sami.spn.testing.NetBuilder;
@@ -207,7 +208,42 @@ class StepperTest {
 
         middle.advanceToNextTimer();
         assertThat(middle.outcome()).contains(Outcome.ENDED);
-        assertThat(middle.whyNotATestCase()).isPresent();
+        middle.expectEnded();
+        TestCase recorded = middle.testCase("from the middle");
+        assertThat(recorded.start()).contains(new TestStart(marking, Map.of()));
+        assertThat(new TestCaseRunner(project(), TestVocabulary.TEST).run(VISIT, recorded))
+                .isEmpty();
+        assertThat(new TestCaseRunner(project(), TestVocabulary.TEST)
+                        .run(VISIT, recorded.withStart(java.util.Optional.empty())))
+                .as("from the plan's own start place it goes another way")
+                .isPresent();
+    }
+
+    @Test
+    void aTestCaseThatCannotStartIsAFindingAtItsStart() {
+        StartMarking gone = new StartMarking(List.of(new StartMarking.Tokens("end", 1, List.of(), List.of())));
+        TestCase test = new TestCase("late", List.of("A"), List.of(new TestStep.ExpectEnded()))
+                .withStart(java.util.Optional.of(new TestStart(gone, Map.of())));
+        Plan plan = VISIT.withTestCases(List.of(test));
+
+        assertThat(new TestCaseRunner(NetBuilder.project(plan), TestVocabulary.TEST).run(plan, test))
+                .hasValueSatisfying(finding -> {
+                    assertThat(finding.pointer()).isEqualTo("/plans/0/testCases/0/start");
+                    assertThat(finding.message()).contains("\"late\", cannot start: 'end' is an end place");
+                });
+    }
+
+    @Test
+    void aForkGoesItsOwnWay() {
+        choose("A", "B");
+        Stepper fork = stepper.fork();
+        fork.take(new TestStep.Press("Recall", List.of("A")));
+
+        assertThat(fork.steps()).hasSize(2);
+        assertThat(stepper.steps()).hasSize(1);
+        assertThat(tokens("work")).containsExactly(robot("A"), robot("B"));
+        fork.back(1);
+        assertThat(fork.stateBytes()).isEqualTo(stepper.stateBytes());
     }
 
     @Test
@@ -243,6 +279,8 @@ class StepperTest {
         Stepper given = Stepper.startAt(asking, "asks", "x", List.of(), marking, Map.of("speed", new RealValue(2)));
         assertThat(given.possible().activations().get(0).activation().value("speed"))
                 .contains(new RealValue(2));
+        assertThat(given.whyNotATestCase())
+                .hasValueSatisfying(why -> assertThat(why).contains("speed"));
     }
 
     @Test

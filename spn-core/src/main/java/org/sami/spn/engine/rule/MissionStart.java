@@ -14,13 +14,13 @@ import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.TaskState;
 import org.sami.spn.engine.state.Visit;
 import org.sami.spn.model.FieldSource;
+import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TaskSpec;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.MissionStatus;
-import org.sami.spn.protocol.StartMarking;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.Value;
 

@@ -1,12 +1,10 @@
-package org.sami.spn.protocol;
+package org.sami.spn.model;
 
 import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
-import org.sami.spn.model.Place;
-import org.sami.spn.model.Plan;
 
 /**
  * A marking from which a mission is to start instead of its start place, to try a plan from the middle
