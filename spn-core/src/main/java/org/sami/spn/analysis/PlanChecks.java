@@ -42,7 +42,7 @@ public final class PlanChecks {
             new EmptyPools(),
             new SubMissions(),
             new SharedInstancesOver(),
-            new SubMissionTokens(),
+            new MissingSubMissions(),
             new ReturnValues(),
             new CommandsAtTheEnd(),
             new Livelocks(),

@@ -14,14 +14,12 @@ import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.Reserved;
 
-/** Who waits for what a sub-mission reports has one before it, and one that can return the awaited value (appendix .2.2). */
+/** Who waits for a value that a sub-mission returns has one before it that can return it (appendix .2.2). */
 final class ReturnValues implements PlanCheck {
-    private static final Set<EventRole> REPORTED = Set.of(EventRole.CHECK_RETURN, EventRole.SUB_MISSION_ABORTED);
-
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (PlacedInput input : plan.inputs()) {
-            if (!REPORTED.contains(input.type().role())) {
+            if (input.type().role() != EventRole.CHECK_RETURN) {
                 continue;
             }
             List<Plan> children = plan.inPlaces(input.transition()).stream()
@@ -29,18 +27,7 @@ final class ReturnValues implements PlanCheck {
                     .map(plan::child)
                     .flatMap(Optional::stream)
                     .toList();
-            if (children.isEmpty()) {
-                report.accept(Fixes.removing(
-                        plan,
-                        input,
-                        Finding.error(
-                                "E-NO-SUB-MISSION",
-                                input.pointer(),
-                                "The " + PlanContext.name(input.transition()) + " waits for "
-                                        + input.type().name() + ", but no place before it has a sub-mission",
-                                input.transition().id(),
-                                input.spec().id())));
-            } else if (input.type().role() == EventRole.CHECK_RETURN) {
+            if (!children.isEmpty()) {
                 checkValue(plan, input, children, report);
             }
         }

@@ -34,7 +34,8 @@ import org.sami.spn.vocabulary.Vocabulary;
 
 /** What the checks doubt of locations and ways that are known before a run. */
 class GeographyChecksTest {
-    static final Set<String> CODES = Set.of("W-FAR-AWAY", "W-SWAPPED", "W-AVOIDED", "W-OUTSIDE", "W-BEYOND-RANGE");
+    private static final Set<String> CODES =
+            Set.of("W-FAR-AWAY", "W-SWAPPED", "W-AVOIDED", "W-OUTSIDE", "W-BEYOND-RANGE");
 
     private static final ValueType POINTS = new ValueType.ListOf(ValueType.Simple.POINT);
     private static final ValueType PATHS = new ValueType.MapOf(ValueType.Simple.PROXY, ValueType.Simple.PATH);
@@ -124,6 +125,38 @@ class GeographyChecksTest {
             assertThat(finding.pointer()).isEqualTo(pointer);
             assertThat(finding.message()).contains(words);
         });
+    }
+
+    /** For each code a plan that must be found, and one like it that must pass without that finding. */
+    static List<PlanChecksTest.Case> pairs() {
+        ListValue far = list(at(0, 0), at(100, 0), at(200, 50), at(50_000, 0));
+        ListValue near = list(at(0, 0), at(100, 0), at(200, 50), at(3000, 0));
+        GeoPoint right = at(300, 0);
+        ListValue swapped = list(at(0, 0), GeoPoint.of(right.lonDeg(), right.latDeg()), at(200, 50));
+        FieldSource two = fixed(list(at(0, 0), at(150, 150)));
+        FieldSource there = fixed(list(square(100, 100, 100)));
+        FieldSource elsewhere = fixed(list(square(300, 300, 100)));
+        return List.of(
+                pair("W-FAR-AWAY", Map.of("locations", fixed(far)), Map.of("locations", fixed(near))),
+                pair("W-SWAPPED", Map.of("locations", fixed(swapped)), Map.of("locations", fixed(near))),
+                pair(
+                        "W-AVOIDED",
+                        Map.of("locations", two, "avoid", there),
+                        Map.of("locations", two, "avoid", elsewhere)),
+                pair(
+                        "W-OUTSIDE",
+                        Map.of("locations", two, "within", fixed(square(-10, -10, 100))),
+                        Map.of("locations", two, "within", fixed(square(-10, -10, 200)))),
+                pair("W-BEYOND-RANGE", lanes(50), lanes(500)));
+    }
+
+    private static Map<String, FieldSource> lanes(double spacingM) {
+        return Map.of("area", fixed(square(0, 0, 1000)), "spacing", fixed(new RealValue(spacingM)));
+    }
+
+    private static PlanChecksTest.Case pair(String code, Map<String, FieldSource> bad, Map<String, FieldSource> good) {
+        return new PlanChecksTest.Case(
+                code, project(visit(bad).build()), project(visit(good).build()), WORDS);
     }
 
     @Test

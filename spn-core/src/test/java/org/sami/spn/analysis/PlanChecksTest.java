@@ -11,6 +11,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -36,18 +37,23 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.value.VariableReference;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /** For each code a tiny plan that must be found, and one like it that must pass without that finding. */
 class PlanChecksTest {
     private static final Path SOURCES = Path.of("src/main/java/org/sami/spn/analysis");
     private static final Path DOCUMENT = Path.of("../docs/plan-checks.md");
     private static final String ONLY_WITH_A_PROGRAM = "W-NO-HANDLER";
-    private static final int LEAST_CODES = 30;
+    private static final int LEAST_CODES = 50;
     private static final FieldSource SPEED = new FieldSource.Fixed(new RealValue(1));
     private static final ValueType REAL = ValueType.Simple.REAL;
     private static final ValueType TEXT = ValueType.Simple.TEXT;
 
-    record Case(String code, Project bad, Project good) {
+    record Case(String code, Project bad, Project good, Vocabulary words) {
+        Case(String code, Project bad, Project good) {
+            this(code, bad, good, CheckWords.WORDS);
+        }
+
         @Override
         public String toString() {
             return code;
@@ -154,6 +160,7 @@ class PlanChecksTest {
         addTokenCases(cases);
         addVariableCases(cases);
         addSubMissionCases(cases);
+        cases.addAll(GeographyChecksTest.pairs());
         return cases;
     }
 
@@ -395,25 +402,26 @@ class PlanChecksTest {
     @ParameterizedTest
     @MethodSource("cases")
     void badPlanIsFoundAndGoodOneIsNot(Case c) {
-        assertThat(PlanChecks.check(c.bad(), CheckWords.WORDS))
+        assertThat(PlanChecks.check(c.bad(), c.words()))
                 .extracting(Finding::code)
                 .contains(c.code());
-        assertThat(PlanChecks.check(c.good(), CheckWords.WORDS))
+        assertThat(PlanChecks.check(c.good(), c.words()))
                 .extracting(Finding::code)
                 .doesNotContain(c.code());
     }
 
+    @ParameterizedTest
+    @MethodSource("cases")
+    void findingSaysWhatItIsAboutSoThatAWindowCanShowIt(Case c) {
+        assertThat(PlanChecks.check(c.bad(), c.words())).allSatisfy(finding -> {
+            assertThat(finding.plan()).isNotEmpty();
+            assertThat(finding.elements()).as("elements of %s", finding).isNotEmpty();
+        });
+    }
+
     @Test
-    void everyCodeIsTriedAndDocumented() throws IOException {
-        Set<String> codes = new TreeSet<>();
-        try (Stream<Path> files = Files.list(SOURCES)) {
-            for (Path file : files.toList()) {
-                Matcher code = Pattern.compile("\"([EW]-[A-Z-]+)\"").matcher(Files.readString(file));
-                while (code.find()) {
-                    codes.add(code.group(1));
-                }
-            }
-        }
+    void everyCodeHasAPairAndIsDocumented() throws IOException {
+        Set<String> codes = codesByClass(SOURCES).keySet();
         Set<String> documented = new TreeSet<>();
         Matcher code = Pattern.compile("`([EW]-[A-Z-]+[A-Z])`").matcher(Files.readString(DOCUMENT));
         while (code.find()) {
@@ -423,9 +431,31 @@ class PlanChecksTest {
         assertThat(codes).hasSizeGreaterThan(LEAST_CODES);
         Set<String> tried = new TreeSet<>(cases().stream().map(Case::code).toList());
         tried.add(ONLY_WITH_A_PROGRAM);
-        tried.addAll(GeographyChecksTest.CODES);
         assertThat(tried).isEqualTo(codes);
-        assertThat(documented).isEqualTo(codes);
+        Set<String> all = new TreeSet<>(codes);
+        all.addAll(codesByClass(SOURCES.resolve("space")).keySet());
+        assertThat(documented).isEqualTo(all);
+    }
+
+    @Test
+    void everyCodeIsOfOneClass() throws IOException {
+        assertThat(codesByClass(SOURCES))
+                .allSatisfy((code, classes) ->
+                        assertThat(classes).as("who finds %s", code).hasSize(1));
+    }
+
+    private static Map<String, Set<String>> codesByClass(Path folder) throws IOException {
+        Map<String, Set<String>> codes = new TreeMap<>();
+        try (Stream<Path> files = Files.list(folder)) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                Matcher code = Pattern.compile("\"([EW]-[A-Z-]+)\"").matcher(Files.readString(file));
+                while (code.find()) {
+                    codes.computeIfAbsent(code.group(1), c -> new TreeSet<>())
+                            .add(file.getFileName().toString());
+                }
+            }
+        }
+        return codes;
     }
 
     @Test
