@@ -1,0 +1,158 @@
+package org.sami.spn.analysis.space;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.sami.spn.engine.Engine;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.TestCase;
+import org.sami.spn.model.TestStep;
+import org.sami.spn.stepping.Stepper;
+import org.sami.spn.testing.NetBuilder;
+import org.sami.spn.testing.TestVocabulary;
+
+/** What deep checks find on small plans whose states can be counted by hand. */
+class DeepCheckTest {
+    private static final List<String> ROBOTS = List.of("A", "B");
+
+    /** The operator says yes or no; who says no is left standing unless there is a way out. */
+    private static NetBuilder asking() {
+        return new NetBuilder("asks")
+                .start("ask")
+                .output("ask", "Approve")
+                .end("end")
+                .transition("yes", "Yes")
+                .in("ask", "yes", "any >= 1")
+                .out("yes", "end", "take all any")
+                .transition("no", "No")
+                .in("ask", "no", "any >= 1")
+                .out("no", "waiting", "take all any");
+    }
+
+    private static NetBuilder withWayOut() {
+        return asking().in("waiting", "again", "any >= 1").out("again", "end", "take all any");
+    }
+
+    private static DeepRequest request(Plan plan, int mostStates) {
+        return new DeepRequest(NetBuilder.project(plan), TestVocabulary.TEST, plan.id(), ROBOTS, mostStates);
+    }
+
+    @Test
+    void stateFromWhichNoEndIsReachedComesWithTheShortestWayThere() {
+        Plan plan = asking().build();
+
+        DeepResult result = new StuckStates().run(request(plan, 100), SearchWatch.NONE);
+
+        assertThat(result.complete()).isTrue();
+        assertThat(result.findings()).singleElement().satisfies(found -> {
+            Finding finding = found.finding();
+            assertThat(finding.code()).isEqualTo("W-STUCK");
+            assertThat(finding.plan()).isEqualTo("asks");
+            assertThat(finding.elements()).containsExactly("waiting");
+            assertThat(finding.message()).contains("can end no more", "waiting", "1 step", "2 robots");
+            TestCase witness = found.witness().orElseThrow();
+            assertThat(witness.proxies()).isEqualTo(ROBOTS);
+            assertThat(witness.steps())
+                    .containsExactly(new TestStep.Answer("ask.Approve", new TestStep.Reply.YesNo(false)));
+            Stepper played =
+                    Stepper.startAs(new Engine(TestVocabulary.TEST, NetBuilder.project(plan)), "asks", witness);
+            witness.steps()
+                    .forEach(step -> assertThat(played.take(step).refusal()).isEmpty());
+            assertThat(played.view().mission(played.mission()).orElseThrow().marking())
+                    .containsOnlyKeys("waiting");
+            assertThat(played.outcome()).isEmpty();
+        });
+    }
+
+    @Test
+    void planThatCanAlwaysEndHasNoStuckState() {
+        DeepResult result = new StuckStates().run(request(withWayOut().build(), 100), SearchWatch.NONE);
+
+        assertThat(result.findings()).isEmpty();
+        assertThat(result.complete()).isTrue();
+        assertThat(result.summary())
+                .isEqualTo("All 2 states with 2 robots were looked at: from each of them the mission can still end");
+    }
+
+    @Test
+    void ringThatGoesOnForEverIsStuckToo() {
+        Plan plan = asking().output("waiting", "Do")
+                .transition("done", "Done")
+                .in("waiting", "done", "any >= 1")
+                .out("done", "waiting", "take all any")
+                .build();
+
+        assertThat(new StuckStates().run(request(plan, 100), SearchWatch.NONE).findings())
+                .isNotEmpty()
+                .allSatisfy(found -> assertThat(found.finding().elements()).containsExactly("waiting"));
+    }
+
+    @Test
+    void stateBeyondTheBoundIsNotCalledStuck() {
+        DeepResult result = new StuckStates().run(request(asking().build(), 1), SearchWatch.NONE);
+
+        assertThat(result.complete()).isFalse();
+        assertThat(result.findings()).isEmpty();
+        assertThat(result.summary()).startsWith("Of the first 1 states").endsWith("not looked at");
+    }
+
+    @Test
+    void placeThatNobodyEntersIsAWarningOnlyWhereAllWasLookedAt() {
+        Plan plan = asking().in("ask", "both", "any >= 9")
+                .in("waiting", "both", "any >= 1")
+                .out("both", "treasure", "take all any")
+                .build();
+
+        DeepResult all = new NeverReached().run(request(plan, 100), SearchWatch.NONE);
+        assertThat(all.findings())
+                .extracting(
+                        found -> found.finding().code() + " " + found.finding().elements())
+                .containsExactlyInAnyOrder("W-NEVER-REACHED [treasure]", "W-NEVER-REACHED [both]");
+        assertThat(all.findings())
+                .allSatisfy(found -> assertThat(found.witness()).isEmpty());
+
+        DeepResult some = new NeverReached().run(request(plan, 1), SearchWatch.NONE);
+        assertThat(some.findings())
+                .isNotEmpty()
+                .allSatisfy(found -> assertThat(found.finding().code()).isEqualTo("N-NOT-REACHED"));
+
+        assertThat(new NeverReached()
+                        .run(request(withWayOut().build(), 100), SearchWatch.NONE)
+                        .findings())
+                .isEmpty();
+    }
+
+    @Test
+    void searchStopsWhenItIsToldToAndSaysHowFarItCame() {
+        List<Integer> told = new ArrayList<>();
+        SearchWatch stopped = new SearchWatch() {
+            @Override
+            public void looked(int states, int waiting) {
+                told.add(states);
+            }
+
+            @Override
+            public boolean isCancelled() {
+                return true;
+            }
+        };
+
+        DeepResult result = new StuckStates().run(request(asking().build(), 100), stopped);
+
+        assertThat(result.states()).isZero();
+        assertThat(result.complete()).isFalse();
+        assertThat(told).containsExactly(0);
+    }
+
+    @Test
+    void everyDeepCheckHasAnIdOfItsOwnAndSaysWhatItFinds() {
+        assertThat(DeepCheck.ALL).extracting(DeepCheck::id).doesNotHaveDuplicates();
+        assertThat(DeepCheck.ALL).allSatisfy(check -> {
+            assertThat(check.id()).matches("[a-z]+(-[a-z]+)*");
+            assertThat(check.help()).endsWith(".");
+        });
+    }
+}
