@@ -1,7 +1,10 @@
 package org.sami.ui;
 
 import java.awt.EventQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executor;
+import java.util.function.Supplier;
 
 /**
  * The one border to Swing's event thread: models and links know no Swing, and hand what a view is to show to {@link #executor()}.
@@ -18,6 +21,32 @@ public final class EventThread {
     /** Runs a task on the event thread after what is queued there; never waits. */
     public static void later(Runnable task) {
         EventQueue.invokeLater(task);
+    }
+
+    /**
+     * Runs work on the event thread and waits for what it makes: for the thread on which a program starts, never for one that the event
+     * thread may wait for.
+     *
+     * @throws IllegalStateException if the work failed, with its reason
+     */
+    public static <T> T get(Supplier<T> work) {
+        CompletableFuture<T> done = new CompletableFuture<>();
+        EventQueue.invokeLater(() -> {
+            try {
+                done.complete(work.get());
+            } catch (RuntimeException | Error fault) {
+                done.completeExceptionally(fault);
+            }
+        });
+        try {
+            return done.get();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException("interrupted while the window opens", e);
+        } catch (ExecutionException fault) {
+            throw new IllegalStateException(
+                    "the window cannot be opened: " + fault.getCause().getMessage(), fault.getCause());
+        }
     }
 
     /** Whether the caller is on the event thread. */

@@ -3,21 +3,18 @@ package org.sami.crw.gui;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ExecutionException;
 import java.util.function.IntConsumer;
-import java.util.function.Supplier;
 import javax.swing.JOptionPane;
 import org.sami.crw.gui.replay.ReplayWindow;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.SessionOpener;
 import org.sami.crw.gui.start.StartOptions;
-import org.sami.crw.gui.start.WindowSettings;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.replay.ReplayedJournal;
 import org.sami.crw.session.Session;
 import org.sami.ui.EventThread;
 import org.sami.ui.look.Look;
+import org.sami.ui.window.WindowSettings;
 
 /** Opens a session and the window over it, on the main thread, which may wait. */
 final class WindowStart {
@@ -39,7 +36,7 @@ final class WindowStart {
      */
     static OperatorWindow open(StartOptions options, DataDirectory data, IntConsumer ended) throws IOException {
         WindowSettings settings = new WindowSettings(data.settings());
-        onEventThread(() -> {
+        EventThread.get(() -> {
             Look.apply(options.theme().orElse(settings.theme()), options.scale().orElse(settings.scale()));
             settings.keepLook();
             return null;
@@ -47,9 +44,9 @@ final class WindowStart {
         SessionOpener opener = new SessionOpener(data, options.boats(), options.project());
         Optional<Path> unfinished = data.unfinished();
         boolean goesOn = unfinished.isPresent()
-                && options.resume().orElseGet(() -> onEventThread(() -> asksToResume(unfinished.get())));
+                && options.resume().orElseGet(() -> EventThread.get(() -> asksToResume(unfinished.get())));
         Session session = goesOn ? opener.resume(unfinished.get()) : opener.openNew();
-        OperatorWindow window = onEventThread(() -> {
+        OperatorWindow window = EventThread.get(() -> {
             OperatorWindow made = new OperatorWindow(session, options.project(), data, settings, ended);
             made.open();
             return made;
@@ -66,7 +63,7 @@ final class WindowStart {
     static ReplayWindow openReplay(StartOptions options, DataDirectory data, IntConsumer ended) throws IOException {
         ReplayedJournal journal = ReplayedJournal.open(options.replay().orElseThrow());
         WindowSettings settings = new WindowSettings(data.settings());
-        return onEventThread(() -> {
+        return EventThread.get(() -> {
             Look.apply(options.theme().orElse(settings.theme()), options.scale().orElse(settings.scale()));
             settings.keepLook();
             ReplayWindow made = new ReplayWindow(journal, data, settings, ended);
@@ -88,25 +85,5 @@ final class WindowStart {
                 answers,
                 answers[0]);
         return answer == 0;
-    }
-
-    private static <T> T onEventThread(Supplier<T> work) {
-        CompletableFuture<T> done = new CompletableFuture<>();
-        EventThread.later(() -> {
-            try {
-                done.complete(work.get());
-            } catch (RuntimeException | Error fault) {
-                done.completeExceptionally(fault);
-            }
-        });
-        try {
-            return done.get();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new IllegalStateException("interrupted while the window opens", e);
-        } catch (ExecutionException fault) {
-            throw new IllegalStateException(
-                    "the window cannot be opened: " + fault.getCause().getMessage(), fault.getCause());
-        }
     }
 }

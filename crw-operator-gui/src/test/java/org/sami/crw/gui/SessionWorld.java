@@ -15,7 +15,6 @@ import javax.swing.JTable;
 import javax.swing.text.JTextComponent;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.gui.context.BoatSelection;
-import org.sami.crw.gui.context.Notices;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.value.SessionEditors;
 import org.sami.crw.session.Session;
@@ -33,6 +32,7 @@ import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.value.MapMaker;
 import org.sami.ui.value.ValueEditors;
+import org.sami.ui.window.Notices;
 
 /** A session with simulated boats behind loopback sockets, and panels over it that need no display: for tests only. */
 public final class SessionWorld implements AutoCloseable {

@@ -26,6 +26,8 @@ public final class Command extends AbstractAction {
     private Supplier<Optional<String>> whyNot = Optional::empty;
     private Optional<KeyStroke> key = Optional.empty();
     private transient List<KeyStroke> focusKeys = List.of();
+    private Optional<String> locked = Optional.empty();
+    private boolean hidden;
     private boolean always;
 
     /**
@@ -106,6 +108,23 @@ public final class Command extends AbstractAction {
         return this;
     }
 
+    /** Takes it from the window's person: it is in no menu and no search, and no key runs it. */
+    void hide() {
+        hidden = true;
+        lock("it is not part of this window");
+    }
+
+    /** Keeps it from being run for as long as the window is open, for this reason. */
+    void lock(String reason) {
+        locked = Optional.of(reason);
+        refresh();
+    }
+
+    /** Whether it is taken from the window's person. */
+    public boolean isHidden() {
+        return hidden;
+    }
+
     /** Its stable id. */
     public String id() {
         return id;
@@ -132,12 +151,12 @@ public final class Command extends AbstractAction {
 
     /** Why it cannot be run now, in one sentence; empty where it can. */
     public Optional<String> whyNot() {
-        return whyNot.get();
+        return locked.or(whyNot);
     }
 
     /** Asks anew whether it can be run. */
     public void refresh() {
-        Optional<String> reason = whyNot.get();
+        Optional<String> reason = whyNot();
         setEnabled(reason.isEmpty());
         describe(reason);
     }

@@ -11,6 +11,7 @@ public final class CommandButton extends JButton {
     public CommandButton(Command command) {
         super(command);
         setName(command.id());
+        setVisible(!command.isHidden());
         setIconTextGap(Look.px(Spacing.TIGHT));
     }
 

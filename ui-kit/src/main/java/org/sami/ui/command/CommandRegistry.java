@@ -1,9 +1,9 @@
 package org.sami.ui.command;
 
 import java.util.Collection;
-import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import javax.swing.KeyStroke;
 
@@ -11,6 +11,17 @@ import javax.swing.KeyStroke;
 public final class CommandRegistry {
     private final Map<String, Command> commands = new LinkedHashMap<>();
     private final Map<KeyStroke, Command> keys = new LinkedHashMap<>();
+    private final CommandPolicy policy;
+
+    /** Commands that are all there. */
+    public CommandRegistry() {
+        this(CommandPolicy.ALL);
+    }
+
+    /** Commands of which some may be hidden or locked. */
+    public CommandRegistry(CommandPolicy policy) {
+        this.policy = Objects.requireNonNull(policy, "policy");
+    }
 
     /**
      * Adds a command.
@@ -30,15 +41,20 @@ public final class CommandRegistry {
             }
         });
         commands.put(command.id(), command);
+        if (!policy.shows(command.id())) {
+            command.hide();
+        } else {
+            policy.whyLocked(command.id()).ifPresent(command::lock);
+        }
         return command;
     }
 
-    /** All of them. */
+    /** All of them that are not hidden. */
     public Collection<Command> all() {
-        return Collections.unmodifiableCollection(commands.values());
+        return commands.values().stream().filter(command -> !command.isHidden()).toList();
     }
 
-    /** The command of an id. */
+    /** The command of an id, hidden or not. */
     public Optional<Command> find(String id) {
         return Optional.ofNullable(commands.get(id));
     }
@@ -53,7 +69,7 @@ public final class CommandRegistry {
 
     /** The command that a key runs. */
     public Optional<Command> ofKey(KeyStroke key) {
-        return Optional.ofNullable(keys.get(key));
+        return Optional.ofNullable(keys.get(key)).filter(command -> !command.isHidden());
     }
 
     /** Asks all commands anew whether they can be run: to be called when what they depend on has changed. */

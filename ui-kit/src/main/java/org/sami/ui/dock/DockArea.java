@@ -29,12 +29,12 @@ public final class DockArea extends JPanel implements AutoCloseable {
     /**
      * An area in a frame. Its arrangement is made by {@link #arrange}, once the frame has its size.
      *
+     * @param first how they lie at first; panels that it names and that are not there leave their place to the next
      * @param remembered the file of the arrangement
      */
     public DockArea(JFrame frame, List<DockPanel> panels, Arrangement first, Path remembered) {
         super(new BorderLayout());
         setName("dock-area");
-        this.first = first;
         Settings.setDefaultTabPreference(DockableTabPreference.TOP);
         Settings.setActiveHighlighterEnabled(false);
         Docking.initialize(frame);
@@ -44,8 +44,9 @@ public final class DockArea extends JPanel implements AutoCloseable {
             this.panels.put(panel.getPersistentID(), panel);
             Docking.registerDockable(panel);
         });
+        this.first = first.of(this.panels.keySet());
         AppState.setPersistFile(remembered.toFile());
-        AppState.setDefaultApplicationLayout(first.layout());
+        AppState.setDefaultApplicationLayout(this.first.layout());
     }
 
     /** Arranges the panels as they were left; as the program wants it where that is not known. From now on changes are kept. */

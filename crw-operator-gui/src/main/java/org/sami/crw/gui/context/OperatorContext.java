@@ -9,6 +9,7 @@ import org.sami.crw.session.Session;
 import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.look.IdentityMarks;
+import org.sami.ui.window.Notices;
 
 /**
  * What all panels of a window work on. On the event thread, which the session's results and the models' listeners arrive on as well.

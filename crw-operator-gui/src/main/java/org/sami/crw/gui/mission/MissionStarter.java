@@ -14,7 +14,6 @@ import javax.swing.JDialog;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.gui.start.WindowSettings;
 import org.sami.crw.sim.run.Parameters;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -22,6 +21,7 @@ import org.sami.spn.value.Value;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.value.ValueEditors;
+import org.sami.ui.window.WindowSettings;
 
 /** Starts missions: at once, when what the plan asks is asked as it goes, or with values given beforehand. */
 public final class MissionStarter {

@@ -1,9 +1,6 @@
 package org.sami.crw.gui.replay;
 
 import java.awt.BorderLayout;
-import java.awt.Dimension;
-import java.awt.GraphicsEnvironment;
-import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
@@ -20,13 +17,10 @@ import javax.swing.JPanel;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.BoatSelection;
-import org.sami.crw.gui.context.Notices;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.context.ProjectFile;
 import org.sami.crw.gui.start.DataDirectory;
-import org.sami.crw.gui.start.WindowSettings;
 import org.sami.crw.gui.window.OperatorPanels;
-import org.sami.crw.gui.window.ViewCommands;
 import org.sami.crw.gui.window.WindowMenus;
 import org.sami.crw.operator.DecisionQueue;
 import org.sami.crw.operator.PendingDecision;
@@ -40,6 +34,10 @@ import org.sami.ui.dock.DockArea;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.window.FrameSize;
+import org.sami.ui.window.Notices;
+import org.sami.ui.window.ViewCommands;
+import org.sami.ui.window.WindowSettings;
 
 /**
  * The operator's window over a journal: the same panels, a band that says that it is a replay, a time line. What would act on boats or missions
@@ -47,8 +45,6 @@ import org.sami.ui.look.SemanticColor;
  */
 public final class ReplayWindow {
     private static final int REFRESH_MS = 250;
-    private static final Dimension FIRST_SIZE = new Dimension(1600, 1000);
-    private static final Dimension LEAST_SIZE = new Dimension(1000, 640);
 
     /** Commands whose ids begin so only show something. */
     private static final Set<String> SHOWING =
@@ -104,7 +100,6 @@ public final class ReplayWindow {
         frame.getContentPane().add(band(journal), BorderLayout.NORTH);
         frame.getContentPane().add(dock);
         frame.getContentPane().add(timeLine, BorderLayout.SOUTH);
-        frame.setMinimumSize(LEAST_SIZE);
         keys = CommandKeys.install(commands);
         refresh = new Timer(REFRESH_MS, e -> panels.refresh());
         frame.addWindowListener(new WindowAdapter() {
@@ -176,10 +171,7 @@ public final class ReplayWindow {
 
     /** Shows it, as large as the screen allows, at a moment; empty = the start. */
     public void open(Optional<Long> atMillis) {
-        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        frame.setSize(Math.min(FIRST_SIZE.width, screen.width), Math.min(FIRST_SIZE.height, screen.height));
-        frame.setLocationRelativeTo(null);
-        frame.setVisible(true);
+        FrameSize.show(frame);
         dock.arrange();
         timeLine.focus();
         refresh.start();

@@ -1,16 +1,13 @@
 package org.sami.crw.gui.start;
 
 import java.io.IOException;
-import java.nio.channels.FileChannel;
-import java.nio.channels.FileLock;
-import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.Optional;
+import org.sami.ui.window.DirectoryLock;
 
 /**
  * Where a window keeps what outlives it: journals of sessions, the arrangement of panels, settings. One process has it at a time, held by a
@@ -22,11 +19,11 @@ public final class DataDirectory implements AutoCloseable {
     private static final int MOST_REPLAYS = 9;
 
     private final Path folder;
-    private final FileChannel channel;
+    private final DirectoryLock lock;
 
-    private DataDirectory(Path folder, FileChannel channel) {
+    private DataDirectory(Path folder, DirectoryLock lock) {
         this.folder = folder;
-        this.channel = channel;
+        this.lock = lock;
     }
 
     /**
@@ -35,16 +32,13 @@ public final class DataDirectory implements AutoCloseable {
      * @throws IOException if another process has it, which the message names with the lock, or it cannot be made
      */
     public static DataDirectory open(Path folder) throws IOException {
-        Files.createDirectories(folder.resolve("sessions"));
-        Path lock = folder.resolve("lock");
-        FileChannel channel =
-                FileChannel.open(lock, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
-        if (tryLock(channel).isEmpty()) {
-            channel.close();
-            throw new IOException("another window uses " + folder.toAbsolutePath() + " (lock: " + lock.toAbsolutePath()
-                    + "); close it, or give this one a folder of its own: --data DIR");
+        Optional<DirectoryLock> lock = DirectoryLock.take(folder);
+        if (lock.isEmpty()) {
+            throw new IOException("another window uses " + folder.toAbsolutePath() + " (lock: "
+                    + DirectoryLock.fileIn(folder) + "); close it, or give this one a folder of its own: --data DIR");
         }
-        return new DataDirectory(folder, channel);
+        Files.createDirectories(folder.resolve("sessions"));
+        return new DataDirectory(folder, lock.get());
     }
 
     /**
@@ -64,20 +58,9 @@ public final class DataDirectory implements AutoCloseable {
         throw taken;
     }
 
-    private static Optional<FileLock> tryLock(FileChannel channel) throws IOException {
-        try {
-            return Optional.ofNullable(channel.tryLock());
-        } catch (OverlappingFileLockException thisProcess) {
-            return Optional.empty();
-        }
-    }
-
     /** The directory of a person who names none, by the XDG rules. */
     public static Path ofUser() {
-        String data = System.getenv("XDG_DATA_HOME");
-        return data == null || data.isBlank()
-                ? Path.of(System.getProperty("user.home"), ".local", "share", "sami", "operator")
-                : Path.of(data, "sami", "operator");
+        return DirectoryLock.ofUser("operator");
     }
 
     /** The file of the arrangement of panels. */
@@ -128,6 +111,6 @@ public final class DataDirectory implements AutoCloseable {
 
     @Override
     public void close() throws IOException {
-        channel.close();
+        lock.close();
     }
 }

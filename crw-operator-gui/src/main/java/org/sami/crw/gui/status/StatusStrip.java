@@ -12,7 +12,6 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.boat.BoatWords;
-import org.sami.crw.gui.context.Notices.Notice;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.Alarm;
 import org.sami.crw.operator.BoatSnapshot;
@@ -24,6 +23,7 @@ import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.window.Notices.Notice;
 
 /** The strip at the top of the window: what there is, what waits, what is wrong, and the fleet stop. */
 public final class StatusStrip extends JPanel {

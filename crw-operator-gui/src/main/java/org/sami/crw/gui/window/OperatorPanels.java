@@ -17,7 +17,6 @@ import org.sami.crw.gui.notice.AlarmsPanel;
 import org.sami.crw.gui.notice.CommunicationPanel;
 import org.sami.crw.gui.notice.LogPanel;
 import org.sami.crw.gui.notice.MessagesPanel;
-import org.sami.crw.gui.start.WindowSettings;
 import org.sami.crw.gui.value.SessionEditors;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.ComponentLibrary;
@@ -26,6 +25,7 @@ import org.sami.ui.dock.Arrangement;
 import org.sami.ui.dock.DockPanel;
 import org.sami.ui.value.MapMaker;
 import org.sami.ui.value.ValueEditors;
+import org.sami.ui.window.WindowSettings;
 
 /** The panels of a window, over a session or over its replay, and how they lie at first. */
 public final class OperatorPanels implements AutoCloseable {

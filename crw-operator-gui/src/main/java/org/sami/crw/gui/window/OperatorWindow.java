@@ -1,9 +1,6 @@
 package org.sami.crw.gui.window;
 
 import java.awt.BorderLayout;
-import java.awt.Dimension;
-import java.awt.GraphicsEnvironment;
-import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
@@ -13,11 +10,9 @@ import java.util.function.IntConsumer;
 import javax.swing.JFrame;
 import javax.swing.Timer;
 import org.sami.crw.gui.context.BoatSelection;
-import org.sami.crw.gui.context.Notices;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.context.ProjectFile;
 import org.sami.crw.gui.start.DataDirectory;
-import org.sami.crw.gui.start.WindowSettings;
 import org.sami.crw.gui.status.FleetStopCommands;
 import org.sami.crw.gui.status.StatusStrip;
 import org.sami.crw.session.Session;
@@ -25,12 +20,13 @@ import org.sami.ui.command.CommandKeys;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockArea;
 import org.sami.ui.look.IdentityMarks;
+import org.sami.ui.window.FrameSize;
+import org.sami.ui.window.Notices;
+import org.sami.ui.window.WindowSettings;
 
 /** The operator's window over a session. On the event thread. */
 public final class OperatorWindow {
     private static final int REFRESH_MS = 250;
-    private static final Dimension FIRST_SIZE = new Dimension(1600, 1000);
-    private static final Dimension LEAST_SIZE = new Dimension(1000, 640);
 
     private final Session session;
     private final DataDirectory data;
@@ -73,7 +69,6 @@ public final class OperatorWindow {
         frame.setJMenuBar(new WindowMenus(context.commands(), panels.all()).bar());
         frame.getContentPane().add(strip, BorderLayout.NORTH);
         frame.getContentPane().add(dock);
-        frame.setMinimumSize(LEAST_SIZE);
         keys = CommandKeys.install(context.commands());
         refresh = new Timer(REFRESH_MS, e -> {
             strip.refresh();
@@ -89,10 +84,7 @@ public final class OperatorWindow {
 
     /** Shows it, as large as the screen allows. */
     public void open() {
-        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        frame.setSize(Math.min(FIRST_SIZE.width, screen.width), Math.min(FIRST_SIZE.height, screen.height));
-        frame.setLocationRelativeTo(null);
-        frame.setVisible(true);
+        FrameSize.show(frame);
         dock.arrange();
         panels.focusFirst();
         refresh.start();

@@ -9,7 +9,6 @@ import javax.swing.JFrame;
 import javax.swing.JOptionPane;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.start.ReplayProcess;
-import org.sami.crw.gui.start.WindowSettings;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.ProjectReader;
@@ -17,6 +16,8 @@ import org.sami.spn.json.Reading;
 import org.sami.spn.model.Project;
 import org.sami.ui.command.Command;
 import org.sami.ui.dock.DockArea;
+import org.sami.ui.window.ViewCommands;
+import org.sami.ui.window.WindowSettings;
 
 /** The commands of the window itself: connect boats, open a project, themes and scale, panels, help, end. */
 final class WindowCommands {

@@ -11,7 +11,6 @@ import javax.swing.AbstractButton;
 import javax.swing.text.JTextComponent;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.gui.context.BoatSelection;
-import org.sami.crw.gui.context.Notices;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionRuntime;
@@ -24,6 +23,7 @@ import org.sami.ui.check.Layout;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.value.MapMaker;
+import org.sami.ui.window.Notices;
 
 /** A session with simulated boats behind loopback sockets, and the panel of its decisions, which is acted on on the event thread. */
 final class PanelWorld implements AutoCloseable {

@@ -16,11 +16,11 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.gui.context.ProjectFile;
-import org.sami.crw.gui.start.WindowSettings;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
+import org.sami.ui.window.WindowSettings;
 
 @Timeout(120)
 class MissionEndingTest {

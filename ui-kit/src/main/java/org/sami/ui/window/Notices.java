@@ -1,4 +1,4 @@
-package org.sami.crw.gui.context;
+package org.sami.ui.window;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,4 +1,4 @@
-package org.sami.crw.gui.start;
+package org.sami.ui.window;
 
 import java.io.IOException;
 import java.io.Reader;

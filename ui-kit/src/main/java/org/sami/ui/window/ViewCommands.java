@@ -1,7 +1,6 @@
-package org.sami.crw.gui.window;
+package org.sami.ui.window;
 
 import javax.swing.JFrame;
-import org.sami.crw.gui.start.WindowSettings;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandKeysPanel;
 import org.sami.ui.command.CommandRegistry;

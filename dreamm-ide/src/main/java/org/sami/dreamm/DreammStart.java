@@ -1,0 +1,39 @@
+package org.sami.dreamm;
+
+import java.util.function.IntConsumer;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.start.AuthorDirectory;
+import org.sami.dreamm.start.DreammOptions;
+import org.sami.dreamm.start.FirstProject;
+import org.sami.dreamm.window.DreammWindow;
+import org.sami.ui.EventThread;
+import org.sami.ui.look.Look;
+import org.sami.ui.window.WindowSettings;
+
+/** Opens the window over the first project, on the main thread, which may wait. */
+final class DreammStart {
+    private DreammStart() {}
+
+    /** Opens it; the process ends with the window. */
+    static void open(DreammOptions options, FirstProject first, AuthorDirectory data) {
+        open(options, first, data, System::exit);
+    }
+
+    /**
+     * Opens it.
+     *
+     * @param ended is told when the window was closed
+     */
+    static DreammWindow open(DreammOptions options, FirstProject first, AuthorDirectory data, IntConsumer ended) {
+        WindowSettings settings = new WindowSettings(data.settings());
+        return EventThread.get(() -> {
+            Look.apply(options.theme().orElse(settings.theme()), options.scale().orElse(settings.scale()));
+            settings.keepLook();
+            DreammContext context = new DreammContext(first.domain(), first.document(), options.profile());
+            first.plan().ifPresent(context.editor()::open);
+            DreammWindow made = new DreammWindow(context, data, settings, ended);
+            made.open();
+            return made;
+        });
+    }
+}

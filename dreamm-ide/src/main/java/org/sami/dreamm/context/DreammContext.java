@@ -1,0 +1,125 @@
+package org.sami.dreamm.context;
+
+import java.util.Objects;
+import java.util.Optional;
+import org.sami.dreamm.document.EditorState;
+import org.sami.dreamm.document.ProjectDocument;
+import org.sami.dreamm.profile.Profile;
+import org.sami.spn.component.ComponentChoice;
+import org.sami.spn.component.ComponentLibrary;
+import org.sami.spn.edit.Edit;
+import org.sami.spn.edit.EditResult;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.vocabulary.Vocabulary;
+import org.sami.ui.command.CommandRegistry;
+import org.sami.ui.value.MapMaker;
+import org.sami.ui.value.ValueContext;
+import org.sami.ui.value.ValueEditors;
+import org.sami.ui.window.Notices;
+
+/** What all panels of a window work on. On the event thread. */
+public final class DreammContext implements AutoCloseable {
+    private final DomainLibrary domain;
+    private final ProjectDocument document;
+    private final EditorState editor;
+    private final Profile profile;
+    private final CommandRegistry commands;
+    private final Notices notices = new Notices();
+    private final BackgroundWork background = new BackgroundWork(notices::refused);
+    private final ValueEditors values;
+
+    /** The context of a window over a document. */
+    public DreammContext(DomainLibrary domain, ProjectDocument document, Profile profile) {
+        this.domain = Objects.requireNonNull(domain, "domain");
+        this.document = Objects.requireNonNull(document, "document");
+        this.profile = Objects.requireNonNull(profile, "profile");
+        editor = new EditorState(document);
+        commands = new CommandRegistry(profile);
+        values = new ValueEditors(
+                new ComponentChoice(domain.components(), domain.vocabulary().types()),
+                new ValueContext(domain.vocabulary().types(), new ProjectNames(document, editor), MapMaker.PLAIN));
+    }
+
+    /** The project that is written. */
+    public ProjectDocument document() {
+        return document;
+    }
+
+    /** What of it the author looks at. */
+    public EditorState editor() {
+        return editor;
+    }
+
+    /** What the author can have the window do. Their conditions are asked anew when the document or the editor's state changes. */
+    public CommandRegistry commands() {
+        return commands;
+    }
+
+    /** What of the window the author is given. */
+    public Profile profile() {
+        return profile;
+    }
+
+    /** The status line: what was done, and why something was not. */
+    public Notices notices() {
+        return notices;
+    }
+
+    /** The domain as it ships: words, components, plans. */
+    public DomainLibrary domain() {
+        return domain;
+    }
+
+    /** The words of the domain. */
+    public Vocabulary vocabulary() {
+        return domain.vocabulary();
+    }
+
+    /** The components with which the domain's values are given. */
+    public ComponentLibrary components() {
+        return domain.components();
+    }
+
+    /** Makes editors of values, for the open plan. */
+    public ValueEditors values() {
+        return values;
+    }
+
+    /** Does what is slow beside the event thread. */
+    public BackgroundWork background() {
+        return background;
+    }
+
+    /** Makes an edit and says in the status line what went along, or why it was refused. */
+    public EditResult apply(Edit edit) {
+        EditResult result = document.apply(edit);
+        if (result instanceof EditResult.Refused refused) {
+            notices.refused(refused.message());
+        } else if (result instanceof EditResult.Done done) {
+            notices.told(told(edit.label(), done));
+        }
+        return result;
+    }
+
+    /** Takes the last edit back and says so. */
+    public void undo() {
+        Optional<String> label = document.undoLabel();
+        document.undo().ifPresent(done -> notices.told(told("Undone: " + label.orElse(""), done)));
+    }
+
+    /** Makes the edit again that was taken back last, and says so. */
+    public void redo() {
+        Optional<String> label = document.redoLabel();
+        document.redo().ifPresent(done -> notices.told(told("Done again: " + label.orElse(""), done)));
+    }
+
+    private static String told(String label, EditResult.Done done) {
+        return done.told().isEmpty() ? label : label + " – " + String.join("; ", done.told());
+    }
+
+    /** Ends what works beside the event thread. */
+    @Override
+    public void close() {
+        background.close();
+    }
+}

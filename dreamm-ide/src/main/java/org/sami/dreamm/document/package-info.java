@@ -1,0 +1,5 @@
+/**
+ * The project that is written, with its history, and what of it is open and selected. No window: views listen to it, on the event thread.
+ * What an edit does stands in {@code org.sami.spn.edit}.
+ */
+package org.sami.dreamm.document;

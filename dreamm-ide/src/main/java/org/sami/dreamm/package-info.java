@@ -1,0 +1,2 @@
+/** DREAMM, the window in which plans are written (thesis 5.1): the program itself. Its parts stand in the packages below. */
+package org.sami.dreamm;

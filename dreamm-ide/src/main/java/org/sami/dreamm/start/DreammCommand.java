@@ -1,0 +1,122 @@
+package org.sami.dreamm.start;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.sami.dreamm.profile.Profile;
+import org.sami.dreamm.profile.ProfileFile;
+import org.sami.ui.look.Theme;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** The command line of DREAMM. */
+@Command(
+        name = "dreamm",
+        mixinStandardHelpOptions = true,
+        description = "Opens DREAMM, the window in which plans are written, with the library of plans or a project.",
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  dreamm",
+            "  dreamm station-keep",
+            "  dreamm my-beach.json --theme dark",
+            "  dreamm --domain rovers rovers/plans/look.json"
+        })
+public final class DreammCommand implements Callable<Integer> {
+    private static final int USAGE = 2;
+    private static final int BROKEN = 4;
+
+    private final Opening opening;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "PLAN|PROJECT",
+            description = "A plan of the library by its id, or the file or folder of a project; else the library.")
+    private String open;
+
+    @Option(
+            names = "--domain",
+            paramLabel = "FOLDER",
+            description = "The words that plans are made of: a folder with a domain.json; else those of the boats.")
+    private Path domain;
+
+    @Option(
+            names = "--profile",
+            paramLabel = "FILE",
+            description = "Hides and locks what the file says, as for a lesson.")
+    private Path profile;
+
+    @Option(
+            names = "--data",
+            paramLabel = "DIR",
+            description =
+                    "Where settings, the arrangement of panels and unsaved work are kept; else the user's data directory.")
+    private Path data;
+
+    @Option(names = "--theme", paramLabel = "light|dark|sun", description = "The theme, from now on.")
+    private String theme;
+
+    @Option(
+            names = "--scale",
+            paramLabel = "80..200",
+            description = "The scale of all text and marks in percent, from now on.")
+    private Integer scale;
+
+    /** What opens the window, once the command line is understood. */
+    @FunctionalInterface
+    public interface Opening {
+        /**
+         * Opens it; returns once it is there.
+         *
+         * @throws IOException with one sentence for the author
+         */
+        void open(DreammOptions options, FirstProject first, AuthorDirectory data) throws IOException;
+    }
+
+    /** A command that is not parsed yet. */
+    public DreammCommand(Opening opening) {
+        this.opening = Objects.requireNonNull(opening, "opening");
+    }
+
+    @Override
+    public Integer call() {
+        try {
+            DreammOptions options = options();
+            FirstProject first = FirstProject.open(options);
+            opening.open(options, first, AuthorDirectory.open(data == null ? AuthorDirectory.ofUser() : data));
+            return 0;
+        } catch (IllegalArgumentException unfit) {
+            return told(unfit.getMessage(), USAGE);
+        } catch (IOException fault) {
+            return told(fault.getMessage(), BROKEN);
+        }
+    }
+
+    private int told(String why, int code) {
+        PrintWriter err = spec.commandLine().getErr();
+        err.println("dreamm: " + why);
+        err.flush();
+        return code;
+    }
+
+    private DreammOptions options() throws IOException {
+        Optional<Theme> chosen = Optional.ofNullable(theme)
+                .map(id -> Theme.of(id)
+                        .orElseThrow(() -> new IllegalArgumentException(
+                                "--theme: there is no theme " + id + "; there are light, dark, sun")));
+        return new DreammOptions(
+                Optional.ofNullable(open),
+                Optional.ofNullable(domain),
+                profile == null ? Profile.ALL : ProfileFile.read(profile),
+                chosen,
+                Optional.ofNullable(scale));
+    }
+}

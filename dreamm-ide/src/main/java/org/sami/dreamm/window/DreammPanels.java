@@ -1,0 +1,71 @@
+package org.sami.dreamm.window;
+
+import java.util.List;
+import javax.swing.JComponent;
+import org.sami.dreamm.canvas.ModelView;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.ui.dock.Arrangement;
+import org.sami.ui.dock.DockPanel;
+
+/** The panels of the window, and how they lie at first (thesis, Figure 5.1). Those that the profile hides are left out. */
+final class DreammPanels {
+    /** How they lie at first. */
+    static final Arrangement FIRST = Arrangement.of("model-view")
+            .right("palette", "model-view", 0.22)
+            .left("mission-tree", "model-view", 0.22)
+            .below("inspector", "palette", 0.55)
+            .below("issues", "model-view", 0.24)
+            .behind("try-out", "issues");
+
+    private final List<DockPanel> all;
+
+    DreammPanels(DreammContext context) {
+        all = List.of(
+                        new DockPanel(
+                                "mission-tree",
+                                "Mission tree",
+                                "layers",
+                                empty("Mission tree", "The project's plans, their sub-missions and variables.")),
+                        new DockPanel("model-view", "Model view", "net", new ModelView(context)),
+                        new DockPanel(
+                                "palette",
+                                "Palette",
+                                "plus",
+                                empty(
+                                        "Toolset palette",
+                                        "Events, sub-missions and roles to drag onto the net; type to find one.")),
+                        new DockPanel(
+                                "inspector",
+                                "Inspector",
+                                "edit",
+                                empty(
+                                        "Inspector",
+                                        "Select a vertex or an edge: its events, markup and requirements stand here.")),
+                        new DockPanel(
+                                "issues",
+                                "Issues",
+                                "alarm",
+                                empty(
+                                        "Mission issues",
+                                        "What keeps the plan from being run, and what may not be meant so, with what to do.")),
+                        new DockPanel(
+                                "try-out",
+                                "Try it",
+                                "play",
+                                empty(
+                                        "Try it",
+                                        "Runs the open plan here, step by step, with robots that are not real.")))
+                .stream()
+                .filter(panel -> context.profile().shows("panel-" + panel.getPersistentID()))
+                .toList();
+    }
+
+    private static JComponent empty(String title, String text) {
+        return new EmptyPanel(title, text);
+    }
+
+    /** All of them, in order. */
+    List<DockPanel> all() {
+        return all;
+    }
+}

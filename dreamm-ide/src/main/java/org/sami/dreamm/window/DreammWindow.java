@@ -1,0 +1,133 @@
+package org.sami.dreamm.window;
+
+import java.awt.BorderLayout;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.nio.file.Path;
+import java.util.function.IntConsumer;
+import javax.swing.JFrame;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.document.DocumentChange;
+import org.sami.dreamm.document.DocumentListener;
+import org.sami.dreamm.document.EditorListener;
+import org.sami.dreamm.document.ProjectDocument;
+import org.sami.dreamm.start.AuthorDirectory;
+import org.sami.ui.command.Command;
+import org.sami.ui.command.CommandKeys;
+import org.sami.ui.dock.DockArea;
+import org.sami.ui.window.FrameSize;
+import org.sami.ui.window.ViewCommands;
+import org.sami.ui.window.WindowSettings;
+
+/** The window over a document. On the event thread. */
+public final class DreammWindow {
+    private final DreammContext context;
+    private final IntConsumer ended;
+    private final JFrame frame = new JFrame("DREAMM");
+    private final DockArea dock;
+    private final StatusLine status;
+    private final CommandKeys keys;
+
+    /**
+     * A window that is not shown yet.
+     *
+     * @param ended is told when all is closed, with the exit code
+     */
+    public DreammWindow(DreammContext context, AuthorDirectory data, WindowSettings settings, IntConsumer ended) {
+        this.context = context;
+        this.ended = ended;
+        EditCommands.addTo(context);
+        DreammPanels panels = new DreammPanels(context);
+        dock = new DockArea(frame, panels.all(), DreammPanels.FIRST, data.arrangement(context.profile()));
+        ViewCommands view = new ViewCommands(context.commands(), frame, settings);
+        view.addPanels(dock);
+        context.commands()
+                .add(new Command("end", "Close DREAMM", this::end)
+                        .withKey("ctrl Q")
+                        .withIcon("close"));
+        status = new StatusLine(context);
+        frame.setName("dreamm-window");
+        frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
+        frame.setJMenuBar(DreammMenus.bar(context.commands(), panels.all()));
+        frame.getContentPane().add(dock);
+        frame.getContentPane().add(status, BorderLayout.SOUTH);
+        keys = CommandKeys.install(context.commands());
+        frame.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent e) {
+                end();
+            }
+        });
+        listen();
+        showState();
+    }
+
+    private void listen() {
+        context.document().addListener(new DocumentListener() {
+            @Override
+            public void changed(DocumentChange change) {
+                // what is shown of it is its panels'
+            }
+
+            @Override
+            public void stateChanged() {
+                showState();
+            }
+        });
+        context.editor().addListener(new EditorListener() {
+            @Override
+            public void planOpened() {
+                showState();
+            }
+
+            @Override
+            public void modeChanged() {
+                context.commands().refresh();
+            }
+
+            @Override
+            public void selectionChanged() {
+                context.commands().refresh();
+            }
+        });
+    }
+
+    private void showState() {
+        ProjectDocument document = context.document();
+        String mark = document.isModified() ? "● " : "";
+        String file = document.file().map(Path::toString).orElse("not saved in a file yet");
+        String name = document.project().name().isEmpty()
+                ? document.project().id()
+                : document.project().name();
+        String plan = context.editor().planId().map(id -> id + " – ").orElse("");
+        frame.setTitle(mark + plan + name + " – DREAMM");
+        status.showFile(
+                mark + name + " · " + file, document.isModified() ? "There are changes that are not saved" : file);
+        context.commands().refresh();
+    }
+
+    /** Shows it, as large as the screen allows. */
+    public void open() {
+        FrameSize.show(frame);
+        dock.arrange();
+    }
+
+    /** The frame, for those who drive it. */
+    public JFrame frame() {
+        return frame;
+    }
+
+    /** What its panels work on. */
+    public DreammContext context() {
+        return context;
+    }
+
+    /** Closes the window; the process ends with it. */
+    public void end() {
+        keys.close();
+        dock.close();
+        context.close();
+        frame.dispose();
+        ended.accept(0);
+    }
+}

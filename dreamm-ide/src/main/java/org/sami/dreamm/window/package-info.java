@@ -1,0 +1,2 @@
+/** The frame: its menus, its status line, and how panels lie in it. What a panel shows stands in the panel's package. */
+package org.sami.dreamm.window;
