@@ -9,6 +9,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.json.CanonicalJson;
 import org.sami.spn.json.DomainLibrary;
@@ -18,6 +20,7 @@ import org.sami.spn.model.Plan;
 
 class ShippedFilesTest {
     private static final String CRW = "/org/sami/domain/crw";
+    private static final String UAV = "/org/sami/domain/uav";
     private static final Path RESOURCES = Path.of("src/main/resources");
     private static final Path TEST_RESOURCES = Path.of("src/test/resources");
     private static final int LEAST_FILES = 9;
@@ -45,19 +48,21 @@ class ShippedFilesTest {
         assertThat(reading.orThrow().vocabulary().markups()).hasSize(19);
     }
 
-    @Test
-    void folderAndClassPathHoldTheSameDomain() {
+    @ParameterizedTest
+    @ValueSource(strings = {CRW, UAV})
+    void folderAndClassPathHoldTheSameDomain(String domain) {
         DomainLibrary fromFolder =
-                DomainLibrary.fromFolder(RESOURCES.resolve(CRW.substring(1))).orThrow();
+                DomainLibrary.fromFolder(RESOURCES.resolve(domain.substring(1))).orThrow();
 
-        DomainLibrary fromClassPath = DomainLibrary.fromClassPath(CRW).orThrow();
+        DomainLibrary fromClassPath = DomainLibrary.fromClassPath(domain).orThrow();
         assertThat(fromFolder.projects()).isEqualTo(fromClassPath.projects());
         assertThat(fromFolder.files()).isEqualTo(fromClassPath.files());
     }
 
-    @Test
-    void everyShippedPlanPassesAllChecks() {
-        DomainLibrary library = DomainLibrary.fromClassPath(CRW).orThrow();
+    @ParameterizedTest
+    @ValueSource(strings = {CRW, UAV})
+    void everyShippedPlanPassesAllChecks(String domain) {
+        DomainLibrary library = DomainLibrary.fromClassPath(domain).orThrow();
 
         assertThat(library.projects()).isNotEmpty();
         library.projects()
@@ -101,11 +106,12 @@ class ShippedFilesTest {
         }
     }
 
-    @Test
-    void everyPlanFileIsWrittenBackByteForByte() throws IOException {
-        DomainLibrary library = DomainLibrary.fromClassPath(CRW).orThrow();
+    @ParameterizedTest
+    @ValueSource(strings = {CRW, UAV})
+    void everyPlanFileIsWrittenBackByteForByte(String domain) throws IOException {
+        DomainLibrary library = DomainLibrary.fromClassPath(domain).orThrow();
         ProjectWriter writer = new ProjectWriter(library.vocabulary());
-        Path folder = RESOURCES.resolve(CRW.substring(1));
+        Path folder = RESOURCES.resolve(domain.substring(1));
 
         assertThat(library.projects()).isNotEmpty();
         library.projects()

@@ -10,11 +10,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.Match;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
 
-/** Which vertices of a plan lie behind which, whatever edges ask for. */
+/**
+ * Which vertices of a plan lie behind which. An in edge that asks only for absence leads nowhere, as no token goes along it, unless
+ * nothing else leads to its transition.
+ */
 final class VertexGraph {
     private final Map<String, Set<String>> after = new LinkedHashMap<>();
     private final Map<String, Set<String>> before = new LinkedHashMap<>();
@@ -23,13 +28,25 @@ final class VertexGraph {
     VertexGraph(Plan plan) {
         plan.places().forEach(place -> add(place.id()));
         plan.transitions().forEach(transition -> add(transition.id()));
-        plan.inEdges().forEach(edge -> connect(edge.place(), edge.transition()));
+        plan.inEdges().stream()
+                .filter(edge -> !asksForAbsence(edge))
+                .forEach(edge -> connect(edge.place(), edge.transition()));
+        plan.inEdges().stream()
+                .filter(VertexGraph::asksForAbsence)
+                .filter(edge -> plan.inEdges().stream()
+                        .noneMatch(other -> other.transition().equals(edge.transition()) && !asksForAbsence(other)))
+                .forEach(edge -> connect(edge.place(), edge.transition()));
         plan.outEdges().forEach(edge -> connect(edge.transition(), edge.place()));
         plan.places().stream().filter(Place::start).map(Place::id).forEach(first::add);
         plan.transitions().stream()
                 .map(Transition::id)
                 .filter(id -> before.get(id).isEmpty())
                 .forEach(first::add);
+    }
+
+    private static boolean asksForAbsence(InEdge edge) {
+        return !edge.requirements().isEmpty()
+                && edge.requirements().stream().allMatch(requirement -> requirement.match() == Match.ZERO);
     }
 
     private void add(String vertex) {

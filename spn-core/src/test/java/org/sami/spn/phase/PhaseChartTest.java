@@ -173,6 +173,28 @@ class PhaseChartTest {
     }
 
     @Test
+    void transitionThatAsksForAbsenceDoesNotFollowThePlace() {
+        NetBuilder net = new NetBuilder("inhibited")
+                .start("s")
+                .output("s", "Do", item("Work", "SAMI"))
+                .places("Team", "Home", "elsewhere")
+                .output("Home", "Do", item("Way back", "PROXY"))
+                .transition("done", "Done")
+                .in("s", "done", "generic >= 1")
+                .out("done", "Team", "take all generic")
+                .transition("all-done")
+                .in("s", "all-done", "proxy = 0")
+                .out("all-done", "Home", "take all generic");
+
+        PhaseChart alone = PhaseChart.of(net.build(), TestVocabulary.TEST);
+        PhaseChart behind =
+                PhaseChart.of(net.in("elsewhere", "all-done", "generic >= 1").build(), TestVocabulary.TEST);
+
+        assertThat(alone.view("Work", Map.of()).next()).containsExactly("Way back");
+        assertThat(behind.view("Work", Map.of()).next()).isEmpty();
+    }
+
+    @Test
     void missionsProgressIsSeenInTheBoxes() {
         Session session = new Session(SEARCH);
         PhaseProgress progress = new PhaseProgress(CHART, SEARCH, 1);

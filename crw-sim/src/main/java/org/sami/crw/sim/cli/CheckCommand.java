@@ -3,11 +3,8 @@ package org.sami.crw.sim.cli;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.sami.crw.sim.legacy.ImportedFindings;
@@ -17,6 +14,7 @@ import org.sami.spn.finding.Severity;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.Reading;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -38,6 +36,7 @@ import picocli.CommandLine.Spec;
         footer = {
             "  crw check my-plan.json",
             "  crw check clv --json",
+            "  crw check --domain uav search             a plan of the aircraft, which come with crw",
             "  crw check --domain my-domain              the domain and its library",
             "  crw check --domain my-domain plan.json    a plan with that domain's words"
         })
@@ -52,53 +51,29 @@ final class CheckCommand implements Callable<Integer> {
                     "A project's file or folder, or a plan of the library by its id. May be left out with --domain.")
     private String name;
 
-    @Option(
-            names = "--domain",
-            paramLabel = "FOLDER",
-            description = "The words of another domain: a folder with domain.json. Without it those of the boats.")
-    private Path domain;
+    @Mixin
+    private DomainOption domain = new DomainOption();
 
     @Option(names = "--json", description = "Print one JSON object.")
     private boolean json;
 
     @Override
     public Integer call() {
-        if (name == null && domain == null) {
+        if (name == null && !domain.isGiven()) {
             throw new UsageFault(
-                    "what is to be checked? FILE|PLAN, a file or a plan of the library, or --domain FOLDER");
+                    "what is to be checked? FILE|PLAN, a file or a plan of the library, or --domain NAME|FOLDER");
         }
-        if (domain == null) {
-            return tell(name, PlanSource.library(), PlanSource.find(name, PlanSource.library()));
-        }
-        if (!Files.isDirectory(domain)) {
-            throw new UsageFault("--domain: there is no folder '" + domain + "'");
-        }
-        Reading<DomainLibrary> read = DomainLibrary.fromFolder(domain);
+        Reading<DomainLibrary> read = domain.read();
         if (read.result().isEmpty()) {
-            return tell(domain.toString(), read.findings());
+            return tell(domain.name(), read.findings());
         }
         DomainLibrary library = read.result().get();
         if (name == null) {
             List<Finding> findings = new ArrayList<>(read.findings());
-            library.projects().keySet().stream()
-                    .map(file -> PlanSource.find(domain.resolve(file).toString(), library))
-                    .forEach(source -> findings.addAll(source.findings()));
-            return tell(domain.toString(), findings);
+            domain.all(library).forEach(source -> findings.addAll(source.findings()));
+            return tell(domain.name(), findings);
         }
-        return tell(name, library, PlanSource.find(fileOf(name, library), library));
-    }
-
-    /** The file in which a plan of the domain's library stands, so that findings name it; else the name as it is. */
-    private String fileOf(String wanted, DomainLibrary library) {
-        if (Files.exists(Path.of(wanted))) {
-            return wanted;
-        }
-        return library.projects().entrySet().stream()
-                .filter(e -> e.getValue().plan(wanted).isPresent())
-                .map(Map.Entry::getKey)
-                .map(file -> domain.resolve(file).toString())
-                .findFirst()
-                .orElse(wanted);
+        return tell(name, library, domain.find(name, library));
     }
 
     private int tell(String source, List<Finding> findings) {

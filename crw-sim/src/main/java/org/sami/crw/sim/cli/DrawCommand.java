@@ -8,8 +8,10 @@ import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.sami.crw.sim.drawing.NetPicture;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.Reading;
 import org.sami.spn.model.Plan;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -34,6 +36,9 @@ final class DrawCommand implements Callable<Integer> {
             description = "A project's file or folder, or a plan of the library by its id.")
     private String name;
 
+    @Mixin
+    private DomainOption domain = new DomainOption();
+
     @Option(
             names = "--plan",
             paramLabel = "NAME",
@@ -55,8 +60,15 @@ final class DrawCommand implements Callable<Integer> {
         if (svg == null && png == null) {
             throw new ParameterException(spec.commandLine(), "Where to? --svg FILE, --png FILE or both");
         }
-        DomainLibrary library = PlanSource.library();
-        PlanSource source = PlanSource.find(name, library);
+        Reading<DomainLibrary> words = domain.read();
+        if (words.result().isEmpty()) {
+            PrintWriter err = spec.commandLine().getErr();
+            FindingsText.print(err, domain.name(), words.findings());
+            err.flush();
+            return ExitCode.FINDINGS;
+        }
+        DomainLibrary library = words.result().get();
+        PlanSource source = domain.find(name, library);
         if (source.project().isEmpty()) {
             PrintWriter err = spec.commandLine().getErr();
             FindingsText.print(err, name, source.findings());

@@ -8,10 +8,12 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.Reading;
 import org.sami.spn.model.Plan;
 import org.sami.spn.phase.PhaseAction;
 import org.sami.spn.phase.PhaseChart;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -39,6 +41,9 @@ final class PhasesCommand implements Callable<Integer> {
             description = "A project's file or folder, or a plan of the library by its id.")
     private String name;
 
+    @Mixin
+    private DomainOption domain = new DomainOption();
+
     @Option(
             names = "--plan",
             paramLabel = "NAME",
@@ -55,8 +60,15 @@ final class PhasesCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        DomainLibrary library = PlanSource.library();
-        PlanSource source = PlanSource.find(name, library);
+        Reading<DomainLibrary> words = domain.read();
+        if (words.result().isEmpty()) {
+            PrintWriter err = spec.commandLine().getErr();
+            FindingsText.print(err, domain.name(), words.findings());
+            err.flush();
+            return ExitCode.FINDINGS;
+        }
+        DomainLibrary library = words.result().get();
+        PlanSource source = domain.find(name, library);
         if (source.project().isEmpty()) {
             PrintWriter err = spec.commandLine().getErr();
             FindingsText.print(err, name, source.findings());

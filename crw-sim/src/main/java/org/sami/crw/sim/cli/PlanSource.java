@@ -63,6 +63,12 @@ record PlanSource(String source, Optional<Project> project, Optional<Plan> plan,
         return new PlanSource(name, project, project.get().plan(name), checked(library, project.get()));
     }
 
+    /** A plan that stands in a file, chosen by its id. */
+    static PlanSource find(String file, DomainLibrary library, String planId) {
+        PlanSource all = find(file, library);
+        return new PlanSource(file, all.project(), all.project().flatMap(p -> p.plan(planId)), all.findings());
+    }
+
     /** What the checks of the language find and, in the domain whose handlers are here, what nothing would handle. */
     private static List<Finding> checked(DomainLibrary library, Project project) {
         Vocabulary vocabulary = library.vocabulary();

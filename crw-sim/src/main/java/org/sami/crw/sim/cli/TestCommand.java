@@ -10,11 +10,13 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.Reading;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.TestCase;
 import org.sami.spn.testcase.TestCaseRunner;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -34,7 +36,7 @@ import picocli.CommandLine.Spec;
             "2:wrong usage, or there is no such file"
         },
         footerHeading = "%nExamples:%n",
-        footer = {"  crw test my-plan.json", "  crw test clv --json"})
+        footer = {"  crw test my-plan.json", "  crw test clv --json", "  crw test --domain uav search"})
 final class TestCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
@@ -43,6 +45,9 @@ final class TestCommand implements Callable<Integer> {
             paramLabel = "FILE|PLAN",
             description = "A project's file or folder, or a plan of the library by its id.")
     private String name;
+
+    @Mixin
+    private DomainOption domain = new DomainOption();
 
     @Option(
             names = "--plan",
@@ -59,8 +64,15 @@ final class TestCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        DomainLibrary library = PlanSource.library();
-        PlanSource source = PlanSource.find(name, library);
+        Reading<DomainLibrary> words = domain.read();
+        if (words.result().isEmpty()) {
+            PrintWriter err = spec.commandLine().getErr();
+            FindingsText.print(err, domain.name(), words.findings());
+            err.flush();
+            return ExitCode.FINDINGS;
+        }
+        DomainLibrary library = words.result().get();
+        PlanSource source = domain.find(name, library);
         PrintWriter err = spec.commandLine().getErr();
         if (source.project().isEmpty() || source.hasErrors()) {
             FindingsText.print(err, name, source.findings());

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** What {@code crw check} says of an author's mistakes: where they stand, about what, and what may have been meant. */
 class CheckCommandTest {
     private static final Path CLV = Path.of("../domain-config/src/main/resources/org/sami/domain/crw/plans/clv.json");
-    private static final Path UAV = Path.of("../domain-config/src/test/resources/org/sami/domain/uav");
+    private static final Path UAV = Path.of("../domain-config/src/main/resources/org/sami/domain/uav");
 
     @TempDir
     Path folder;
@@ -244,7 +244,14 @@ class CheckCommandTest {
 
     private void copyDomain() throws IOException {
         Files.createDirectories(folder.resolve("plans"));
-        for (String name : List.of("domain.json", "events.json", "types.json", "plans/look.json")) {
+        for (String name : List.of(
+                "domain.json",
+                "events.json",
+                "types.json",
+                "markups.json",
+                "tasks.json",
+                "plans/look.json",
+                "plans/search.json")) {
             Files.copy(UAV.resolve(name), folder.resolve(name));
         }
     }
