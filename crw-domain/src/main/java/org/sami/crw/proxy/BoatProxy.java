@@ -4,12 +4,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalLong;
-import java.util.function.BiConsumer;
-import org.sami.boat.link.Ack;
 import org.sami.boat.link.AskForCommand;
-import org.sami.boat.link.BatteryReport;
-import org.sami.boat.link.BoatMode;
-import org.sami.boat.link.CommandAsked;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
@@ -17,26 +12,13 @@ import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
-import org.sami.boat.link.Goodbye;
 import org.sami.boat.link.GrantCommand;
-import org.sami.boat.link.HeldWaypoints;
-import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.LostLinkAction;
-import org.sami.boat.link.Nack;
-import org.sami.boat.link.NackReason;
-import org.sami.boat.link.PanoramaReport;
-import org.sami.boat.link.Progress;
-import org.sami.boat.link.SensorReport;
 import org.sami.boat.link.SetGains;
 import org.sami.boat.link.SetLostLinkAction;
 import org.sami.boat.link.SetVelocityMultiplier;
-import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.TakeCommand;
-import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Teleoperate;
-import org.sami.boat.link.Welcome;
-import org.sami.crw.proxy.BoatExplanation.Cause;
-import org.sami.spn.value.GeoPoint;
 
 /**
  * One boat, as the base sees it: its link, its latest status, and the queue of commands that missions have for it.
@@ -49,8 +31,6 @@ import org.sami.spn.value.GeoPoint;
  * <p>For one thread, with milliseconds of one clock that never runs back. The {@link FrameSink} must not call back.
  */
 public final class BoatProxy {
-    private static final String FLEET_STOP = "the fleet was stopped";
-
     private final String boatId;
     private final ProxyLink link;
     private final double cruiseSpeedMps;
@@ -59,18 +39,9 @@ public final class BoatProxy {
     private final DeferredNotifications announcements;
     private final SettingsSender tuner;
     private final CommandDriver driver;
-    private BoatStatus status;
-    private long nowMs;
-    private long lastTelemetry = -1;
+    private final BoatCondition condition;
+    private final BoatMessages messages;
     private long announcedChanges; // of the queue
-    private boolean awaitingProgress;
-    private boolean unconfirmedRestart;
-    private boolean takenOver;
-    private boolean disconnected;
-    private boolean fleetStopped;
-    private String refusal = "";
-    private Optional<String> otherBoat = Optional.empty();
-    private Optional<String> heldListId = Optional.empty();
 
     /** A proxy that says hello at its first tick. */
     public BoatProxy(String boatId, FrameSink toBoat, BoatListener listener, ProxyConfig config) {
@@ -82,19 +53,20 @@ public final class BoatProxy {
         handOver = new HandOver(boatId, link, config, announcements);
         driver = new CommandDriver(boatId, config, link, announcements);
         tuner = new SettingsSender(boatId, link, config, announcements);
-        status = BoatStatus.unknown(boatId);
+        condition = new BoatCondition(boatId, link);
+        messages = new BoatMessages(boatId, condition, link, handOver, tuner, fleetRequests, driver, announcements);
     }
 
     /** For how many milliseconds nothing has come from the boat; empty as long as nothing ever has. */
     public OptionalLong silentMs() {
         return link.bootId().isEmpty()
                 ? OptionalLong.empty()
-                : OptionalLong.of(Math.max(0, nowMs - link.lastReceivedMs()));
+                : OptionalLong.of(Math.max(0, condition.nowMs - link.lastReceivedMs()));
     }
 
     /** Whether a person drives the boat by hand, so that its commands wait. */
     public boolean isTakenOver() {
-        return takenOver;
+        return condition.takenOver;
     }
 
     /** Names the boat. */
@@ -109,7 +81,7 @@ public final class BoatProxy {
 
     /** The latest that is known of the boat. */
     public BoatStatus status() {
-        return status;
+        return condition.status;
     }
 
     /** The command that the boat is to carry out now. */
@@ -134,7 +106,7 @@ public final class BoatProxy {
 
     /** The list that the boat said last that it holds; the name is empty if it said that it holds none. */
     public Optional<String> heldListId() {
-        return heldListId;
+        return condition.heldListId;
     }
 
     /** How far the path that went to the boat last has come on its way; empty if none ever went. */
@@ -218,7 +190,7 @@ public final class BoatProxy {
     public void retire(String reason) {
         driver.failAll(reason);
         tuner.giveUp(reason);
-        unconfirmedRestart = false;
+        condition.unconfirmedRestart = false;
         announcements.add(l -> l.onRetired(boatId));
         settle();
     }
@@ -240,61 +212,61 @@ public final class BoatProxy {
      * wait. Until {@link #reconnect}.
      */
     public void disconnect() {
-        disconnected = true;
+        condition.disconnected = true;
         if (link.closed()) {
-            linkChanged();
+            messages.linkChanged();
         }
         settle();
     }
 
     /** Takes the link up again after {@link #disconnect}; the boat then goes on with its commands. */
     public void reconnect() {
-        if (disconnected) {
-            disconnected = false;
-            link.hello(nowMs);
+        if (condition.disconnected) {
+            condition.disconnected = false;
+            link.hello(condition.nowMs);
         }
     }
 
     /** Whether the link is cut on purpose. */
     public boolean isDisconnected() {
-        return disconnected;
+        return condition.disconnected;
     }
 
     /** Takes one whole frame from the boat. Returns whether it could be read. */
     public boolean receive(byte[] bytes, long atMs) {
-        nowMs = Math.max(nowMs, atMs);
-        if (disconnected) {
+        condition.reached(atMs);
+        if (condition.disconnected) {
             return false;
         }
-        Optional<Frame> frame = link.receive(bytes, nowMs);
-        frame.ifPresent(this::take);
+        Optional<Frame> frame = link.receive(bytes, condition.nowMs);
+        frame.ifPresent(messages::take);
         settle();
         return frame.isPresent();
     }
 
     /** The boat that answers over this link now, if it is another one. */
     public Optional<String> otherBoat() {
-        return otherBoat;
+        return condition.otherBoat;
     }
 
     /** Lets time pass: heartbeats, lost links, requests that are sent again. To be called ten times a second. */
     public void tick(long atMs) {
-        nowMs = Math.max(nowMs, atMs);
-        if (disconnected) {
+        condition.reached(atMs);
+        if (condition.disconnected) {
             return;
         }
-        if (link.tick(nowMs)) {
-            linkChanged();
+        if (link.tick(condition.nowMs)) {
+            messages.linkChanged();
         }
         if (link.state() == LinkState.LINKED) {
-            handOver.tick(nowMs);
+            handOver.tick(condition.nowMs);
         }
         if (link.isCommanding()) {
-            driver.tick(nowMs);
-            fleetRequests.tick(nowMs).forEach(request -> fleetRequests.send(request, nowMs));
-            tuner.tick(nowMs);
-            if (awaitingProgress) {
-                link.helloIfDue(nowMs);
+            driver.tick(condition.nowMs);
+            fleetRequests.tick(condition.nowMs).forEach(request -> fleetRequests.send(request, condition.nowMs));
+            tuner.tick(condition.nowMs);
+            if (condition.awaitingProgress) {
+                link.helloIfDue(condition.nowMs);
             }
         }
         settle();
@@ -302,27 +274,27 @@ public final class BoatProxy {
 
     /** The transport has opened: says hello at once. */
     public void opened(long atMs) {
-        nowMs = Math.max(nowMs, atMs);
-        otherBoat = Optional.empty();
-        if (!disconnected) {
-            link.hello(nowMs);
+        condition.reached(atMs);
+        condition.otherBoat = Optional.empty();
+        if (!condition.disconnected) {
+            link.hello(condition.nowMs);
         }
     }
 
     /** The transport has closed: the link is lost at once. */
     public void closed(long atMs) {
-        nowMs = Math.max(nowMs, atMs);
+        condition.reached(atMs);
         if (link.closed()) {
-            linkChanged();
+            messages.linkChanged();
         }
         settle();
     }
 
     /** The operator allows a boat that has started anew to be moved again. */
     public void confirmRestart() {
-        if (unconfirmedRestart) {
-            unconfirmedRestart = false;
-            announce(BoatListener::onRestartAllowed);
+        if (condition.unconfirmedRestart) {
+            condition.unconfirmedRestart = false;
+            messages.announce(BoatListener::onRestartAllowed);
         }
         settle();
     }
@@ -332,8 +304,8 @@ public final class BoatProxy {
      * has started anew.
      */
     public void knownBoot(String bootId) {
-        if (!link.bootId().isEmpty() && !link.bootId().equals(bootId) && !unconfirmedRestart) {
-            restarted();
+        if (!link.bootId().isEmpty() && !link.bootId().equals(bootId) && !condition.unconfirmedRestart) {
+            messages.restarted();
             settle();
         }
     }
@@ -356,20 +328,20 @@ public final class BoatProxy {
     public void teleoperate(double thrust, double rudder) {
         Teleoperate hand = new Teleoperate(thrust, rudder);
         driver.abandon("the boat was taken over by hand");
-        if (!takenOver) {
-            takenOver = true;
+        if (!condition.takenOver) {
+            condition.takenOver = true;
             announcements.add(l -> l.onTakenOver(boatId));
         }
         if (link.isCommanding()) {
-            link.send(hand, nowMs);
+            link.send(hand, condition.nowMs);
         }
         settle();
     }
 
     /** Gives the boat back to the commands; it stops if there are none. */
     public void release() {
-        if (takenOver) {
-            takenOver = false;
+        if (condition.takenOver) {
+            condition.takenOver = false;
             announcements.add(l -> l.onReleased(boatId));
             driver.stopUnlessWanted();
             settle();
@@ -406,7 +378,7 @@ public final class BoatProxy {
     }
 
     private String tune(String kind, CommandMessage setting) {
-        String id = tuner.ask(kind, setting, nowMs);
+        String id = tuner.ask(kind, setting, condition.nowMs);
         settle();
         return id;
     }
@@ -418,16 +390,16 @@ public final class BoatProxy {
 
     /** Stops the motors, latched on the boat; commands wait until {@link #fleetRelease}. */
     public void fleetStop() {
-        fleetStopped = true;
-        driver.abandon(FLEET_STOP);
+        condition.fleetStopped = true;
+        driver.abandon(BoatMessages.FLEET_STOP);
         fleetRequests.clear();
-        fleetRequests.send(new FleetStop(driver.wireId("fleet-stop")), nowMs);
+        fleetRequests.send(new FleetStop(driver.wireId("fleet-stop")), condition.nowMs);
     }
 
     /** Ends the fleet stop; the boat then goes on with its commands. */
     public void fleetRelease() {
         fleetRequests.clear();
-        fleetRequests.send(new FleetRelease(driver.wireId("fleet-release")), nowMs);
+        fleetRequests.send(new FleetRelease(driver.wireId("fleet-release")), condition.nowMs);
     }
 
     /** Whether the boat has still to acknowledge a fleet stop or the release of one. */
@@ -442,23 +414,23 @@ public final class BoatProxy {
     public void observe() {
         link.observe();
         if (link.isCommanding()) {
-            link.hello(nowMs);
+            link.hello(condition.nowMs);
         }
     }
 
     /** Tells the boat that this base wishes to command it; who commands it then decides. */
     public void askForCommand() {
-        handOver.request(new AskForCommand(driver.wireId("ask-command")), nowMs);
+        handOver.request(new AskForCommand(driver.wireId("ask-command")), condition.nowMs);
     }
 
     /** Commands the boat from now on, whoever did before: for an operator who knows why. */
     public void takeCommand() {
-        handOver.request(new TakeCommand(driver.wireId("take-command")), nowMs);
+        handOver.request(new TakeCommand(driver.wireId("take-command")), condition.nowMs);
     }
 
     /** Hands the command over to another client and observes; commands that are queued here wait. */
     public void grantCommand(String clientId) {
-        handOver.request(new GrantCommand(driver.wireId("grant-command"), clientId), nowMs);
+        handOver.request(new GrantCommand(driver.wireId("grant-command"), clientId), condition.nowMs);
     }
 
     /** Why the boat moves or does not. */
@@ -474,191 +446,17 @@ public final class BoatProxy {
 
     /** What keeps every command from the boat; empty if nothing does. */
     Optional<Obstacle> obstacle() {
-        if (disconnected) {
-            return Obstacle.because(Cause.LINK_LOST, "its link was cut on purpose");
-        } else if (link.state() == LinkState.LOST) {
-            return Obstacle.because(
-                    Cause.LINK_LOST, "the link has been lost for " + (nowMs - link.lastReceivedMs()) / 1000 + " s");
-        } else if (link.state() == LinkState.CONNECTING) {
-            return refusal.isEmpty()
-                    ? Obstacle.because(Cause.NEVER_ANSWERED, "the boat has not answered yet")
-                    : Obstacle.because(Cause.REFUSES, "the boat refuses: " + refusal);
-        } else if (!link.isCommanding()) {
-            return Obstacle.because(Cause.COMMANDED_ELSEWHERE, "another client commands the boat");
-        } else if (fleetStopped) {
-            return Obstacle.because(Cause.FLEET_STOPPED, "the fleet stop is latched");
-        } else if (takenOver) {
-            return Obstacle.because(Cause.TAKEN_OVER, "it is driven by hand");
-        } else if (unconfirmedRestart) {
-            return Obstacle.because(
-                    Cause.STARTED_ANEW, "its server has started anew and nobody has allowed it to move again");
-        }
-        return awaitingProgress
-                ? Obstacle.because(Cause.COMPARING, "the boat has not said yet what it holds")
-                : Optional.empty();
-    }
-
-    // ---- what the boat says
-
-    private void take(Frame frame) {
-        LinkMessage message = frame.message();
-        if (message instanceof Telemetry telemetry) {
-            if (frame.sequence() > lastTelemetry) {
-                lastTelemetry = frame.sequence();
-                telemetry(telemetry);
-            }
-        } else if (message instanceof Ack ack) {
-            answered(ack.commandId(), ack);
-        } else if (message instanceof HeldWaypoints held) {
-            answered(held.commandId(), held);
-        } else if (message instanceof Nack nack) {
-            refused(nack);
-        } else if (message instanceof Progress progress) {
-            progressed(progress);
-        } else if (message instanceof BatteryReport report) {
-            BatteryState battery = new BatteryState(report.percent(), report.level());
-            status = status.with(battery);
-            announcements.add(l -> l.onBattery(boatId, battery));
-        } else if (message instanceof SensorReport report) {
-            BoatReading reading = BoatReading.of(report);
-            announcements.add(l -> l.onReading(boatId, reading));
-        } else if (message instanceof PanoramaReport report) {
-            driver.taken(report);
-        } else if (message instanceof SettingsReport report) {
-            tuner.reported(report);
-        } else if (message instanceof Welcome welcome) {
-            welcomed(welcome);
-        } else if (message instanceof CommandAsked asked) {
-            announcements.add(l -> l.onCommandAsked(boatId, asked.clientId()));
-        } else if (message instanceof Goodbye goodbye) {
-            otherBoat = Optional.of(goodbye.boatId()).filter(id -> !id.equals(boatId));
-            refuse(goodbye.reason());
-        } // heartbeats have done their work by arriving; what only bases say is no concern of a base
-    }
-
-    private void refuse(String reason) {
-        if (!reason.equals(refusal)) {
-            refusal = reason;
-            announcements.add(l -> l.onRefused(boatId, reason));
-        }
-    }
-
-    private void welcomed(Welcome welcome) {
-        if (!welcome.boatId().equals(boatId)) {
-            otherBoat = Optional.of(welcome.boatId());
-            refuse("this boat is " + welcome.boatId());
-            return;
-        }
-        otherBoat = Optional.empty();
-        boolean restarted = !link.bootId().isEmpty() && !link.bootId().equals(welcome.bootId());
-        boolean news = link.state() != LinkState.LINKED;
-        link.welcomed(welcome);
-        refusal = "";
-        awaitingProgress = true;
-        handOver.settled();
-        if (news || restarted) {
-            lastTelemetry = -1;
-            linkChanged();
-        }
-        if (restarted) {
-            restarted();
-        }
-    }
-
-    private void restarted() {
-        driver.abandon("the boat's server has started anew");
-        unconfirmedRestart = true;
-        heldListId = Optional.empty(); // what the earlier start held says nothing of this one
-        announce(BoatListener::onRestarted);
-    }
-
-    private void telemetry(Telemetry telemetry) {
-        BoatPose pose = new BoatPose(
-                GeoPoint.of(telemetry.latDeg(), telemetry.lonDeg()),
-                telemetry.headingRad(),
-                telemetry.speedMps(),
-                telemetry.boatTimeMs());
-        Optional<BatteryState> battery =
-                status.battery().map(known -> new BatteryState(telemetry.batteryPercent(), known.level()));
-        status = status.with(pose, battery, telemetry.mode());
-        announce(BoatListener::onStatus);
-        if (telemetry.mode() == BoatMode.FLEET_STOP) {
-            if (!fleetStopped) {
-                fleetStopped = true;
-                driver.abandon(FLEET_STOP);
-            }
-            return;
-        }
-        fleetStopped &= fleetRequests.areWaiting();
-        if (driver.isDriving() && telemetry.mode() == BoatMode.PATH) {
-            driver.at(pose.position(), canMove(telemetry), nowMs);
-        } else if (driver.isDriving() && !awaitingProgress) {
-            resync(); // it left its path by itself: it may have lost us when we did not lose it
-        } else if (!awaitingProgress) {
-            driver.lies(pose.position(), nowMs);
-        }
-    }
-
-    private boolean canMove(Telemetry telemetry) {
-        return telemetry.batteryPercent() > 0
-                && tuner.inForce().map(BoatTuning::velocityMultiplier).orElse(1.0) > 0;
-    }
-
-    /** Has the boat say again what it holds; until then it is told nothing. */
-    private void resync() {
-        awaitingProgress = true;
-        link.hello(nowMs);
-    }
-
-    private void progressed(Progress progress) {
-        heldListId = Optional.of(progress.listId());
-        driver.holds(progress);
-        if (awaitingProgress && link.isCommanding()) {
-            awaitingProgress = false;
-            driver.resume(progress, nowMs);
-        } else {
-            driver.progressed(progress);
-        }
-    }
-
-    private void answered(String commandId, LinkMessage answer) {
-        if (!handOver.answered(commandId)
-                && !tuner.answered(commandId)
-                && fleetRequests.answered(commandId).isEmpty()) { // else the next telemetry says what it has come to
-            driver.answered(commandId, answer, nowMs);
-        }
-    }
-
-    private void refused(Nack nack) {
-        tuner.refused(nack);
-        boolean mayPass = !handOver.refused(nack) && driver.refused(nack);
-        boolean lostThere = nack.reason() == NackReason.NOT_GREETED && !awaitingProgress; // though not here
-        if (mayPass || lostThere) {
-            resync();
-        }
+        return condition.obstacle();
     }
 
     /** Brings the boat to the command whose turn it is, then tells the listener what has happened. */
     private void settle() {
-        driver.settle(obstacle().isEmpty(), nowMs);
+        driver.settle(obstacle().isEmpty(), condition.nowMs);
         if (driver.queue().changes() != announcedChanges) {
             announcedChanges = driver.queue().changes();
             CommandQueueSnapshot queue = queue();
             announcements.add(l -> l.onQueueChanged(boatId, queue));
         }
         announcements.deliver();
-    }
-
-    private void linkChanged() {
-        if (link.state() != LinkState.LINKED) {
-            handOver.linkLost();
-        }
-        status = status.with(link.state(), link.bootId());
-        announce(BoatListener::onLinkChange);
-    }
-
-    private void announce(BiConsumer<BoatListener, BoatStatus> news) {
-        BoatStatus now = status;
-        announcements.add(l -> news.accept(l, now));
     }
 }

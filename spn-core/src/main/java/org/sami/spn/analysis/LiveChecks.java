@@ -89,7 +89,7 @@ public final class LiveChecks {
         return project.plans().stream().allMatch(p -> ids.add(p.id()));
     }
 
-    /** Ids of the plans that see something of a plan which is another now: those that run it or that it runs, at any depth. */
+    /** Ids of the plans that see something of a plan which is another now, or of their order: those that run it or that it runs, at any depth. */
     private Set<String> concerned(ProjectContext next) {
         Map<String, Plan> was = new HashMap<>();
         project.plans().forEach(p -> was.put(p.id(), p));
@@ -104,12 +104,14 @@ public final class LiveChecks {
             }
         }
         Set<String> concerned = new HashSet<>();
+        for (Plan plan : next.project().plans()) { // of two plans that run it, the first says what it sees
+            if (!parents(context, plan.id()).equals(parents(next, plan.id()))) {
+                changed.add(plan.id());
+            }
+        }
         for (String id : changed) {
             for (ProjectContext version : List.of(context, next)) {
-                reach(
-                        id,
-                        concerned,
-                        plan -> version.parents(plan).stream().map(Plan::id).toList());
+                reach(id, concerned, plan -> parents(version, plan));
                 reach(
                         id,
                         concerned,
@@ -119,6 +121,10 @@ public final class LiveChecks {
             }
         }
         return concerned;
+    }
+
+    private static List<String> parents(ProjectContext version, String plan) {
+        return version.parents(plan).stream().map(Plan::id).toList();
     }
 
     private static void reach(String from, Set<String> reached, Function<String, List<String>> next) {

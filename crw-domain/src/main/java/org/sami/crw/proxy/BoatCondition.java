@@ -1,0 +1,78 @@
+package org.sami.crw.proxy;
+
+import java.util.Optional;
+import org.sami.crw.proxy.BoatExplanation.Cause;
+
+/**
+ * What the base knows of a boat besides its commands: the latest status, and what keeps every command from it. Shared by a {@link BoatProxy}, which
+ * does what the operator asks, and its {@link BoatMessages}, which take what the boat says.
+ */
+final class BoatCondition {
+    private final ProxyLink link;
+
+    /** The latest that is known of the boat. */
+    BoatStatus status;
+
+    /** The time in milliseconds; it never runs back. */
+    long nowMs;
+
+    /** Whether the boat was asked what it holds and has not said so; until then it is told nothing. */
+    boolean awaitingProgress;
+
+    /** Whether the boat's server has started anew and nobody has allowed it to move again. */
+    boolean unconfirmedRestart;
+
+    /** Whether a person drives the boat by hand. */
+    boolean takenOver;
+
+    /** Whether the link is cut on purpose. */
+    boolean disconnected;
+
+    /** Whether a fleet stop was sent to the boat or is latched on it. */
+    boolean fleetStopped;
+
+    /** Why the boat refused the link last; empty if it did not. */
+    String refusal = "";
+
+    /** The boat that answers over this link, if it is another one. */
+    Optional<String> otherBoat = Optional.empty();
+
+    /** The list that the boat said last that it holds; the name is empty if it said that it holds none. */
+    Optional<String> heldListId = Optional.empty();
+
+    BoatCondition(String boatId, ProxyLink link) {
+        this.link = link;
+        status = BoatStatus.unknown(boatId);
+    }
+
+    /** Takes the time of a call; an earlier one than before changes nothing. */
+    void reached(long atMs) {
+        nowMs = Math.max(nowMs, atMs);
+    }
+
+    /** What keeps every command from the boat; empty if nothing does. */
+    Optional<Obstacle> obstacle() {
+        if (disconnected) {
+            return Obstacle.because(Cause.LINK_LOST, "its link was cut on purpose");
+        } else if (link.state() == LinkState.LOST) {
+            return Obstacle.because(
+                    Cause.LINK_LOST, "the link has been lost for " + (nowMs - link.lastReceivedMs()) / 1000 + " s");
+        } else if (link.state() == LinkState.CONNECTING) {
+            return refusal.isEmpty()
+                    ? Obstacle.because(Cause.NEVER_ANSWERED, "the boat has not answered yet")
+                    : Obstacle.because(Cause.REFUSES, "the boat refuses: " + refusal);
+        } else if (!link.isCommanding()) {
+            return Obstacle.because(Cause.COMMANDED_ELSEWHERE, "another client commands the boat");
+        } else if (fleetStopped) {
+            return Obstacle.because(Cause.FLEET_STOPPED, "the fleet stop is latched");
+        } else if (takenOver) {
+            return Obstacle.because(Cause.TAKEN_OVER, "it is driven by hand");
+        } else if (unconfirmedRestart) {
+            return Obstacle.because(
+                    Cause.STARTED_ANEW, "its server has started anew and nobody has allowed it to move again");
+        }
+        return awaitingProgress
+                ? Obstacle.because(Cause.COMPARING, "the boat has not said yet what it holds")
+                : Optional.empty();
+    }
+}

@@ -1,0 +1,214 @@
+package org.sami.crw.proxy;
+
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import org.sami.boat.link.Ack;
+import org.sami.boat.link.BatteryReport;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.CommandAsked;
+import org.sami.boat.link.Frame;
+import org.sami.boat.link.Goodbye;
+import org.sami.boat.link.HeldWaypoints;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Nack;
+import org.sami.boat.link.NackReason;
+import org.sami.boat.link.PanoramaReport;
+import org.sami.boat.link.Progress;
+import org.sami.boat.link.SensorReport;
+import org.sami.boat.link.SettingsReport;
+import org.sami.boat.link.Telemetry;
+import org.sami.boat.link.Welcome;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Takes what a boat says: keeps its {@link BoatCondition}, and gives answers to whoever asked. The part of a {@link BoatProxy} that listens; for the
+ * proxy's thread, which settles the boat's commands afterwards.
+ */
+final class BoatMessages {
+    /** Why a command is broken off by a fleet stop. */
+    static final String FLEET_STOP = "the fleet was stopped";
+
+    private final String boatId;
+    private final BoatCondition condition;
+    private final ProxyLink link;
+    private final HandOver handOver;
+    private final SettingsSender tuner;
+    private final PendingRequests fleetRequests;
+    private final CommandDriver driver;
+    private final DeferredNotifications announcements;
+    private long lastTelemetry = -1; // its sequence number
+
+    BoatMessages(
+            String boatId,
+            BoatCondition condition,
+            ProxyLink link,
+            HandOver handOver,
+            SettingsSender tuner,
+            PendingRequests fleetRequests,
+            CommandDriver driver,
+            DeferredNotifications announcements) {
+        this.boatId = boatId;
+        this.condition = condition;
+        this.link = link;
+        this.handOver = handOver;
+        this.tuner = tuner;
+        this.fleetRequests = fleetRequests;
+        this.driver = driver;
+        this.announcements = announcements;
+    }
+
+    /** Takes one message of the boat. */
+    void take(Frame frame) {
+        LinkMessage message = frame.message();
+        if (message instanceof Telemetry telemetry) {
+            if (frame.sequence() > lastTelemetry) {
+                lastTelemetry = frame.sequence();
+                telemetry(telemetry);
+            }
+        } else if (message instanceof Ack ack) {
+            answered(ack.commandId(), ack);
+        } else if (message instanceof HeldWaypoints held) {
+            answered(held.commandId(), held);
+        } else if (message instanceof Nack nack) {
+            refused(nack);
+        } else if (message instanceof Progress progress) {
+            progressed(progress);
+        } else if (message instanceof BatteryReport report) {
+            BatteryState battery = new BatteryState(report.percent(), report.level());
+            condition.status = condition.status.with(battery);
+            announcements.add(l -> l.onBattery(boatId, battery));
+        } else if (message instanceof SensorReport report) {
+            BoatReading reading = BoatReading.of(report);
+            announcements.add(l -> l.onReading(boatId, reading));
+        } else if (message instanceof PanoramaReport report) {
+            driver.taken(report);
+        } else if (message instanceof SettingsReport report) {
+            tuner.reported(report);
+        } else if (message instanceof Welcome welcome) {
+            welcomed(welcome);
+        } else if (message instanceof CommandAsked asked) {
+            announcements.add(l -> l.onCommandAsked(boatId, asked.clientId()));
+        } else if (message instanceof Goodbye goodbye) {
+            condition.otherBoat = Optional.of(goodbye.boatId()).filter(id -> !id.equals(boatId));
+            refuse(goodbye.reason());
+        } // heartbeats have done their work by arriving; what only bases say is no concern of a base
+    }
+
+    private void refuse(String reason) {
+        if (!reason.equals(condition.refusal)) {
+            condition.refusal = reason;
+            announcements.add(l -> l.onRefused(boatId, reason));
+        }
+    }
+
+    private void welcomed(Welcome welcome) {
+        if (!welcome.boatId().equals(boatId)) {
+            condition.otherBoat = Optional.of(welcome.boatId());
+            refuse("this boat is " + welcome.boatId());
+            return;
+        }
+        condition.otherBoat = Optional.empty();
+        boolean restarted = !link.bootId().isEmpty() && !link.bootId().equals(welcome.bootId());
+        boolean news = link.state() != LinkState.LINKED;
+        link.welcomed(welcome);
+        condition.refusal = "";
+        condition.awaitingProgress = true;
+        handOver.settled();
+        if (news || restarted) {
+            lastTelemetry = -1;
+            linkChanged();
+        }
+        if (restarted) {
+            restarted();
+        }
+    }
+
+    /** The boat's server is another one than the one that was known: nobody has allowed it to move yet. */
+    void restarted() {
+        driver.abandon("the boat's server has started anew");
+        condition.unconfirmedRestart = true;
+        condition.heldListId = Optional.empty(); // what the earlier start held says nothing of this one
+        announce(BoatListener::onRestarted);
+    }
+
+    private void telemetry(Telemetry telemetry) {
+        BoatPose pose = new BoatPose(
+                GeoPoint.of(telemetry.latDeg(), telemetry.lonDeg()),
+                telemetry.headingRad(),
+                telemetry.speedMps(),
+                telemetry.boatTimeMs());
+        Optional<BatteryState> battery =
+                condition.status.battery().map(known -> new BatteryState(telemetry.batteryPercent(), known.level()));
+        condition.status = condition.status.with(pose, battery, telemetry.mode());
+        announce(BoatListener::onStatus);
+        if (telemetry.mode() == BoatMode.FLEET_STOP) {
+            if (!condition.fleetStopped) {
+                condition.fleetStopped = true;
+                driver.abandon(FLEET_STOP);
+            }
+            return;
+        }
+        condition.fleetStopped &= fleetRequests.areWaiting();
+        if (driver.isDriving() && telemetry.mode() == BoatMode.PATH) {
+            driver.at(pose.position(), canMove(telemetry), condition.nowMs);
+        } else if (driver.isDriving() && !condition.awaitingProgress) {
+            resync(); // it left its path by itself: it may have lost us when we did not lose it
+        } else if (!condition.awaitingProgress) {
+            driver.lies(pose.position(), condition.nowMs);
+        }
+    }
+
+    private boolean canMove(Telemetry telemetry) {
+        return telemetry.batteryPercent() > 0
+                && tuner.inForce().map(BoatTuning::velocityMultiplier).orElse(1.0) > 0;
+    }
+
+    /** Has the boat say again what it holds; until then it is told nothing. */
+    private void resync() {
+        condition.awaitingProgress = true;
+        link.hello(condition.nowMs);
+    }
+
+    private void progressed(Progress progress) {
+        condition.heldListId = Optional.of(progress.listId());
+        driver.holds(progress);
+        if (condition.awaitingProgress && link.isCommanding()) {
+            condition.awaitingProgress = false;
+            driver.resume(progress, condition.nowMs);
+        } else {
+            driver.progressed(progress);
+        }
+    }
+
+    private void answered(String commandId, LinkMessage answer) {
+        if (!handOver.answered(commandId)
+                && !tuner.answered(commandId)
+                && fleetRequests.answered(commandId).isEmpty()) { // else the next telemetry says what it has come to
+            driver.answered(commandId, answer, condition.nowMs);
+        }
+    }
+
+    private void refused(Nack nack) {
+        tuner.refused(nack);
+        boolean mayPass = !handOver.refused(nack) && driver.refused(nack);
+        boolean lostThere = nack.reason() == NackReason.NOT_GREETED && !condition.awaitingProgress; // though not here
+        if (mayPass || lostThere) {
+            resync();
+        }
+    }
+
+    /** The link was taken up, lost or closed. */
+    void linkChanged() {
+        if (link.state() != LinkState.LINKED) {
+            handOver.linkLost();
+        }
+        condition.status = condition.status.with(link.state(), link.bootId());
+        announce(BoatListener::onLinkChange);
+    }
+
+    /** Tells the listener of something together with the status of now. */
+    void announce(BiConsumer<BoatListener, BoatStatus> news) {
+        BoatStatus now = condition.status;
+        announcements.add(l -> news.accept(l, now));
+    }
+}
