@@ -2,12 +2,15 @@ package org.sami.spn.drawing;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
+import org.sami.spn.model.Note;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
@@ -24,11 +27,28 @@ final class GivenLayout {
 
     private final Plan plan;
     private final NetTexts texts;
+    private final Map<String, LayoutPoint> layout;
+    private final double factor;
     private final Map<String, NetDrawing.Vertex> vertices = new LinkedHashMap<>();
 
+    /** The two ends of an edge. */
+    private record Ends(String from, String to) {}
+
     GivenLayout(Plan plan, NetTexts texts) {
+        this(plan, texts, plan.layout(), comfortableFactor(plan.layout().values()));
+    }
+
+    /**
+     * The drawing of a plan.
+     *
+     * @param layout a point of each vertex
+     * @param factor how many drawing units one unit of the layout is
+     */
+    GivenLayout(Plan plan, NetTexts texts, Map<String, LayoutPoint> layout, double factor) {
         this.plan = plan;
         this.texts = texts;
+        this.layout = layout;
+        this.factor = factor;
     }
 
     /** Whether a plan says of each vertex where it lies, and no two lie on each other. */
@@ -40,41 +60,64 @@ final class GivenLayout {
     }
 
     NetDrawing draw() {
-        double factor = factor(plan.layout().values());
-        plan.places().forEach(place -> vertices.put(place.id(), NetShapes.vertex(place, at(place.id(), factor))));
+        plan.places().forEach(place -> vertices.put(place.id(), NetShapes.vertex(place, at(place.id()))));
         plan.transitions()
-                .forEach(transition ->
-                        vertices.put(transition.id(), NetShapes.vertex(transition, at(transition.id(), factor))));
+                .forEach(
+                        transition -> vertices.put(transition.id(), NetShapes.vertex(transition, at(transition.id()))));
+        Set<Ends> ends = new HashSet<>();
+        plan.inEdges().forEach(edge -> ends.add(new Ends(edge.place(), edge.transition())));
+        plan.outEdges().forEach(edge -> ends.add(new Ends(edge.transition(), edge.place())));
         List<NetDrawing.Edge> edges = new ArrayList<>();
         for (InEdge edge : plan.inEdges()) {
-            edges.add(line(
+            boolean twin = ends.contains(new Ends(edge.transition(), edge.place()));
+            edges.add(new NetDrawing.Edge(
                     edge.id(),
                     edge.place(),
                     edge.transition(),
+                    NetShapes.line(vertices.get(edge.place()), vertices.get(edge.transition()), twin),
                     NetShapes.isUnconditional(edge),
                     edge.mode() == Mode.RECOVERY));
         }
         for (OutEdge edge : plan.outEdges()) {
-            edges.add(line(
+            boolean twin = ends.contains(new Ends(edge.place(), edge.transition()));
+            edges.add(new NetDrawing.Edge(
                     edge.id(),
                     edge.transition(),
                     edge.place(),
+                    NetShapes.line(vertices.get(edge.transition()), vertices.get(edge.place()), twin),
                     NetShapes.isUnconditional(edge),
                     edge.mode() == Mode.RECOVERY));
         }
         LabelPlacement labels = new LabelPlacement(vertices.values(), edges);
+        List<NetDrawing.NoteBox> notes = notes();
+        notes.forEach(note -> labels.take(note.box()));
         vertices.values().forEach(vertex -> labels.placeAtVertex(vertex, texts.of(vertex.id())));
         edges.forEach(edge -> labels.placeAtEdge(edge, texts.of(edge.id())));
-        return new NetDrawing(plan.title(), factor, List.copyOf(vertices.values()), edges, labels.placed());
+        return new NetDrawing(plan.title(), factor, List.copyOf(vertices.values()), edges, labels.placed(), notes);
     }
 
-    private LayoutPoint at(String id, double factor) {
-        LayoutPoint point = plan.layout().get(id);
+    private LayoutPoint at(String id) {
+        return scaled(layout.get(id));
+    }
+
+    private LayoutPoint scaled(LayoutPoint point) {
         return new LayoutPoint(point.x() * factor, point.y() * factor);
     }
 
+    private List<NetDrawing.NoteBox> notes() {
+        List<NetDrawing.NoteBox> boxes = new ArrayList<>();
+        for (int i = 0; i < plan.notes().size(); i++) {
+            Note note = plan.notes().get(i);
+            int index = i;
+            note.at()
+                    .map(this::scaled)
+                    .ifPresent(at -> boxes.add(new NetDrawing.NoteBox(index, texts.of(note), at.x(), at.y())));
+        }
+        return boxes;
+    }
+
     /** So much that vertices which lie near each other, and not merely the nearest two, have room for words between them. */
-    private static double factor(Collection<LayoutPoint> points) {
+    static double comfortableFactor(Collection<LayoutPoint> points) {
         List<Double> nearest = new ArrayList<>();
         for (LayoutPoint one : points) {
             points.stream()
@@ -89,26 +132,5 @@ final class GivenLayout {
         nearest.sort(null);
         double typical = nearest.get(nearest.size() / 4);
         return Math.max(LEAST_FACTOR, Math.min(MOST_FACTOR, COMFORTABLE / Math.max(1, typical)));
-    }
-
-    private NetDrawing.Edge line(String id, String from, String to, boolean unconditional, boolean recovery) {
-        NetDrawing.Vertex source = vertices.get(from);
-        NetDrawing.Vertex target = vertices.get(to);
-        List<LayoutPoint> points = List.of(rim(source, target.centre()), rim(target, source.centre()));
-        return new NetDrawing.Edge(id, points, unconditional, recovery);
-    }
-
-    /** Where the line from a vertex's centre to a point leaves it. */
-    private static LayoutPoint rim(NetDrawing.Vertex vertex, LayoutPoint towards) {
-        double dx = towards.x() - vertex.centre().x();
-        double dy = towards.y() - vertex.centre().y();
-        double length = Math.max(1e-9, Math.hypot(dx, dy));
-        double part = vertex.kind() == NetDrawing.Kind.PLACE
-                ? NetDrawing.PLACE_RADIUS / length
-                : Math.min(
-                        NetDrawing.BAR_WIDTH / 2 / Math.max(1e-9, Math.abs(dx)),
-                        NetDrawing.BAR_HEIGHT / 2 / Math.max(1e-9, Math.abs(dy)));
-        return new LayoutPoint(
-                vertex.centre().x() + dx * Math.min(1, part), vertex.centre().y() + dy * Math.min(1, part));
     }
 }

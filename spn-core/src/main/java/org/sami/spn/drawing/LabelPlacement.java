@@ -46,7 +46,8 @@ final class LabelPlacement {
         }
     }
 
-    private void take(DrawingBox box) {
+    /** Keeps labels away from a box. */
+    void take(DrawingBox box) {
         DrawingBox grown = box.grown(GAP);
         taken.add(grown, grown);
         bottom = Math.max(bottom, grown.maxY());

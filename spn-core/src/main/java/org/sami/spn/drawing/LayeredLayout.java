@@ -5,6 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 import org.eclipse.elk.alg.layered.LayeredLayoutProvider;
 import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 import org.eclipse.elk.alg.layered.options.LayerConstraint;
@@ -42,6 +44,7 @@ final class LayeredLayout {
 
     private final Plan plan;
     private final NetTexts texts;
+    private final BooleanSupplier cancelled;
     private final ElkNode graph = ElkGraphUtil.createGraph();
     private final Map<String, Site> sites = new LinkedHashMap<>();
     private final Map<String, ElkEdge> lines = new LinkedHashMap<>();
@@ -54,8 +57,18 @@ final class LayeredLayout {
     }
 
     LayeredLayout(Plan plan, NetTexts texts) {
+        this(plan, texts, () -> false);
+    }
+
+    /**
+     * The layout of a plan.
+     *
+     * @param cancelled is asked again and again while it is made
+     */
+    LayeredLayout(Plan plan, NetTexts texts, BooleanSupplier cancelled) {
         this.plan = plan;
         this.texts = texts;
+        this.cancelled = cancelled;
     }
 
     NetDrawing draw() {
@@ -81,7 +94,15 @@ final class LayeredLayout {
         graph.setProperty(LayeredOptions.SPACING_EDGE_NODE_BETWEEN_LAYERS, 16.0);
         graph.setProperty(LayeredOptions.SPACING_EDGE_EDGE_BETWEEN_LAYERS, 12.0);
         LayoutMetaDataService.getInstance().registerLayoutMetaDataProviders(new LayeredMetaDataProvider());
-        new LayeredLayoutProvider().layout(graph, new BasicProgressMonitor());
+        new LayeredLayoutProvider().layout(graph, new BasicProgressMonitor() {
+            @Override
+            public boolean isCanceled() {
+                return cancelled.getAsBoolean();
+            }
+        });
+        if (cancelled.getAsBoolean()) {
+            throw new CancellationException("the layout was cancelled");
+        }
         return new NetDrawing(plan.title(), 1, vertices(), edges(), labels());
     }
 
@@ -143,12 +164,22 @@ final class LayeredLayout {
         for (InEdge edge : plan.inEdges()) {
             points(edge.id(), edge.place(), edge.transition())
                     .ifPresent(points -> edges.add(new NetDrawing.Edge(
-                            edge.id(), points, NetShapes.isUnconditional(edge), edge.mode() == Mode.RECOVERY)));
+                            edge.id(),
+                            edge.place(),
+                            edge.transition(),
+                            points,
+                            NetShapes.isUnconditional(edge),
+                            edge.mode() == Mode.RECOVERY)));
         }
         for (OutEdge edge : plan.outEdges()) {
             points(edge.id(), edge.transition(), edge.place())
                     .ifPresent(points -> edges.add(new NetDrawing.Edge(
-                            edge.id(), points, NetShapes.isUnconditional(edge), edge.mode() == Mode.RECOVERY)));
+                            edge.id(),
+                            edge.transition(),
+                            edge.place(),
+                            points,
+                            NetShapes.isUnconditional(edge),
+                            edge.mode() == Mode.RECOVERY)));
         }
         return edges;
     }

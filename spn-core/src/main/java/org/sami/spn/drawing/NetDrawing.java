@@ -10,8 +10,10 @@ import org.sami.spn.model.LayoutPoint;
  * @param title the plan's name
  * @param scale how many drawing units one unit of the plan's layout is; 1 where the layout is not the author's
  * @param labels of vertices and edges, in no order
+ * @param notes those that lie on the drawing
  */
-public record NetDrawing(String title, double scale, List<Vertex> vertices, List<Edge> edges, List<Label> labels) {
+public record NetDrawing(
+        String title, double scale, List<Vertex> vertices, List<Edge> edges, List<Label> labels, List<NoteBox> notes) {
     /** The radius of a place. */
     public static final double PLACE_RADIUS = 24;
 
@@ -49,14 +51,23 @@ public record NetDrawing(String title, double scale, List<Vertex> vertices, List
         public DrawingBox box() {
             return boxOf(kind, centre);
         }
+
+        /** The same vertex elsewhere. */
+        Vertex shifted(double dx, double dy) {
+            LayoutPoint there = new LayoutPoint(centre.x() + dx, centre.y() + dy);
+            return new Vertex(id, kind, there, start, end, subMission, recovery);
+        }
     }
 
     /**
      * A line from a vertex to another; an arrow is at its end.
      *
+     * @param from the vertex at its first point
+     * @param to the vertex at its last point
      * @param unconditional whether it has no condition, or lets nobody in
      */
-    public record Edge(String id, List<LayoutPoint> points, boolean unconditional, boolean recovery) {
+    public record Edge(
+            String id, String from, String to, List<LayoutPoint> points, boolean unconditional, boolean recovery) {
         public Edge {
             points = List.copyOf(points);
         }
@@ -75,7 +86,34 @@ public record NetDrawing(String title, double scale, List<Vertex> vertices, List
         }
     }
 
+    /**
+     * A note on the drawing.
+     *
+     * @param index in the plan's list of notes
+     */
+    public record NoteBox(int index, TextBlock text, double x, double y) {
+        private static final double INSET = 8;
+        private static final double LEAST = 40;
+
+        /** The sheet, with some room around the text. */
+        public DrawingBox box() {
+            return new DrawingBox(
+                    x, y, Math.max(LEAST, text.width() + 2 * INSET), Math.max(LEAST / 2, text.height() + 2 * INSET));
+        }
+
+        /** Where the text begins, from the sheet's left upper corner to the right and downwards. */
+        public double inset() {
+            return INSET;
+        }
+    }
+
+    /** A drawing without notes. */
+    public NetDrawing(String title, double scale, List<Vertex> vertices, List<Edge> edges, List<Label> labels) {
+        this(title, scale, vertices, edges, labels, List.of());
+    }
+
     public NetDrawing {
+        notes = List.copyOf(notes);
         vertices = List.copyOf(vertices);
         edges = List.copyOf(edges);
         labels = List.copyOf(labels);
@@ -96,6 +134,9 @@ public record NetDrawing(String title, double scale, List<Vertex> vertices, List
         }
         for (Label label : labels) {
             bounds = union(bounds, label.box());
+        }
+        for (NoteBox note : notes) {
+            bounds = union(bounds, note.box());
         }
         for (Edge edge : edges) {
             for (LayoutPoint point : edge.points()) {

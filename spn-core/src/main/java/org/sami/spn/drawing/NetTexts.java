@@ -1,8 +1,10 @@
 package org.sami.spn.drawing;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.sami.spn.model.Note;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
@@ -11,20 +13,43 @@ import org.sami.spn.vocabulary.Vocabulary;
 /** The texts of a plan as blocks, by the id of their vertex or edge; those without words are missing. */
 final class NetTexts {
     private static final double WIDEST_AT_VERTEX = 150;
+    private static final double WIDEST_NOTE = 220;
+    private static final double ROUND_SIGN = 18;
 
     private final Map<String, TextBlock> blocks = new LinkedHashMap<>();
 
     private final TextMeasure measure;
 
     NetTexts(Plan plan, Vocabulary vocabulary, TextMeasure measure) {
+        this(plan, vocabulary, measure, NetDetail.READER);
+    }
+
+    NetTexts(Plan plan, Vocabulary vocabulary, TextMeasure measure, NetDetail detail) {
         this.measure = measure;
         for (Place place : plan.places()) {
-            add(place.id(), VertexWords.of(place, vocabulary));
+            add(place.id(), VertexWords.of(place, vocabulary, detail));
         }
         for (Transition transition : plan.transitions()) {
-            add(transition.id(), VertexWords.of(transition, vocabulary));
+            add(transition.id(), VertexWords.of(transition, vocabulary, detail));
         }
-        EdgeWords.of(plan).forEach((id, lines) -> add(id, TextBlock.of(lines, TextStyle.EDGE, measure)));
+        EdgeWords.of(plan).forEach((id, lines) -> {
+            if (detail.requirements()) {
+                add(id, TextBlock.of(lines, TextStyle.EDGE, measure));
+            }
+        });
+        if (detail.missing()) {
+            plan.inEdges().stream()
+                    .filter(edge -> edge.requirements().isEmpty())
+                    .forEach(edge -> add(edge.id(), missing()));
+            plan.outEdges().stream()
+                    .filter(edge -> edge.requirements().isEmpty())
+                    .forEach(edge -> add(edge.id(), missing()));
+        }
+    }
+
+    private TextBlock missing() {
+        TextBlock sign = TextBlock.of(List.of("!"), TextStyle.MISSING, measure);
+        return new TextBlock(sign.lines(), ROUND_SIGN);
     }
 
     private void add(String id, VertexWords words) {
@@ -40,5 +65,11 @@ final class NetTexts {
     /** What is written at a vertex or an edge; an empty block where nothing is. */
     TextBlock of(String id) {
         return blocks.getOrDefault(id, new TextBlock(List.of(), 0));
+    }
+
+    /** What is written on a note, a paragraph for each line of its text. */
+    TextBlock of(Note note) {
+        List<String> paragraphs = new ArrayList<>(note.text().lines().toList());
+        return TextBlock.of("", TextStyle.NOTE, paragraphs, TextStyle.NOTE, WIDEST_NOTE, measure);
     }
 }

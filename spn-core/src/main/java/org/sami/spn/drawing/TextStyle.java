@@ -11,7 +11,9 @@ public enum TextStyle {
     /** Events and sub-missions. */
     EVENT(false, 12),
     /** Requirements. */
-    EDGE(false, 12);
+    EDGE(false, 12),
+    /** The mark on an edge without requirement. */
+    MISSING(true, 13);
 
     private final boolean bold;
     private final int size;

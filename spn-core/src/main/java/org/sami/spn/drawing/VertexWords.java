@@ -3,7 +3,9 @@ package org.sami.spn.drawing;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.stream.Collectors;
 import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.WaitFor;
@@ -25,21 +27,45 @@ public record VertexWords(String name, List<String> events) {
 
     /** A place with its output events and sub-missions. */
     public static VertexWords of(Place place, Vocabulary vocabulary) {
+        return of(place, vocabulary, NetDetail.READER);
+    }
+
+    static VertexWords of(Place place, Vocabulary vocabulary, NetDetail detail) {
         List<String> lines = new ArrayList<>();
-        place.outputs().forEach(output -> lines.add("→ " + label(output.type(), vocabulary)));
-        place.subMissions()
-                .forEach(sub -> lines.add((sub.shared() ? "shared sub-mission " : "sub-mission ") + sub.plan()));
+        if (detail.events()) {
+            place.outputs().forEach(output -> {
+                lines.add("→ " + label(output.type(), vocabulary));
+                addMarkups(output.markups(), detail, lines);
+            });
+            place.subMissions()
+                    .forEach(sub -> lines.add((sub.shared() ? "shared sub-mission " : "sub-mission ") + sub.plan()));
+        }
         return new VertexWords(place.name(), lines);
     }
 
     /** A transition with its input events. */
     public static VertexWords of(Transition transition, Vocabulary vocabulary) {
+        return of(transition, vocabulary, NetDetail.READER);
+    }
+
+    static VertexWords of(Transition transition, Vocabulary vocabulary, NetDetail detail) {
         List<String> lines = new ArrayList<>();
-        transition.inputs().forEach(input -> lines.add("← " + label(input, vocabulary)));
-        if (transition.waitFor() == WaitFor.ALL) {
-            lines.add("waits for all");
+        if (detail.events()) {
+            transition.inputs().forEach(input -> {
+                lines.add("← " + label(input, vocabulary));
+                addMarkups(input.markups(), detail, lines);
+            });
+            if (transition.waitFor() == WaitFor.ALL) {
+                lines.add("waits for all");
+            }
         }
         return new VertexWords(transition.name(), lines);
+    }
+
+    private static void addMarkups(List<MarkupSpec> markups, NetDetail detail, List<String> lines) {
+        if (detail.markups() && !markups.isEmpty()) {
+            lines.add("with " + markups.stream().map(MarkupSpec::type).collect(Collectors.joining(", ")));
+        }
     }
 
     private static String label(InputEventSpec input, Vocabulary vocabulary) {

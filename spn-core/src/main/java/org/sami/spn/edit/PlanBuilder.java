@@ -15,6 +15,7 @@ import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.model.Mode;
+import org.sami.spn.model.Note;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.OutputEventSpec;
@@ -41,7 +42,7 @@ public final class PlanBuilder {
     private final List<VariableSpec> variables = new ArrayList<>();
     private final List<String> reads = new ArrayList<>();
     private final List<TaskSpec> tasks = new ArrayList<>();
-    private final List<String> notes = new ArrayList<>();
+    private final List<Note> notes = new ArrayList<>();
     private final List<TestCase> testCases = new ArrayList<>();
     private final Map<String, LayoutPoint> layout = new LinkedHashMap<>();
     private final Set<String> eventIds = new HashSet<>();
@@ -210,9 +211,9 @@ public final class PlanBuilder {
         return this;
     }
 
-    /** A note. */
+    /** A note about the plan as a whole. */
     public PlanBuilder note(String note) {
-        notes.add(note);
+        notes.add(Note.of(note));
         return this;
     }
 

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.spn.model.MissionTreeNode;
+import org.sami.spn.model.Note;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.TestCase;
@@ -203,7 +204,7 @@ public sealed interface ProjectEdit extends Edit {
     }
 
     /** Sets what a plan says about itself. */
-    record DescribePlan(String plan, String name, String description, List<String> notes)
+    record DescribePlan(String plan, String name, String description, List<Note> notes)
             implements ProjectEdit, PlanEdit {
         public DescribePlan {
             Objects.requireNonNull(plan, "plan");

@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
+import org.sami.spn.model.Note;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
@@ -59,7 +60,11 @@ final class PlanReader {
                 m.objects("outEdges").stream().map(this::outEdge).toList();
         checkParallel(inEdges, outEdges);
         Map<String, LayoutPoint> layout = layout();
-        List<String> notes = m.texts("notes");
+        NoteReader noteReader = new NoteReader(parts.problems());
+        List<Note> notes = m.array("notes").stream()
+                .map(noteReader::read)
+                .flatMap(Optional::stream)
+                .toList();
         TestCaseReader testCases = new TestCaseReader(parts, readPlaces, globals, variables, events.refused());
         List<TestCase> cases =
                 m.objects("testCases").stream().map(testCases::read).toList();

@@ -8,8 +8,10 @@ import java.util.Map;
 import java.util.function.Function;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Match;
 import org.sami.spn.model.Mode;
+import org.sami.spn.model.Note;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.Place;
@@ -55,10 +57,27 @@ final class PlanWriter {
                     .forEach((id, p) ->
                             layout.putArray(id).add(ValueWriter.number(p.x())).add(ValueWriter.number(p.y())));
         }
-        putTexts(node, "notes", plan.notes());
+        if (!plan.notes().isEmpty()) {
+            ArrayNode notes = node.putArray("notes");
+            plan.notes().forEach(note -> note(notes, note));
+        }
         TestCaseWriter cases = new TestCaseWriter(vocabulary, plan, project);
         put(node, "testCases", plan.testCases(), cases::write);
         return node;
+    }
+
+    /** One that lies nowhere is its text alone, as before there was anything else to say of a note. */
+    private static void note(ArrayNode notes, Note note) {
+        if (note.at().isEmpty()) {
+            notes.add(note.text());
+        } else {
+            LayoutPoint at = note.at().get();
+            notes.addObject()
+                    .put("text", note.text())
+                    .putArray("at")
+                    .add(ValueWriter.number(at.x()))
+                    .add(ValueWriter.number(at.y()));
+        }
     }
 
     private ObjectNode task(TaskSpec task) {

@@ -12,6 +12,7 @@ import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
+import org.sami.spn.model.Note;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.Place;
@@ -70,7 +71,7 @@ final class PlanConverter {
                 List.of(),
                 tasks(plan),
                 layout,
-                notes,
+                notes.stream().map(Note::of).toList(),
                 List.of());
     }
 

@@ -28,7 +28,7 @@ public record Plan(
         List<String> reads,
         List<TaskSpec> tasks,
         Map<String, LayoutPoint> layout,
-        List<String> notes,
+        List<Note> notes,
         List<TestCase> testCases) {
     public Plan {
         Objects.requireNonNull(id, "id");
@@ -277,7 +277,7 @@ public record Plan(
     }
 
     /** The same plan with other notes. */
-    public Plan withNotes(List<String> notes) {
+    public Plan withNotes(List<Note> notes) {
         return new Plan(
                 id,
                 name,

@@ -14,7 +14,9 @@ import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditSequence;
 import org.sami.spn.edit.EventEdit;
+import org.sami.spn.edit.ExtractSubMission;
 import org.sami.spn.edit.Fragment;
+import org.sami.spn.edit.NoteEdit;
 import org.sami.spn.edit.Paste;
 import org.sami.spn.edit.ProjectEdit;
 import org.sami.spn.edit.RemoveElements;
@@ -31,6 +33,7 @@ import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Mode;
+import org.sami.spn.model.Note;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
@@ -208,7 +211,12 @@ public final class RandomEdits {
                 ? new ProjectEdit.ClonePlan(plan.id(), fresh("plan"), "A clone")
                 : new ProjectEdit.RemovePlan(plan.id()));
         kinds.add(() -> new ProjectEdit.MovePlan(plan.id(), random.nextInt(4)));
-        kinds.add(() -> new ProjectEdit.DescribePlan(plan.id(), fresh("Plan "), "", List.of("A note")));
+        kinds.add(() -> new ProjectEdit.DescribePlan(plan.id(), fresh("Plan "), "", List.of(Note.of("A note"))));
+        kinds.add(() -> new NoteEdit.AddNote(plan.id(), new Note(fresh("Note "), Optional.of(point()))));
+        kinds.add(() -> new NoteEdit.SetNoteText(plan.id(), random.nextInt(3), fresh("Note ")));
+        kinds.add(() -> new NoteEdit.MoveNotes(plan.id(), Map.of(random.nextInt(3), point())));
+        kinds.add(() -> new NoteEdit.RemoveNotes(plan.id(), Set.of(random.nextInt(3))));
+        kinds.add(() -> new ExtractSubMission(plan.id(), some(), fresh("extracted"), "Extracted"));
         kinds.add(() -> new ProjectEdit.NameProject(fresh("Project ")));
         kinds.add(() -> new ProjectEdit.SetMissionTree(List.of(
                 new MissionTreeNode("Folder", Optional.empty(), List.of()),

@@ -13,6 +13,7 @@ import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetDrawing.Edge;
 import org.sami.spn.drawing.NetDrawing.Kind;
 import org.sami.spn.drawing.NetDrawing.Label;
+import org.sami.spn.drawing.NetDrawing.NoteBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.drawing.TextBlock;
 import org.sami.spn.drawing.TextStyle;
@@ -50,6 +51,11 @@ final class NetPainter {
         hint(g);
         DrawingBox clip = clip(g, scene);
         boolean words = scale >= LEAST_SCALE_OF_TEXT;
+        for (NoteBox note : scene.notes()) {
+            if (clip.intersects(note.box())) {
+                NotePainter.paint(g, note, light.selected().contains(NetScene.idOf(note.index())), words);
+            }
+        }
         for (Edge edge : scene.edges()) {
             edge(g, edge, light);
         }
@@ -79,6 +85,7 @@ final class NetPainter {
         } else {
             FarNames.paint(g, scale, scene, marking, light, clip);
         }
+        ChangePainter.paint(g, scene, light.changes());
     }
 
     private static void hint(Graphics2D g) {
@@ -210,8 +217,24 @@ final class NetPainter {
         }
     }
 
+    /** The mark of an edge that nobody has said anything of yet. */
+    private static void missing(Graphics2D g, DrawingBox box) {
+        double x = box.x() + box.width() / 2;
+        double y = box.y() + box.height() / 2;
+        double radius = box.width() / 2;
+        g.setColor(SemanticColor.WARNING_FILL.get());
+        g.fill(new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius));
+        g.setColor(SemanticColor.ON_WARNING.get());
+        g.setFont(NetFonts.of(TextStyle.MISSING));
+        g.drawString("!", (float) (x - NetFonts.width("!", TextStyle.MISSING) / 2), (float) (y + 4.8));
+    }
+
     private static void write(Graphics2D g, Label label) {
         double top = label.y();
+        if (label.text().lines().get(0).style() == TextStyle.MISSING) {
+            missing(g, label.box());
+            return;
+        }
         for (TextBlock.Line line : label.text().lines()) {
             double left = label.x() + (label.text().width() - line.width()) / 2;
             g.setFont(NetFonts.of(line.style()));

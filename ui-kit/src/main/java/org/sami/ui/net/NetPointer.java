@@ -2,6 +2,7 @@ package org.sami.ui.net;
 
 import java.util.Optional;
 import org.sami.spn.drawing.NetDrawing.Edge;
+import org.sami.spn.drawing.NetDrawing.NoteBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 
 /**
@@ -13,6 +14,7 @@ import org.sami.spn.drawing.NetDrawing.Vertex;
  * @param py in pixels of the view
  * @param vertex under it
  * @param edge under it, where no vertex is
+ * @param note under it, where neither is
  * @param menu whether it asks for a menu: the right button
  * @param box whether a box is meant: Shift is held
  * @param additive whether it adds to what is selected: Ctrl is held
@@ -25,6 +27,7 @@ public record NetPointer(
         int py,
         Optional<Vertex> vertex,
         Optional<Edge> edge,
+        Optional<NoteBox> note,
         boolean menu,
         boolean box,
         boolean additive,

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.sami.spn.drawing.DrawingBox;
@@ -13,6 +14,7 @@ import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetDrawing.Edge;
 import org.sami.spn.drawing.NetDrawing.Kind;
 import org.sami.spn.drawing.NetDrawing.Label;
+import org.sami.spn.drawing.NetDrawing.NoteBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Plan;
@@ -27,11 +29,13 @@ public final class NetScene {
     private final Set<String> silhouettes;
     private final List<Edge> edges;
     private final List<Label> labels;
+    private final List<NoteBox> notes;
 
     /** The vertices at the ends of an edge. */
     private record Ends(String from, String to) {}
 
-    private NetScene(NetDrawing drawing, Set<String> full, Set<String> silhouettes, Set<String> edges) {
+    private NetScene(NetDrawing drawing, Set<String> full, Set<String> silhouettes, Set<String> edges, boolean notes) {
+        this.notes = notes ? drawing.notes() : List.of();
         this.drawing = drawing;
         this.full = full;
         this.silhouettes = silhouettes;
@@ -54,7 +58,7 @@ public final class NetScene {
         plan.inEdges().forEach(edge -> ends.put(edge.id(), new Ends(edge.place(), edge.transition())));
         plan.outEdges().forEach(edge -> ends.put(edge.id(), new Ends(edge.transition(), edge.place())));
         return switch (mode) {
-            case ALL -> new NetScene(drawing, ids(drawing.vertices()), Set.of(), Set.copyOf(ends.keySet()));
+            case ALL -> new NetScene(drawing, ids(drawing.vertices()), Set.of(), Set.copyOf(ends.keySet()), true);
             case NOMINAL -> nominal(drawing, ends);
             case RECOVERY -> recovery(drawing, ends, selected);
         };
@@ -74,7 +78,7 @@ public final class NetScene {
                 edges.add(edge.id());
             }
         }
-        return new NetScene(drawing, vertices, Set.of(), edges);
+        return new NetScene(drawing, vertices, Set.of(), edges, true);
     }
 
     private static NetScene recovery(NetDrawing drawing, Map<String, Ends> ends, Set<String> selected) {
@@ -95,7 +99,7 @@ public final class NetScene {
                 silhouettes.add(id);
             }
         }
-        return new NetScene(drawing, full, silhouettes, edges);
+        return new NetScene(drawing, full, silhouettes, edges, false);
     }
 
     /** The vertices that are shown with all that is written at them. */
@@ -117,6 +121,21 @@ public final class NetScene {
         return edges;
     }
 
+    /** The notes that are shown: in recovery mode none, as all other words. */
+    public List<NoteBox> notes() {
+        return notes;
+    }
+
+    /** What a note is called where elements are called by their ids. No element is called so: ids of plans have no blank at the end. */
+    public static String idOf(int note) {
+        return "note " + note + " ";
+    }
+
+    /** The note at a point; none where there is none. */
+    public Optional<NoteBox> noteAt(double x, double y) {
+        return notes.stream().filter(note -> note.box().contains(x, y)).findFirst();
+    }
+
     /** The texts that are shown, of vertices and edges. */
     public List<Label> labels() {
         return labels;
@@ -129,10 +148,12 @@ public final class NetScene {
 
     /** The box around what is shown with its words; that of all there is where nothing is shown. */
     public DrawingBox shownBounds() {
-        return Stream.concat(
+        return Stream.of(
                         Stream.concat(vertices().stream(), silhouettes().stream())
                                 .map(Vertex::box),
-                        labels.stream().map(Label::box))
+                        labels.stream().map(Label::box),
+                        notes.stream().map(NoteBox::box))
+                .flatMap(Function.identity())
                 .reduce(DrawingBox::union)
                 .orElse(bounds());
     }

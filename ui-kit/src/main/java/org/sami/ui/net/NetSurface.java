@@ -5,6 +5,7 @@ import java.awt.geom.Point2D;
 import java.util.Optional;
 import javax.swing.SwingUtilities;
 import org.sami.spn.drawing.NetDrawing.Edge;
+import org.sami.spn.drawing.NetDrawing.NoteBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.ui.canvas.CanvasMouse;
 
@@ -25,6 +26,9 @@ record NetSurface(NetView view, NetViewport viewport) implements CanvasMouse.Sur
         Optional<Vertex> vertex = view.scene().vertexAt(at.getX(), at.getY(), reach);
         Optional<Edge> edge =
                 vertex.isPresent() ? Optional.empty() : view.scene().edgeAt(at.getX(), at.getY(), reach);
+        Optional<NoteBox> note = vertex.isPresent() || edge.isPresent()
+                ? Optional.empty()
+                : view.scene().noteAt(at.getX(), at.getY());
         return new NetPointer(
                 at.getX(),
                 at.getY(),
@@ -32,6 +36,7 @@ record NetSurface(NetView view, NetViewport viewport) implements CanvasMouse.Sur
                 e.getY(),
                 vertex,
                 edge,
+                note,
                 SwingUtilities.isRightMouseButton(e),
                 e.isShiftDown(),
                 e.isControlDown(),

@@ -9,6 +9,7 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -56,6 +57,7 @@ public final class NetView extends JPanel {
     private transient NetMode mode = NetMode.NOMINAL;
     private transient Set<String> selected = Set.of();
     private transient Set<String> highlighted = Set.of();
+    private transient Map<String, NetChange> changes = Map.of();
     private transient NetScene scene = content.scene(mode, selected);
     private transient NetTool tool = new NetSelectTool(this);
     private transient Function<String, Optional<String>> explanation = id -> Optional.empty();
@@ -120,6 +122,18 @@ public final class NetView extends JPanel {
         if (another) {
             begin();
         }
+    }
+
+    /** Shows the same plan with its elements elsewhere, while they are dragged. */
+    public void preview(NetDrawing drawing) {
+        content = new NetContent(content.plan(), content.vocabulary(), drawing);
+        changed();
+    }
+
+    /** Marks how elements differ from another version of the plan, by their ids. */
+    public void setChanges(Map<String, NetChange> changes) {
+        this.changes = Map.copyOf(changes);
+        viewer.repaint();
     }
 
     /** How wide a text will be on a net, for whoever draws a plan elsewhere. */
@@ -359,7 +373,7 @@ public final class NetView extends JPanel {
     }
 
     private void paintNet(Graphics2D g, double scale) {
-        painter.paint(g, scale, scene, marking, new NetLight(selected, highlighted, pulse::of));
+        painter.paint(g, scale, scene, marking, new NetLight(selected, highlighted, pulse::of, changes));
         tool.paint(g);
     }
 

@@ -19,7 +19,7 @@ final class NetFonts {
         return switch (style) {
             case TITLE, NAME, EVENT -> new Color(0x1F2933);
             case NOTE -> new Color(0x5F6C7B);
-            case EDGE -> new Color(0x0B5394);
+            case EDGE, MISSING -> new Color(0x0B5394);
         };
     }
 

@@ -1,0 +1,94 @@
+package org.sami.ui.net;
+
+import java.awt.BasicStroke;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.geom.RoundRectangle2D;
+import java.util.List;
+import java.util.Map;
+import org.sami.spn.drawing.DrawingBox;
+import org.sami.spn.drawing.NetDrawing.Edge;
+import org.sami.spn.drawing.NetDrawing.Vertex;
+import org.sami.spn.model.LayoutPoint;
+import org.sami.ui.look.SemanticColor;
+
+/** Marks what differs between two versions of a net: a round sign for what is new, a square for what is gone, a diamond for what changed. */
+final class ChangePainter {
+    private static final double SIGN = 18;
+    private static final BasicStroke FRAME = new BasicStroke(2.5f);
+    private static final BasicStroke LINE = new BasicStroke(4f);
+    private static final BasicStroke GONE =
+            new BasicStroke(2.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {4, 4}, 0);
+
+    private ChangePainter() {}
+
+    static void paint(Graphics2D g, NetScene scene, Map<String, NetChange> changes) {
+        for (Edge edge : scene.edges()) {
+            NetChange change = changes.get(edge.id());
+            if (change != null) {
+                edge(g, edge, change);
+            }
+        }
+        for (Vertex vertex : scene.vertices()) {
+            NetChange change = changes.get(vertex.id());
+            if (change != null) {
+                DrawingBox box = vertex.box().grown(7);
+                g.setColor(color(change).get());
+                g.setStroke(change == NetChange.REMOVED ? GONE : FRAME);
+                g.draw(new RoundRectangle2D.Double(box.x(), box.y(), box.width(), box.height(), 10, 10));
+                if (change == NetChange.REMOVED) {
+                    g.draw(new Line2D.Double(box.x(), box.maxY(), box.maxX(), box.y()));
+                }
+                sign(g, box.maxX(), box.y(), change);
+            }
+        }
+    }
+
+    private static SemanticColor color(NetChange change) {
+        return switch (change) {
+            case ADDED -> SemanticColor.OK;
+            case REMOVED -> SemanticColor.CRITICAL;
+            case CHANGED -> SemanticColor.WARNING;
+        };
+    }
+
+    private static void edge(Graphics2D g, Edge edge, NetChange change) {
+        Path2D path = new Path2D.Double();
+        List<LayoutPoint> points = edge.points();
+        path.moveTo(points.get(0).x(), points.get(0).y());
+        points.stream().skip(1).forEach(point -> path.lineTo(point.x(), point.y()));
+        g.setColor(color(change).withAlpha(150));
+        g.setStroke(change == NetChange.REMOVED ? GONE : LINE);
+        g.draw(path);
+        LayoutPoint from = points.get(points.size() / 2 - 1);
+        LayoutPoint to = points.get(points.size() / 2);
+        sign(g, from.x() + 0.25 * (to.x() - from.x()), from.y() + 0.25 * (to.y() - from.y()), change);
+    }
+
+    private static void sign(Graphics2D g, double x, double y, NetChange change) {
+        double half = SIGN / 2;
+        g.setColor(color(change).get());
+        switch (change) {
+            case ADDED -> g.fill(new Ellipse2D.Double(x - half, y - half, SIGN, SIGN));
+            case REMOVED -> g.fill(new Rectangle2D.Double(x - half, y - half, SIGN, SIGN));
+            case CHANGED -> {
+                Path2D diamond = new Path2D.Double();
+                double far = half * 1.3;
+                diamond.moveTo(x, y - far);
+                diamond.lineTo(x + far, y);
+                diamond.lineTo(x, y + far);
+                diamond.lineTo(x - far, y);
+                diamond.closePath();
+                g.fill(diamond);
+            }
+        }
+        g.setColor(SemanticColor.NET_CANVAS.get());
+        g.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 15));
+        double width = g.getFontMetrics().stringWidth(change.sign());
+        g.drawString(change.sign(), (float) (x - width / 2), (float) (y + 5.4));
+    }
+}
