@@ -16,6 +16,7 @@ import org.sami.spn.journal.JournalReader;
 import org.sami.spn.journal.Telemetry;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.model.Project;
+import org.sami.spn.replay.TimeLine;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
@@ -42,7 +43,7 @@ public final class ReplayedJournal {
         List<TelemetryRow> ordered = new ArrayList<>(telemetry.rows());
         ordered.sort(Comparator.comparingLong(TelemetryRow::atMillis)); // those of one moment stay in order
         rows = List.copyOf(ordered);
-        timeLine = TimeLineBuilder.of(engine, entries, rows);
+        timeLine = SessionTimeLine.of(engine, entries, rows);
         List<String> wrong = Stream.concat(reader.recovery().damage().stream(), telemetry.damage().stream())
                 .toList();
         damage = wrong.isEmpty() ? Optional.empty() : Optional.of(String.join("; ", wrong));

@@ -11,7 +11,6 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.gui.notice.SessionClock;
 import org.sami.crw.operator.EngineText;
 import org.sami.crw.operator.MissionEnd;
 import org.sami.crw.operator.MissionSnapshot;
@@ -24,6 +23,7 @@ import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.net.NetView;
+import org.sami.ui.replay.SessionClock;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 

@@ -13,6 +13,7 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.OperatorLogEntry;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.replay.SessionClock;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 

@@ -34,6 +34,8 @@ import org.sami.ui.dock.DockArea;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.replay.ReplayPlayer;
+import org.sami.ui.replay.TimeLinePanel;
 import org.sami.ui.window.FrameSize;
 import org.sami.ui.window.Notices;
 import org.sami.ui.window.ViewCommands;
@@ -75,7 +77,7 @@ public final class ReplayWindow {
         this.data = data;
         this.ended = ended;
         Replay replay = new Replay(journal, EventThread.executor(), computing);
-        player = new ReplayPlayer(replay, worker);
+        player = new ReplayPlayer(journal.timeLine(), replay::goTo, worker);
         OperatorContext context = new OperatorContext(
                 new ReplayedSession(replay, worker, player::goTo),
                 new CommandRegistry(),
@@ -91,7 +93,7 @@ public final class ReplayWindow {
                 .withKey("ctrl Q")
                 .withIcon("close"));
         commands.add(decisionMoment(replay.models().decisions()));
-        timeLine = new TimeLinePanel(player, commands);
+        timeLine = new TimeLinePanel(player, commands, TimeLinePanel.Keys.WINDOW);
         refuseWhatActs(context);
         frame.setName("replay-window");
         frame.setTitle("REPLAY " + journal.file().getFileName() + " – SAMI operator");

@@ -1,13 +1,14 @@
-package org.sami.crw.gui.replay;
+package org.sami.ui.replay;
 
+import java.util.List;
 import java.util.Locale;
 import javax.swing.BorderFactory;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
-import org.sami.crw.gui.notice.SessionClock;
-import org.sami.crw.replay.Playback;
+import org.sami.spn.replay.Playback;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRegistry;
@@ -15,16 +16,32 @@ import org.sami.ui.look.Fonts;
 import org.sami.ui.look.SemanticColor;
 
 /** The time line at the foot of a replay, and the commands that move on it. */
-final class TimeLinePanel extends JPanel {
-    private final ReplayPlayer player;
+public final class TimeLinePanel extends JPanel {
+    /** Where the keys of a time line's commands work. */
+    public enum Keys {
+        /** In the whole window, unless what has the focus has a use for them. */
+        WINDOW,
+        /** In the time line when it has the focus: the window needs them for something else. */
+        FOCUS
+    }
+
+    private final transient ReplayPlayer player;
+    private final Keys keys;
     private final TimeLineBar bar;
     private final JLabel time = new JLabel();
     private final JComboBox<String> speeds = new JComboBox<>();
     private final CommandButton play;
 
-    TimeLinePanel(ReplayPlayer player, CommandRegistry commands) {
+    /**
+     * A panel over a player, whose commands it adds.
+     *
+     * @param keys where the keys of its commands work
+     */
+    public TimeLinePanel(ReplayPlayer player, CommandRegistry commands, Keys keys) {
         super(new MigLayout("insets 4 12 4 12, gap 8", "[][][][][][][grow]", "[]"));
         this.player = player;
+        this.keys = keys;
+        bar = new TimeLineBar(player);
         setName("time-line-panel");
         play = new CommandButton(
                 commands.add(command("replay-play", "Play or pause", "SPACE", "play", player::toggle)));
@@ -56,15 +73,19 @@ final class TimeLinePanel extends JPanel {
         add(speeds, "hmin 40");
         time.setName("replay-time");
         add(time, "wmin pref");
-        bar = new TimeLineBar(player);
         add(bar, "growx, wmin 0, span");
         player.addListener(this::refresh);
         style();
         refresh();
     }
 
-    private static Command command(String id, String title, String key, String icon, Runnable run) {
-        return new Command(id, title, run).withKey(key).withIcon(icon);
+    private Command command(String id, String title, String key, String icon, Runnable run) {
+        Command command = new Command(id, title, run).withIcon(icon);
+        if (keys == Keys.WINDOW) {
+            return command.withKey(key);
+        }
+        command.withFocusKeys(List.of(KeyStroke.getKeyStroke(key))).bindTo(bar);
+        return command;
     }
 
     private static String words(double speed) {
@@ -72,7 +93,7 @@ final class TimeLinePanel extends JPanel {
     }
 
     /** Has the keys of the time line go to it. */
-    void focus() {
+    public void focus() {
         bar.requestFocusInWindow();
     }
 

@@ -1,4 +1,4 @@
-package org.sami.crw.replay;
+package org.sami.spn.replay;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -9,48 +9,24 @@ import java.util.Map;
 import java.util.NavigableSet;
 import java.util.Optional;
 import java.util.TreeSet;
-import org.sami.crw.operator.OperatorMessage;
-import org.sami.crw.replay.TimeLine.Kind;
-import org.sami.crw.replay.TimeLine.Mark;
-import org.sami.crw.session.SessionNote;
-import org.sami.crw.session.SessionTelemetry;
-import org.sami.spn.engine.Engine;
-import org.sami.spn.engine.EngineState;
 import org.sami.spn.host.JournalEntry;
-import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.replay.TimeLine.Kind;
+import org.sami.spn.replay.TimeLine.Mark;
 
-/** Goes through a journal once and marks what happened. */
-final class TimeLineBuilder implements SessionTelemetry.Reader {
+/** Makes a time line of a journal's entries, in order, and of what a domain marks beside them. */
+public final class TimeLineBuilder {
     private final List<Mark> marks = new ArrayList<>();
     private final NavigableSet<Long> moments = new TreeSet<>();
     private final Map<Long, String> missions = new HashMap<>();
     private long endMillis;
-    private long rowMillis;
 
-    private TimeLineBuilder() {}
-
-    static TimeLine of(Engine engine, List<JournalEntry> entries, List<TelemetryRow> rows) {
-        TimeLineBuilder builder = new TimeLineBuilder();
-        EngineState state = engine.newState();
-        for (JournalEntry entry : entries) {
-            List<Effect> effects = engine.step(state, entry.atMillis(), entry.input());
-            builder.entry(entry, effects);
-        }
-        for (TelemetryRow row : rows) {
-            builder.rowMillis = row.atMillis();
-            builder.endMillis = Math.max(builder.endMillis, row.atMillis());
-            SessionTelemetry.read(List.of(row), builder);
-        }
-        builder.marks.sort(Comparator.comparingLong(Mark::atMillis));
-        return new TimeLine(builder.endMillis, builder.marks, builder.moments);
-    }
-
-    private void entry(JournalEntry entry, List<Effect> effects) {
+    /** Marks what an entry and its effects tell. */
+    public void entry(JournalEntry entry, List<Effect> effects) {
         long at = entry.atMillis();
-        endMillis = Math.max(endMillis, at);
+        until(at);
         moments.add(at);
         Optional<String> done = words(entry.input());
         done.ifPresent(text -> marks.add(new Mark(at, Kind.OPERATOR, Ids.NONE, text)));
@@ -94,20 +70,19 @@ final class TimeLineBuilder implements SessionTelemetry.Reader {
         return Optional.empty();
     }
 
-    @Override
-    public void message(OperatorMessage message) {
-        marks.add(new Mark(message.atMillis(), Kind.MESSAGE, message.mission(), message.text()));
+    /** Marks something that the domain knows of. */
+    public void mark(Mark mark) {
+        marks.add(mark);
     }
 
-    @Override
-    public void message(SessionNote note) {
-        if (note.kind().equals(SessionNote.LINK)) {
-            marks.add(new Mark(note.atMillis(), Kind.ALARM, Ids.NONE, note.text()));
-        }
+    /** The session lasted until then at least. */
+    public void until(long millis) {
+        endMillis = Math.max(endMillis, millis);
     }
 
-    @Override
-    public void lost(String boat) {
-        marks.add(new Mark(rowMillis, Kind.ALARM, Ids.NONE, "the link to " + boat + " is lost"));
+    /** The time line. */
+    public TimeLine build() {
+        marks.sort(Comparator.comparingLong(Mark::atMillis));
+        return new TimeLine(endMillis, marks, moments);
     }
 }

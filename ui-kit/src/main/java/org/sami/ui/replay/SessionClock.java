@@ -1,4 +1,4 @@
-package org.sami.crw.gui.notice;
+package org.sami.ui.replay;
 
 import java.util.Locale;
 

@@ -1,4 +1,4 @@
-package org.sami.crw.replay;
+package org.sami.spn.replay;
 
 import java.util.List;
 

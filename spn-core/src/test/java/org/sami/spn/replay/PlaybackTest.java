@@ -1,4 +1,4 @@
-package org.sami.crw.replay;
+package org.sami.spn.replay;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
-import org.sami.crw.replay.TimeLine.Kind;
-import org.sami.crw.replay.TimeLine.Mark;
+import org.sami.spn.replay.TimeLine.Kind;
+import org.sami.spn.replay.TimeLine.Mark;
 
 class PlaybackTest {
     private final Playback playback = new Playback(new TimeLine(

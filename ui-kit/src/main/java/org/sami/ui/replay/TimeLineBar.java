@@ -1,4 +1,4 @@
-package org.sami.crw.gui.replay;
+package org.sami.ui.replay;
 
 import java.awt.Color;
 import java.awt.Dimension;
@@ -11,8 +11,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JPanel;
-import org.sami.crw.gui.notice.SessionClock;
-import org.sami.crw.replay.TimeLine.Mark;
+import org.sami.spn.replay.TimeLine.Mark;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
@@ -24,7 +23,7 @@ final class TimeLineBar extends JPanel {
     private static final int TOP = 6;
     private static final int NEAR = 6;
 
-    private final ReplayPlayer player;
+    private final transient ReplayPlayer player;
 
     TimeLineBar(ReplayPlayer player) {
         this.player = player;

@@ -1,57 +1,77 @@
-package org.sami.crw.gui.replay;
+package org.sami.ui.replay;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalLong;
 import java.util.concurrent.Executor;
+import java.util.function.LongConsumer;
 import javax.swing.Timer;
-import org.sami.crw.replay.Playback;
-import org.sami.crw.replay.Replay;
-import org.sami.crw.replay.TimeLine;
+import org.sami.spn.replay.Playback;
+import org.sami.spn.replay.TimeLine;
 import org.sami.ui.EventThread;
 
 /**
  * Keeps a replay at the moment that a person wants: while it plays, by this machine's clock. The moment is computed on the replay's thread, one at
  * a time; of those that are wanted meanwhile the last counts. On the event thread.
  */
-final class ReplayPlayer {
+public final class ReplayPlayer {
     private static final int PERIOD_MS = 50;
     private static final long NANOS_A_MS = 1_000_000;
 
-    private final Replay replay;
+    private LongConsumer computing;
     private final Executor worker;
-    private final Playback playback;
+    private TimeLine timeLine;
+    private Playback playback;
     private final List<Runnable> listeners = new ArrayList<>();
     private final Timer timer = new Timer(PERIOD_MS, e -> tick());
     private OptionalLong wanted = OptionalLong.empty();
     private boolean under; // way: a moment is computed
     private long tickedNanos;
 
-    ReplayPlayer(Replay replay, Executor worker) {
-        this.replay = replay;
+    /**
+     * A player that stands at the start.
+     *
+     * @param computing goes to a moment, in ms of the session's clock; runs on the worker
+     * @param worker the replay's thread
+     */
+    public ReplayPlayer(TimeLine timeLine, LongConsumer computing, Executor worker) {
+        this.timeLine = timeLine;
+        this.computing = computing;
         this.worker = worker;
-        playback = new Playback(replay.journal().timeLine());
+        playback = new Playback(timeLine);
     }
 
-    TimeLine timeLine() {
-        return replay.journal().timeLine();
+    /** Has another replay, and stands at its start. */
+    public void show(TimeLine next, LongConsumer computingIt) {
+        timer.stop();
+        timeLine = next;
+        computing = computingIt;
+        playback = new Playback(next);
+        moved();
     }
 
-    Playback playback() {
+    /** When what happened. */
+    public TimeLine timeLine() {
+        return timeLine;
+    }
+
+    /** The moment that is wanted, the speed, and whether it plays. */
+    public Playback playback() {
         return playback;
     }
 
     /** Whether the moment that is shown is not yet the one that is wanted. */
-    boolean isComputing() {
+    public boolean isComputing() {
         return under;
     }
 
     /** Is told when the moment, the speed, or whether it plays has changed. */
-    void addListener(Runnable listener) {
+    public void addListener(Runnable listener) {
         listeners.add(listener);
     }
 
-    void toggle() {
+    /** Plays, or pauses. */
+    public void toggle() {
         playback.toggle();
         tickedNanos = System.nanoTime();
         if (playback.isPlaying()) {
@@ -61,32 +81,43 @@ final class ReplayPlayer {
     }
 
     /** Goes to a moment, playing on if it plays. */
-    void goTo(long millis) {
+    public void goTo(long millis) {
         playback.goTo(millis);
         moved();
     }
 
-    void step(boolean forwards) {
+    /** Stands at the step of the engine before or after. */
+    public void step(boolean forwards) {
         playback.step(forwards);
         moved();
     }
 
-    void toMark(boolean forwards) {
+    /** Goes to the mark before or after. */
+    public void toMark(boolean forwards) {
         playback.toMark(forwards);
         moved();
     }
 
-    void change(boolean faster) {
+    /** Plays faster or slower. */
+    public void change(boolean faster) {
         playback.change(faster);
         tell();
     }
 
-    void setSpeed(double times) {
+    /** Plays so many times as fast as it happened; one of {@link Playback#SPEEDS}. */
+    public void setSpeed(double times) {
         playback.setSpeed(times);
         tell();
     }
 
-    void close() {
+    /** Pauses, where something that was waited for is so now. */
+    public void pause() {
+        playback.pause();
+        tell();
+    }
+
+    /** Ends it. */
+    public void close() {
         timer.stop();
     }
 
@@ -112,7 +143,7 @@ final class ReplayPlayer {
             wanted = OptionalLong.empty();
             under = true;
             worker.execute(() -> {
-                replay.goTo(to);
+                computing.accept(to);
                 EventThread.later(this::computed);
             });
         }

@@ -1,4 +1,4 @@
-package org.sami.crw.replay;
+package org.sami.spn.replay;
 
 import java.util.List;
 import java.util.NavigableSet;
@@ -44,7 +44,7 @@ public final class TimeLine {
      * @param marks in order of time
      * @param moments when the engine took a step
      */
-    TimeLine(long endMillis, List<Mark> marks, NavigableSet<Long> moments) {
+    public TimeLine(long endMillis, List<Mark> marks, NavigableSet<Long> moments) {
         this.endMillis = endMillis;
         this.marks = List.copyOf(marks);
         this.moments = new TreeSet<>(moments);
