@@ -1,7 +1,11 @@
 package org.sami.dreamm;
 
+import java.io.IOException;
+import java.util.List;
 import java.util.function.IntConsumer;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.file.RecoveryFolder;
+import org.sami.dreamm.file.UnsavedWork;
 import org.sami.dreamm.start.AuthorDirectory;
 import org.sami.dreamm.start.DreammOptions;
 import org.sami.dreamm.start.FirstProject;
@@ -15,7 +19,7 @@ final class DreammStart {
     private DreammStart() {}
 
     /** Opens it; the process ends with the window. */
-    static void open(DreammOptions options, FirstProject first, AuthorDirectory data) {
+    static void open(DreammOptions options, FirstProject first, AuthorDirectory data) throws IOException {
         open(options, first, data, System::exit);
     }
 
@@ -24,15 +28,21 @@ final class DreammStart {
      *
      * @param ended is told when the window was closed
      */
-    static DreammWindow open(DreammOptions options, FirstProject first, AuthorDirectory data, IntConsumer ended) {
+    static DreammWindow open(DreammOptions options, FirstProject first, AuthorDirectory data, IntConsumer ended)
+            throws IOException {
+        List<UnsavedWork> left = RecoveryFolder.leftBehind(data.recovery());
+        RecoveryFolder recovery =
+                RecoveryFolder.take(data.recovery(), first.domain().vocabulary());
         WindowSettings settings = new WindowSettings(data.settings());
         return EventThread.get(() -> {
             Look.apply(options.theme().orElse(settings.theme()), options.scale().orElse(settings.scale()));
             settings.keepLook();
-            DreammContext context = new DreammContext(first.domain(), first.document(), options.profile());
+            DreammContext context =
+                    new DreammContext(first.source(), first.domain(), first.document(), options.profile());
             first.plan().ifPresent(context.editor()::open);
-            DreammWindow made = new DreammWindow(context, data, settings, ended);
+            DreammWindow made = new DreammWindow(context, recovery, data, settings, ended);
             made.open();
+            made.files().offer(left);
             return made;
         });
     }

@@ -19,17 +19,29 @@ import org.sami.ui.window.Notices;
 
 /** What all panels of a window work on. On the event thread. */
 public final class DreammContext implements AutoCloseable {
+    private final DomainSource source;
     private final DomainLibrary domain;
     private final ProjectDocument document;
     private final EditorState editor;
     private final Profile profile;
     private final CommandRegistry commands;
     private final Notices notices = new Notices();
+    private final Questions questions = new Questions();
     private final BackgroundWork background = new BackgroundWork(notices::refused);
     private final ValueEditors values;
 
-    /** The context of a window over a document. */
+    /** The context of a window over a document, with the domain that ships. */
     public DreammContext(DomainLibrary domain, ProjectDocument document, Profile profile) {
+        this(DomainSource.SHIPPED, domain, document, profile);
+    }
+
+    /**
+     * The context of a window over a document.
+     *
+     * @param source where the domain comes from
+     */
+    public DreammContext(DomainSource source, DomainLibrary domain, ProjectDocument document, Profile profile) {
+        this.source = Objects.requireNonNull(source, "source");
         this.domain = Objects.requireNonNull(domain, "domain");
         this.document = Objects.requireNonNull(document, "document");
         this.profile = Objects.requireNonNull(profile, "profile");
@@ -63,6 +75,16 @@ public final class DreammContext implements AutoCloseable {
     /** The status line: what was done, and why something was not. */
     public Notices notices() {
         return notices;
+    }
+
+    /** What the author is asked at the top of the window. */
+    public Questions questions() {
+        return questions;
+    }
+
+    /** Where the domain comes from. */
+    public DomainSource source() {
+        return source;
     }
 
     /** The domain as it ships: words, components, plans. */

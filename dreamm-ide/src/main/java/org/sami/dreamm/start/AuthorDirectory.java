@@ -46,6 +46,11 @@ public final class AuthorDirectory {
         return folder.resolve("arrangement" + suffix + ".xml");
     }
 
+    /** The folder in which each window keeps what is not saved yet. */
+    public Path recovery() {
+        return folder.resolve("unsaved");
+    }
+
     /** The file of settings. */
     public Path settings() {
         return folder.resolve("window.properties");

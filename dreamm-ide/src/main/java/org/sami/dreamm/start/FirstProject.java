@@ -5,7 +5,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.dreamm.context.DomainSource;
 import org.sami.dreamm.document.ProjectDocument;
+import org.sami.dreamm.file.ProjectFile;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
@@ -17,10 +19,9 @@ import org.sami.spn.model.Project;
  *
  * @param plan the plan that is open at first; empty = the first one
  */
-public record FirstProject(DomainLibrary domain, ProjectDocument document, Optional<String> plan) {
-    private static final String SHIPPED = "/org/sami/domain/crw";
-
+public record FirstProject(DomainSource source, DomainLibrary domain, ProjectDocument document, Optional<String> plan) {
     public FirstProject {
+        Objects.requireNonNull(source, "source");
         Objects.requireNonNull(domain, "domain");
         Objects.requireNonNull(document, "document");
         Objects.requireNonNull(plan, "plan");
@@ -32,31 +33,25 @@ public record FirstProject(DomainLibrary domain, ProjectDocument document, Optio
      * @throws IOException if it cannot be opened, saying why in one sentence
      */
     public static FirstProject open(DreammOptions options) throws IOException {
-        Reading<DomainLibrary> reading = options.domain().isPresent()
-                ? DomainLibrary.fromFolder(options.domain().get())
-                : DomainLibrary.fromClassPath(SHIPPED);
-        DomainLibrary domain = orThrow(
-                reading, "the domain " + options.domain().map(Path::toString).orElse(SHIPPED));
-        if (options.open().isEmpty()) {
-            return new FirstProject(
-                    domain,
-                    new ProjectDocument(domain.vocabulary(), domain.combined(), Optional.empty()),
-                    Optional.empty());
+        DomainSource source = new DomainSource(options.domain());
+        DomainLibrary domain = orThrow(source.library(), source.title());
+        Optional<String> named = options.open();
+        Optional<Path> path = named.map(Path::of).filter(Files::exists);
+        boolean library = named.isEmpty()
+                || (path.isEmpty() && domain.projectOf(named.get()).isPresent());
+        if (library) {
+            return new FirstProject(source, domain, document(domain, domain.combined(), Optional.empty()), named);
         }
-        String named = options.open().get();
-        Path path = Path.of(named);
-        if (!Files.exists(path) && domain.projectOf(named).isPresent()) {
-            return new FirstProject(
-                    domain,
-                    new ProjectDocument(domain.vocabulary(), domain.combined(), Optional.empty()),
-                    Optional.of(named));
+        if (path.isEmpty()) {
+            throw new IOException("there is no file, folder or plan of the library " + named.get());
         }
-        if (!Files.exists(path)) {
-            throw new IOException("there is no file, folder or plan of the library " + named);
-        }
-        Project project = orThrow(new ProjectReader(domain.vocabulary()).read(path), named);
-        return new FirstProject(
-                domain, new ProjectDocument(domain.vocabulary(), project, Optional.of(path)), Optional.empty());
+        Path home = ProjectFile.home(path.get());
+        Project project = orThrow(new ProjectReader(domain.vocabulary()).read(home), named.get());
+        return new FirstProject(source, domain, document(domain, project, Optional.of(home)), Optional.empty());
+    }
+
+    private static ProjectDocument document(DomainLibrary domain, Project project, Optional<Path> file) {
+        return new ProjectDocument(domain.vocabulary(), project, file);
     }
 
     private static <T> T orThrow(Reading<T> reading, String what) throws IOException {
@@ -65,7 +60,11 @@ public record FirstProject(DomainLibrary domain, ProjectDocument document, Optio
                         + reading.findings().stream()
                                 .filter(Finding::isError)
                                 .findFirst()
-                                .map(Finding::toString)
+                                .map(FirstProject::words)
                                 .orElse("it cannot be read")));
+    }
+
+    private static String words(Finding finding) {
+        return finding.location().map(at -> at.file() + ":" + at.line() + ": ").orElse("") + finding.message();
     }
 }

@@ -11,6 +11,9 @@ import org.sami.dreamm.document.DocumentChange;
 import org.sami.dreamm.document.DocumentListener;
 import org.sami.dreamm.document.EditorListener;
 import org.sami.dreamm.document.ProjectDocument;
+import org.sami.dreamm.file.FileCommands;
+import org.sami.dreamm.file.RecentProjects;
+import org.sami.dreamm.file.RecoveryFolder;
 import org.sami.dreamm.start.AuthorDirectory;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandKeys;
@@ -26,36 +29,45 @@ public final class DreammWindow {
     private final JFrame frame = new JFrame("DREAMM");
     private final DockArea dock;
     private final StatusLine status;
+    private final FileCommands files;
     private final CommandKeys keys;
 
     /**
      * A window that is not shown yet.
      *
+     * @param recovery where unsaved changes are kept, given up with the window
      * @param ended is told when all is closed, with the exit code
      */
-    public DreammWindow(DreammContext context, AuthorDirectory data, WindowSettings settings, IntConsumer ended) {
+    public DreammWindow(
+            DreammContext context,
+            RecoveryFolder recovery,
+            AuthorDirectory data,
+            WindowSettings settings,
+            IntConsumer ended) {
         this.context = context;
         this.ended = ended;
+        files = new FileCommands(context, frame, new RecentProjects(settings), recovery);
         EditCommands.addTo(context);
         DreammPanels panels = new DreammPanels(context);
         dock = new DockArea(frame, panels.all(), DreammPanels.FIRST, data.arrangement(context.profile()));
         ViewCommands view = new ViewCommands(context.commands(), frame, settings);
         view.addPanels(dock);
         context.commands()
-                .add(new Command("end", "Close DREAMM", this::end)
+                .add(new Command("end", "Close DREAMM", this::leave)
                         .withKey("ctrl Q")
                         .withIcon("close"));
         status = new StatusLine(context);
         frame.setName("dreamm-window");
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
-        frame.setJMenuBar(DreammMenus.bar(context.commands(), panels.all()));
+        frame.setJMenuBar(DreammMenus.bar(context.commands(), files, panels.all()));
+        frame.getContentPane().add(new QuestionBar(context.questions()), BorderLayout.NORTH);
         frame.getContentPane().add(dock);
         frame.getContentPane().add(status, BorderLayout.SOUTH);
         keys = CommandKeys.install(context.commands());
         frame.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosing(WindowEvent e) {
-                end();
+                leave();
             }
         });
         listen();
@@ -122,8 +134,19 @@ public final class DreammWindow {
         return context;
     }
 
-    /** Closes the window; the process ends with it. */
+    /** The project's file, for those who drive the window. */
+    public FileCommands files() {
+        return files;
+    }
+
+    /** Closes the window, once the author has saved, or given up, what is not saved. */
+    public void leave() {
+        files.guard(this::end);
+    }
+
+    /** Closes the window at once; the process ends with it. */
     public void end() {
+        files.close();
         keys.close();
         dock.close();
         context.close();

@@ -1,0 +1,74 @@
+package org.sami.dreamm.context;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+
+/** What the author is asked, the oldest first; nothing waits for an answer. On the event thread. */
+public final class Questions {
+    private final List<Question> open = new ArrayList<>();
+    private final List<Runnable> listeners = new ArrayList<>();
+
+    /** Asks. */
+    public void ask(Question question) {
+        int before = indexOf(question.id());
+        if (before >= 0) {
+            open.set(before, question);
+        } else {
+            open.add(question);
+        }
+        tell();
+    }
+
+    /** The question that is asked now. */
+    public Optional<Question> current() {
+        return open.stream().findFirst();
+    }
+
+    /** How many more wait behind it. */
+    public int waiting() {
+        return Math.max(0, open.size() - 1);
+    }
+
+    /** The author has chosen. */
+    public void answer(Question question, Question.Choice choice) {
+        if (open.remove(question)) {
+            tell();
+            choice.chosen().run();
+        }
+    }
+
+    /** The author leaves a question. */
+    public void dismiss(Question question) {
+        if (open.remove(question)) {
+            tell();
+            question.dismissed().run();
+        }
+    }
+
+    /** Takes a question back that has no ground any longer. */
+    public void withdraw(String id) {
+        if (open.removeIf(question -> question.id().equals(id))) {
+            tell();
+        }
+    }
+
+    private int indexOf(String id) {
+        for (int i = 0; i < open.size(); i++) {
+            if (open.get(i).id().equals(id)) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    private void tell() {
+        List.copyOf(listeners).forEach(Runnable::run);
+    }
+
+    /** Is told when another question, or none, is asked. */
+    public void addListener(Runnable listener) {
+        listeners.add(Objects.requireNonNull(listener, "listener"));
+    }
+}

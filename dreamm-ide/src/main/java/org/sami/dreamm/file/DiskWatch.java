@@ -1,0 +1,83 @@
+package org.sami.dreamm.file;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import javax.swing.Timer;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.context.Question;
+
+/** Looks every two seconds, beside the event thread, whether another program has changed the project's files, and asks what is to be shown. */
+final class DiskWatch implements AutoCloseable {
+    private static final String ID = "changed-on-disk";
+    private static final int PERIOD_MS = 2000;
+
+    private final DreammContext context;
+    private final ProjectFile file;
+    private final Timer timer = new Timer(PERIOD_MS, e -> look());
+    private boolean looking;
+
+    DiskWatch(DreammContext context, ProjectFile file) {
+        this.context = Objects.requireNonNull(context, "context");
+        this.file = Objects.requireNonNull(file, "file");
+        timer.start();
+    }
+
+    private void look() {
+        Optional<Path> path = context.document().file();
+        Optional<DiskVersion> seen = file.seen();
+        if (looking || path.isEmpty() || seen.isEmpty()) {
+            return;
+        }
+        looking = true;
+        context.background().run("Looking at " + path.get(), () -> now(path.get()), now -> {
+            looking = false;
+            // what was saved or opened meanwhile is not another program's
+            if (context.document().file().equals(path) && file.seen().equals(seen) && !now.equals(seen.get())) {
+                changed(path.get(), now);
+            }
+        });
+    }
+
+    private static DiskVersion now(Path path) {
+        try {
+            return DiskVersion.of(path);
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(path + " cannot be read", unreadable);
+        }
+    }
+
+    private void changed(Path path, DiskVersion now) {
+        file.seen(now); // asked once for each version
+        if (now.hashes().isEmpty()) {
+            context.notices().refused(path + " is no longer on disk; Save writes it again");
+            return;
+        }
+        String mine = context.document().isModified() ? " Your changes can be had back by undo." : "";
+        context.questions()
+                .ask(new Question(
+                        ID,
+                        path.getFileName() + " was changed by another program." + mine,
+                        List.of(
+                                new Question.Choice("disk-load", "Load it", () -> load(path)),
+                                new Question.Choice("disk-keep", "Keep what is here", () -> {})),
+                        () -> {}));
+    }
+
+    private void load(Path path) {
+        try {
+            file.take(file.read(path));
+            context.notices().told(path.getFileName() + " is loaded as it is on disk");
+        } catch (IOException unfit) {
+            context.notices().refused(unfit.getMessage());
+        }
+    }
+
+    @Override
+    public void close() {
+        timer.stop();
+    }
+}

@@ -1,0 +1,228 @@
+package org.sami.dreamm.file;
+
+import java.awt.Component;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.context.Question;
+import org.sami.spn.edit.PlanBuilder;
+import org.sami.spn.model.Project;
+import org.sami.ui.command.Command;
+
+/** New, open, save, and what is asked before something would be lost. On the event thread. */
+public final class FileCommands implements AutoCloseable {
+    private final DreammContext context;
+    private final ProjectFile file;
+    private final RecentProjects recent;
+    private final FileDialogs dialogs;
+    private final Autosave autosave;
+    private final DiskWatch watch;
+    private final UnsavedChanges unsaved;
+
+    /**
+     * The commands of a window, which are added to its registry.
+     *
+     * @param recovery where unsaved changes are kept for the case that the process is killed
+     */
+    public FileCommands(DreammContext context, Component owner, RecentProjects recent, RecoveryFolder recovery) {
+        this.context = Objects.requireNonNull(context, "context");
+        this.recent = Objects.requireNonNull(recent, "recent");
+        file = new ProjectFile(context.document());
+        dialogs = new FileDialogs(owner, Path.of("").toAbsolutePath());
+        autosave = new Autosave(context.document(), recovery, context.notices()::refused);
+        watch = new DiskWatch(context, file);
+        unsaved = new UnsavedChanges(context, this::save);
+        context.document().file().ifPresent(recent::add);
+        add(new Command("project-new", "New project", () -> unsaved.guard(this::begin)).withKey("ctrl N"));
+        add(new Command("project-open", "Open a project…", () -> unsaved.guard(this::choose))
+                .withKey("ctrl O")
+                .withIcon("folder"));
+        add(new Command("library-open", "Open the library of plans", () -> unsaved.guard(this::openLibrary)));
+        add(new Command("project-save", "Save", () -> save(() -> {}))
+                .withKey("ctrl S")
+                .withIcon("file")
+                .unless(this::whyNotSave));
+        add(new Command("project-save-as", "Save as a file…", () -> saveAs(() -> {})).withKey("ctrl shift S"));
+        add(new Command("project-save-folder", "Save as a folder, one file for each plan…", this::saveAsFolder));
+        new ImportCommands(context, file, dialogs, unsaved).register();
+    }
+
+    private void add(Command command) {
+        context.commands().add(command);
+    }
+
+    /** Offers what killed processes have left behind. */
+    public void offer(List<UnsavedWork> left) {
+        new Recovery(context, file, autosave).offer(left, unsaved);
+    }
+
+    /** Does something that would lose unsaved changes, once the author has saved or given up what there is. */
+    public void guard(Runnable next) {
+        unsaved.guard(next);
+    }
+
+    /** Opens a project instead of the one that is open, once nothing of that is lost. */
+    public void open(Path path) {
+        unsaved.guard(() -> read(path));
+    }
+
+    /** The projects that were opened last. */
+    public List<Path> recent() {
+        return recent.all();
+    }
+
+    private Optional<String> whyNotSave() {
+        return context.document().file().isPresent() && !context.document().isModified()
+                ? Optional.of("everything is saved")
+                : Optional.empty();
+    }
+
+    private void begin() {
+        String domain = context.vocabulary().domain();
+        Project project = new Project(
+                "project", "New project", domain, List.of(), List.of(), List.of(new PlanBuilder("plan").build()));
+        file.open(project);
+        context.notices().told("A new project: drag events from the palette onto the canvas; F2 renames the plan");
+    }
+
+    private void openLibrary() {
+        file.open(context.domain().combined());
+        context.notices().told("The library's plans; what you change is saved as a project of your own");
+    }
+
+    private void choose() {
+        dialogs.open("Open a project: a file, or a folder with a project.json", "Project files", "json")
+                .ifPresent(this::read);
+    }
+
+    private void read(Path path) {
+        context.background()
+                .run(
+                        "Opening " + path.getFileName(),
+                        () -> {
+                            try {
+                                return Outcome.of(file.read(path));
+                            } catch (IOException unfit) {
+                                return Outcome.refused(unfit.getMessage());
+                            }
+                        },
+                        outcome -> outcome.show(context, this::opened));
+    }
+
+    private void opened(ProjectFile.Read read) {
+        file.open(read);
+        recent.add(read.path());
+        context.notices().told(read.path() + " is open");
+    }
+
+    private record Outcome(Optional<ProjectFile.Read> read, String why) {
+        static Outcome of(ProjectFile.Read read) {
+            return new Outcome(Optional.of(read), "");
+        }
+
+        static Outcome refused(String why) {
+            return new Outcome(Optional.empty(), why);
+        }
+
+        void show(DreammContext context, java.util.function.Consumer<ProjectFile.Read> opened) {
+            read.ifPresentOrElse(opened, () -> context.notices().refused(why));
+        }
+    }
+
+    private void save(Runnable then) {
+        Optional<Path> path = context.document().file();
+        if (path.isEmpty()) {
+            saveAs(then);
+            return;
+        }
+        try {
+            if (file.changedOnDisk().isPresent()) {
+                askToWriteOver(path.get(), then);
+                return;
+            }
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(path.get() + " cannot be read", unreadable);
+        }
+        write(path.get(), then);
+    }
+
+    private void askToWriteOver(Path path, Runnable then) {
+        context.questions()
+                .ask(new Question(
+                        "changed-on-disk",
+                        path.getFileName() + " was changed by another program since it was read.",
+                        List.of(
+                                new Question.Choice("disk-over", "Write over it", () -> write(path, then)),
+                                new Question.Choice("disk-as", "Save as another file…", () -> saveAs(then)),
+                                new Question.Choice("disk-stay", "Stay here", () -> {})),
+                        () -> {}));
+    }
+
+    private void saveAs(Runnable then) {
+        String proposed = context.document()
+                .file()
+                .map(path -> path.getFileName().toString().replaceFirst("\\.json$", ""))
+                .orElse(context.document().project().id());
+        dialogs.save("Save the project", proposed).ifPresent(path -> {
+            if (Files.isRegularFile(path)
+                    && !Optional.of(path).equals(context.document().file())) {
+                askToReplace(path, then);
+            } else {
+                write(path, then);
+            }
+        });
+    }
+
+    private void askToReplace(Path path, Runnable then) {
+        context.questions()
+                .ask(new Question(
+                        "file-there",
+                        "There is a file " + path.getFileName() + " already.",
+                        List.of(
+                                new Question.Choice("file-replace", "Replace it", () -> write(path, then)),
+                                new Question.Choice("file-other", "Choose another…", () -> saveAs(then)),
+                                new Question.Choice("file-stay", "Stay here", () -> {})),
+                        () -> {}));
+    }
+
+    private void saveAsFolder() {
+        dialogs.folder("Save the project as a folder with one file for each plan")
+                .ifPresent(path -> {
+                    try {
+                        Files.createDirectories(path);
+                        write(path, () -> {});
+                    } catch (IOException fault) {
+                        context.notices().refused(path + " cannot be made: " + fault.getMessage());
+                    }
+                });
+    }
+
+    private void write(Path path, Runnable then) {
+        try {
+            file.save(path);
+        } catch (IOException | UncheckedIOException fault) {
+            context.notices().refused(path + " is not saved: " + fault.getMessage());
+            return;
+        }
+        context.questions().withdraw("changed-on-disk");
+        recent.add(path);
+        context.notices().told("Saved in " + path);
+        then.run();
+    }
+
+    /** Ends what works beside the window; nothing unsaved is kept. */
+    @Override
+    public void close() {
+        watch.close();
+        try {
+            autosave.close();
+        } catch (IOException fault) {
+            System.err.println("dreamm: " + fault.getMessage());
+        }
+    }
+}

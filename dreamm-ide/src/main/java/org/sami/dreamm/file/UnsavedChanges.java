@@ -1,0 +1,47 @@
+package org.sami.dreamm.file;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.function.Consumer;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.context.Question;
+
+/** Stands before whatever would lose changes: the author is asked first. On the event thread. */
+final class UnsavedChanges {
+    private static final String ID = "unsaved-changes";
+
+    private final DreammContext context;
+    private final Consumer<Runnable> save;
+
+    /**
+     * A guard of the document.
+     *
+     * @param save saves it, and then, if it was saved, goes on with what it is given
+     */
+    UnsavedChanges(DreammContext context, Consumer<Runnable> save) {
+        this.context = Objects.requireNonNull(context, "context");
+        this.save = Objects.requireNonNull(save, "save");
+    }
+
+    /** Goes on at once where nothing is unsaved; else when the author has saved, or does not want to. */
+    void guard(Runnable next) {
+        if (!context.document().isModified()) {
+            context.questions().withdraw(ID);
+            next.run();
+            return;
+        }
+        String name = context.document()
+                .file()
+                .map(path -> path.getFileName().toString())
+                .orElse("The project, which has no file yet,");
+        context.questions()
+                .ask(new Question(
+                        ID,
+                        name + " has changes that are not saved.",
+                        List.of(
+                                new Question.Choice("unsaved-save", "Save them", () -> save.accept(next)),
+                                new Question.Choice("unsaved-drop", "Go on without them", next),
+                                new Question.Choice("unsaved-stay", "Stay here", () -> {})),
+                        () -> {}));
+    }
+}

@@ -1,0 +1,5 @@
+/**
+ * The project's file: opened, saved, changed by others, left behind by a process that was killed; and what is imported. The format itself stands in
+ * {@code org.sami.spn.json}.
+ */
+package org.sami.dreamm.file;
