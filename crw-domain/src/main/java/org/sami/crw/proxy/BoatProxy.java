@@ -184,6 +184,28 @@ public final class BoatProxy {
     }
 
     /**
+     * Takes back one command, which for its mission has failed, for a reason in words; the boat goes on with the next one, or stops.
+     *
+     * @return whether the boat had it
+     */
+    public boolean cancelCommand(String commandId, String reason) {
+        boolean cancelled = driver.fail(commandId, reason);
+        settle();
+        return cancelled;
+    }
+
+    /**
+     * Ends all blocks by which missions keep the boat for themselves; their commands stay, and others have their turn again.
+     *
+     * @return the missions that kept it
+     */
+    public List<Long> clearBlocks() {
+        List<Long> kept = driver.queue().unblock();
+        settle();
+        return kept;
+    }
+
+    /**
      * The base gives the boat up: every command fails for a reason in words, and a boat that is under way is stopped as soon as
      * it can be told.
      */

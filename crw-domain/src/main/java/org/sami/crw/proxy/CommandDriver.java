@@ -97,6 +97,16 @@ final class CommandDriver {
         return queue.withdraw(commandId);
     }
 
+    /** One command fails, for a reason in words. Returns whether it was queued. */
+    boolean fail(String commandId, String reason) {
+        Optional<BoatCommand> gone = queue.withdraw(commandId);
+        gone.ifPresent(command -> {
+            lastWord = LastCommandOutcome.failed(command, reason);
+            announcements.add(l -> l.onFailed(boatId, command, reason));
+        });
+        return gone.isPresent();
+    }
+
     /** Every command fails, for a reason in words. */
     void failAll(String reason) {
         for (BoatCommand command : queue.clear()) {

@@ -137,6 +137,15 @@ final class CommandQueue {
         return found.map(QueuedCommand::command);
     }
 
+    /** Takes back all blocks and no command: others have their turn again. Returns the missions that kept the boat. */
+    List<Long> unblock() {
+        List<Long> kept = List.copyOf(blockingMissions);
+        changes += kept.isEmpty() ? 0 : 1;
+        blockingMissions.clear();
+        choose();
+        return kept;
+    }
+
     /** Takes back everything, and all blocks. Returns the commands in the order of their turn. */
     List<BoatCommand> clear() {
         List<BoatCommand> all = new ArrayList<>();

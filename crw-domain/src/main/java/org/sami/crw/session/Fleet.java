@@ -1,6 +1,7 @@
 package org.sami.crw.session;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -8,12 +9,16 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.sami.boat.link.GainAxis;
+import org.sami.boat.link.Gains;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.operator.OperatorLog;
 import org.sami.crw.operator.OperatorLogEntry.Kind;
 import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.BoatExplanation;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.BoatStatus;
+import org.sami.crw.proxy.BoatTuning;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.tcp.BoatAddress;
@@ -28,6 +33,7 @@ import org.sami.spn.value.GeoPoint;
 public final class Fleet {
     private final FleetConnector connector;
     private final Replies replies;
+    private final SettingReplies settings;
     private final FleetHistory history;
     private final OperatorLog log;
     private final Optional<RememberedBoats> remembered; // empty where a session is resumed by running its world again
@@ -38,12 +44,14 @@ public final class Fleet {
             FleetConnector connector,
             FleetListener listener,
             Replies replies,
+            SettingReplies settings,
             FleetHistory history,
             Optional<RememberedBoats> remembered,
             OperatorLog log,
             Runnable beforeTheFirst) {
         this.connector = connector;
         this.replies = replies;
+        this.settings = settings;
         this.history = history;
         this.remembered = remembered;
         this.log = log;
@@ -251,6 +259,87 @@ public final class Fleet {
         });
     }
 
+    /**
+     * Ends the block by which a mission keeps a boat for itself: its commands stay, and those of other missions have their turn again.
+     * Refused where none keeps it. Gives the missions that did.
+     */
+    public CompletionStage<List<Long>> clearBlock(String boat) {
+        return onBoat(boat, proxy -> {
+            List<Long> kept = proxy.clearBlocks();
+            if (kept.isEmpty()) {
+                throw new RefusedException("no mission keeps " + boat + " for itself");
+            }
+            log.add(Kind.BOAT, "cleared the block of " + boat + " by mission " + words(kept), boat);
+            return kept;
+        });
+    }
+
+    private static String words(List<Long> missions) {
+        return String.join(", ", missions.stream().map(String::valueOf).toList());
+    }
+
+    /** Takes one command back from a boat's queue: for its mission it has failed. Refused where the boat does not have it any longer. */
+    public CompletionStage<Void> cancel(String boat, String commandId) {
+        return onBoat(boat, proxy -> {
+            if (!proxy.cancelCommand(commandId, "the operator cancelled it")) {
+                throw new RefusedException(boat + " does not have the command " + commandId + " any longer");
+            }
+            log.add(Kind.BOAT, "cancelled " + commandId + " of " + boat, boat);
+            return null;
+        });
+    }
+
+    // ---- settings
+
+    /** The settings that a boat said last are in force on it; empty before it said so. */
+    public CompletionStage<Optional<BoatTuning>> settings(String boat) {
+        return onBoat(boat, BoatProxy::tuning);
+    }
+
+    /** Sets the gains of one of a boat's control loops; completes when the boat has taken them, fails with its reason where it refuses. */
+    public CompletionStage<Void> setGains(String boat, GainAxis axis, Gains gains) {
+        return set(
+                boat,
+                proxy -> proxy.setGains(axis, gains),
+                "set the " + axis.name().toLowerCase(Locale.ROOT) + " gains of " + boat + " to " + gains);
+    }
+
+    /**
+     * Scales the speed of every leg of a boat; as {@link #setGains}.
+     *
+     * @param multiplier 0 to {@link org.sami.boat.link.SetVelocityMultiplier#MAX_MULTIPLIER}
+     */
+    public CompletionStage<Void> setVelocityMultiplier(String boat, double multiplier) {
+        return set(
+                boat,
+                proxy -> proxy.setVelocityMultiplier(multiplier),
+                "set the velocity multiplier of " + boat + " to " + multiplier);
+    }
+
+    /** Sets what a boat does when its link is lost; as {@link #setGains}. */
+    public CompletionStage<Void> setLostLinkAction(String boat, LostLinkAction action) {
+        return set(
+                boat,
+                proxy -> proxy.setLostLinkAction(action),
+                "set " + boat + " to " + action.name().toLowerCase(Locale.ROOT) + " when its link is lost");
+    }
+
+    private CompletionStage<Void> set(String boat, Function<BoatProxy, String> ask, String done) {
+        return settings.ask(connector.executor(), () -> {
+            BoatProxy proxy = find(connector.boats(), boat);
+            checkCommanding(proxy);
+            try {
+                String id = ask.apply(proxy);
+                log.add(Kind.BOAT, done, boat);
+                return id;
+            } catch (IllegalArgumentException unfit) {
+                throw new RefusedException(unfit.getMessage());
+            }
+        });
+    }
+
+    // ---- driven by hand
+
     /** Gives a boat that was driven by hand back to the missions; it stops if none wants anything of it. */
     public CompletionStage<Void> handBack(String boat) {
         return tell(boat, "gave " + boat + " back to the missions", BoatProxy::release);
@@ -311,9 +400,13 @@ public final class Fleet {
     }
 
     private <T> CompletionStage<T> onBoat(String boat, Function<BoatProxy, T> what) {
-        return onFleet(boats -> what.apply(boats.find(boat)
+        return onFleet(boats -> what.apply(find(boats, boat)));
+    }
+
+    private static BoatProxy find(ProxyRegistry boats, String boat) {
+        return boats.find(boat)
                 .orElseThrow(() ->
-                        new RefusedException("there is no boat '" + boat + "'; there " + namesOf(boats.boatIds())))));
+                        new RefusedException("there is no boat '" + boat + "'; there " + namesOf(boats.boatIds())));
     }
 
     private static String namesOf(List<String> boats) {

@@ -69,6 +69,7 @@ public final class Session implements AutoCloseable {
                 parts.connector,
                 parts.boats,
                 parts.replies,
+                parts.settings,
                 parts.history,
                 parts.remembered,
                 parts.models.log(),

@@ -59,6 +59,7 @@ final class SessionParts {
     final Optional<RememberedBoats> remembered;
     final ProjectFiles projects;
     final Executor files;
+    final SettingReplies settings;
 
     private final Vocabulary vocabulary;
     private final SessionJournal journal;
@@ -120,6 +121,8 @@ final class SessionParts {
         poses = new PoseLog(history, telemetry);
         boatLog = new BoatLog(connector::boats, telemetry, scheduler::nowMs);
         events.subscribe(boatLog::take);
+        settings = new SettingReplies(replies);
+        events.subscribe(settings::happened);
         connector.open(boats);
         if (loop.isPresent()) { // a run in process is resumed by running its world again, with all that was done in it
             models.log().restore(OperatorLogRows.read(journal.earlier()));

@@ -123,6 +123,20 @@ class CommandQueueTest {
     }
 
     @Test
+    void clearedBlockGivesOthersTheirTurnAgainAndTakesNoCommandBack() {
+        queue.submit(new Stop("block", 1, 1, Priority.LOW, true));
+        finish();
+        submit("other", 2, Priority.MEDIUM);
+        assertThat(current()).isEqualTo("none");
+
+        assertThat(queue.unblock()).containsExactly(1L);
+
+        assertThat(current()).isEqualTo("other");
+        assertThat(queue.blockedBy()).isEmpty();
+        assertThat(queue.unblock()).isEmpty();
+    }
+
+    @Test
     void idThatIsQueuedAlreadyIsIgnored() {
         submit("a", 1, Priority.MEDIUM);
 

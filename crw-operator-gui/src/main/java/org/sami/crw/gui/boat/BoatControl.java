@@ -14,18 +14,30 @@ import org.sami.ui.command.Command;
 final class BoatControl {
     private final OperatorContext context;
     private final List<Command> commands = new ArrayList<>();
+    private final Teleoperation teleoperation;
 
     BoatControl(OperatorContext context) {
         this.context = context;
-        Teleoperation teleoperation = new Teleoperation(context);
+        teleoperation = new Teleoperation(context);
         add("boat-stop", "Stop", "ctrl shift S", "stop", Fleet::stop, "is stopped until it is released");
         add("boat-release", "Release", "ctrl shift R", "release", Fleet::release, "goes on");
         commands.add(teleoperation.command());
         add("boat-take", "Take command", "", "plus", Fleet::takeCommand, "is asked to obey this base");
         add("boat-hand-over", "Only watch", "", "connect", Fleet::handOver, "is watched; another base may command it");
         add("boat-resend", "Send path again", "ctrl shift U", "resend", BoatControl::resend, "gets its path again");
-        add("boat-disconnect", "Disconnect", "", "close", Fleet::disconnect, "is disconnected");
+        add(
+                "boat-clear-block",
+                "Clear the block",
+                "ctrl shift K",
+                "clear",
+                Fleet::clearBlock,
+                "is free for other missions");
+        add("boat-disconnect", "Disconnect", "", "link-lost", Fleet::disconnect, "is disconnected");
         context.boats().addListener(() -> commands.forEach(Command::refresh));
+    }
+
+    Teleoperation teleoperation() {
+        return teleoperation;
     }
 
     List<Command> commands() {

@@ -5,46 +5,48 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTabbedPane;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.operator.BoatCommands;
 import org.sami.crw.operator.BoatSnapshot;
-import org.sami.crw.proxy.CommandQueueSnapshot.Entry;
+import org.sami.crw.proxy.BoatTuning;
 import org.sami.ui.command.CommandButton;
+import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.MarkIcon;
 import org.sami.ui.look.SemanticColor;
-import org.sami.ui.table.RowColumn;
-import org.sami.ui.table.RowTable;
+import org.sami.ui.look.Spacing;
 
-/** The selected boat: why it moves or not, the command in force and those that wait, the upload, what can be done with it by hand. */
+/**
+ * The selected boat: why it moves or not, its command queue, what is to be so before it is launched, driving by hand, its settings, and what
+ * else can be done with it.
+ */
 public final class BoatPanel extends JPanel {
     private final OperatorContext context;
     private final JLabel name = new JLabel();
     private final JLabel why = new JLabel();
     private final JLabel facts = new JLabel();
-    private final RowTable<Row> queue;
-    private final JPanel buttons = new JPanel(
-            new MigLayout("insets 4 8 8 8, wrap 3, fillx", "[grow, fill, sg][grow, fill, sg][grow, fill, sg]", "[]"));
-
-    /** A line of the queue: its turn, what is wanted, for which mission, what became of it. */
-    private record Row(String turn, String what, String state, SemanticColor color) {}
+    private final BoatQueue queue;
+    private final SettingsForm settings;
+    private final LaunchPanel launch;
+    private final ByHandPanel byHand;
+    private Optional<BoatTuning> tuning = Optional.empty();
+    private Optional<String> tuned = Optional.empty();
+    private boolean asking;
 
     /** The panel of whichever boat is selected first. */
     public BoatPanel(OperatorContext context) {
         super(new BorderLayout());
         this.context = context;
         BoatControl control = new BoatControl(context);
-        queue = new RowTable<>(
-                "boat-queue",
-                "No mission wants anything of this boat.",
-                Row::what,
-                List.of(
-                        RowColumn.words("Turn", 88, Row::turn),
-                        RowColumn.words("Command", 0, Row::what),
-                        RowColumn.<Row>words("State", 150, Row::state).colored(Row::color)));
+        queue = new BoatQueue(context);
+        settings = new SettingsForm(context);
+        launch = new LaunchPanel(context);
+        byHand = new ByHandPanel(control.teleoperation());
         JPanel head = new JPanel(new MigLayout("insets 8 12 8 12, wrap 1, fillx, hidemode 3", "[grow]", "[]4[]4[]"));
         name.setName("boat-name");
         why.setName("boat-why");
@@ -52,18 +54,56 @@ public final class BoatPanel extends JPanel {
         head.add(name, "wmin 0");
         head.add(why, "wmin 0");
         head.add(facts, "wmin 0");
-        control.commands().forEach(command -> buttons.add(new CommandButton(command), "wmin 0"));
+        JTabbedPane tabs = new JTabbedPane();
+        tabs.setName("boat-tabs");
+        tabs.addTab("Commands", queue.table());
+        tabs.addTab("Before launch", launch);
+        tabs.addTab("By hand", byHand);
+        tabs.addTab("Settings", scrolled(settings));
+        CommandRow buttons = new CommandRow();
+        control.commands().forEach(command -> buttons.left(new CommandButton(command)));
+        buttons.left(new CommandButton(queue.cancelCommand()));
         add(head, BorderLayout.NORTH);
-        add(queue);
+        add(tabs);
         add(buttons, BorderLayout.SOUTH);
         context.boats().addListener(this::refresh);
         refresh();
+    }
+
+    private static JScrollPane scrolled(JPanel form) {
+        JScrollPane pane = new JScrollPane(form);
+        pane.setBorder(BorderFactory.createEmptyBorder());
+        pane.getVerticalScrollBar().setUnitIncrement(Spacing.WIDE);
+        return pane;
+    }
+
+    /** Asks the fleet's thread what is in force on the boat; at most one question is under way. */
+    private void askSettings(Optional<String> boat) {
+        if (!boat.equals(tuned)) {
+            tuned = boat;
+            tuning = Optional.empty();
+        }
+        if (!asking && boat.isPresent() && context.whyNotAct().isEmpty()) {
+            asking = true;
+            context.session().fleet().settings(boat.get()).whenComplete((told, fault) -> {
+                asking = false;
+                if (fault == null && boat.equals(tuned)) {
+                    tuning = told;
+                }
+            });
+        }
     }
 
     /** Shows how the boat is now; to be called a few times a second. */
     public void refresh() {
         Optional<BoatSnapshot> boat =
                 context.boats().first().flatMap(context.models().fleet()::boat);
+        Optional<String> id = boat.map(BoatSnapshot::boat);
+        askSettings(id);
+        queue.show(id);
+        settings.show(id, tuning);
+        launch.show(boat, tuning);
+        byHand.refresh();
         name.setFont(Fonts.heading());
         if (boat.isEmpty()) {
             name.setText("No boat is selected");
@@ -71,7 +111,6 @@ public final class BoatPanel extends JPanel {
             why.setText("Select one in the list or on the map.");
             why.setForeground(SemanticColor.MUTED.get());
             facts.setVisible(false);
-            queue.show(List.of());
             return;
         }
         BoatSnapshot now = boat.get();
@@ -83,11 +122,6 @@ public final class BoatPanel extends JPanel {
         facts.setVisible(true);
         facts.setText(facts(now));
         facts.setForeground(SemanticColor.MUTED.get());
-        queue.show(context.models().commands().snapshot().stream()
-                .filter(commands -> commands.boat().equals(now.boat()))
-                .findFirst()
-                .map(BoatPanel::rows)
-                .orElse(List.of()));
     }
 
     private String facts(BoatSnapshot boat) {
@@ -111,38 +145,5 @@ public final class BoatPanel extends JPanel {
                         pose.position().latDeg(),
                         pose.position().lonDeg())));
         return String.join("  ·  ", words);
-    }
-
-    private static List<Row> rows(BoatCommands commands) {
-        List<Row> rows = new ArrayList<>();
-        String upload = commands.upload()
-                .map(up ->
-                        ", upload " + up.state().name().toLowerCase(Locale.ROOT).replace('_', ' '))
-                .orElse("");
-        commands.queue()
-                .current()
-                .ifPresent(entry -> rows.add(new Row(
-                        "in force",
-                        CommandWords.full(entry),
-                        (entry.points() == 0 ? "running" : entry.visited() + " / " + entry.points() + upload),
-                        SemanticColor.OK)));
-        List<Entry> waiting = commands.queue().waiting();
-        for (int i = 0; i < waiting.size(); i++) {
-            rows.add(new Row(
-                    (i + 1) + ". next",
-                    CommandWords.full(waiting.get(i)),
-                    waiting.get(i).why(),
-                    SemanticColor.MUTED));
-        }
-        List<BoatCommands.Concluded> gone = commands.concluded();
-        for (int i = gone.size() - 1; i >= 0; i--) {
-            BoatCommands.Concluded each = gone.get(i);
-            rows.add(new Row(
-                    "over",
-                    each.command().commandId() + ", mission " + each.command().mission(),
-                    each.end().name().toLowerCase(Locale.ROOT) + (each.why().isEmpty() ? "" : ": " + each.why()),
-                    each.end() == BoatCommands.End.FAILED ? SemanticColor.WARNING : SemanticColor.MUTED));
-        }
-        return rows;
     }
 }

@@ -3,7 +3,9 @@ package org.sami.crw.gui.boat;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
+import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
@@ -12,8 +14,8 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.ui.command.Command;
 
 /**
- * Drives one boat by the arrow keys: up and down are thrust, left and right the rudder. Missions are told that the boat is in a person's hands;
- * the same command or Escape gives it back. While no key is held the boat is told to stand; without this window it stops by itself.
+ * Drives one boat by the arrow keys, or by a stick on the screen: up and down are thrust, left and right the rudder. Missions are told that the boat is in a person's hands;
+ * the same command or Escape gives it back. While no key and no stick is held the boat is told to stand; without this window it stops by itself.
  */
 final class Teleoperation {
     private static final int PERIOD_MS = 200; // the boat stops two seconds after the last
@@ -27,7 +29,10 @@ final class Teleoperation {
     private final Set<Integer> held = new HashSet<>();
     private final Timer timer = new Timer(PERIOD_MS, e -> send());
     private final KeyEventDispatcher keys = this::onKey;
+    private final List<Runnable> listeners = new ArrayList<>();
     private Optional<String> boat = Optional.empty();
+    private double stickThrust;
+    private double stickRudder;
 
     Teleoperation(OperatorContext context) {
         this.context = context;
@@ -45,6 +50,36 @@ final class Teleoperation {
         return command;
     }
 
+    /** Is told when driving begins or ends. */
+    void addListener(Runnable listener) {
+        listeners.add(listener);
+    }
+
+    /** The boat that is driven. */
+    Optional<String> driven() {
+        return boat;
+    }
+
+    /** Why nothing can be driven now; empty where something is, or can be. */
+    Optional<String> whyNot() {
+        return command.whyNot();
+    }
+
+    /**
+     * The stick stands so from now on; begins to drive the selected boat where none is driven.
+     *
+     * @param thrust part of what keys give, -1 to 1
+     * @param rudder part of what keys give, -1 (port) to 1 (starboard)
+     */
+    void steer(double thrust, double rudder) {
+        if (boat.isEmpty() && command.whyNot().isEmpty() && (thrust != 0 || rudder != 0)) {
+            command.run();
+        }
+        stickThrust = thrust;
+        stickRudder = rudder;
+        send();
+    }
+
     private void toggle() {
         if (boat.isPresent()) {
             end();
@@ -56,11 +91,15 @@ final class Teleoperation {
     private void begin(String which) {
         boat = Optional.of(which);
         held.clear();
+        stickThrust = 0;
+        stickRudder = 0;
         KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(keys);
         send();
         timer.start();
         context.notices()
-                .told("You drive " + which + ": arrow keys; Escape or " + command.keyText() + " gives it back");
+                .told("You drive " + which + ": arrow keys or the stick; Escape or " + command.keyText()
+                        + " gives it back");
+        listeners.forEach(Runnable::run);
     }
 
     private void end() {
@@ -69,6 +108,7 @@ final class Teleoperation {
         boat.ifPresent(which ->
                 context.tell(context.session().fleet().handBack(which), which + " is given back to the missions"));
         boat = Optional.empty();
+        listeners.forEach(Runnable::run);
     }
 
     private boolean onKey(KeyEvent event) {
@@ -89,8 +129,8 @@ final class Teleoperation {
 
     private void send() {
         boat.ifPresent(which -> {
-            double thrust = axis(KeyEvent.VK_UP, KeyEvent.VK_DOWN) * THRUST;
-            double rudder = axis(KeyEvent.VK_RIGHT, KeyEvent.VK_LEFT) * RUDDER;
+            double thrust = axis(KeyEvent.VK_UP, KeyEvent.VK_DOWN, stickThrust) * THRUST;
+            double rudder = axis(KeyEvent.VK_RIGHT, KeyEvent.VK_LEFT, stickRudder) * RUDDER;
             context.session().fleet().teleoperate(which, thrust, rudder).whenComplete((sent, fault) -> {
                 if (fault != null) {
                     context.notices().refused(which + " cannot be driven: " + fault.getMessage());
@@ -108,7 +148,9 @@ final class Teleoperation {
         });
     }
 
-    private int axis(int plus, int minus) {
-        return (held.contains(plus) ? 1 : 0) - (held.contains(minus) ? 1 : 0);
+    /** A key that is held counts more than the stick. */
+    private double axis(int plus, int minus, double stick) {
+        int keyed = (held.contains(plus) ? 1 : 0) - (held.contains(minus) ? 1 : 0);
+        return keyed == 0 ? stick : keyed;
     }
 }

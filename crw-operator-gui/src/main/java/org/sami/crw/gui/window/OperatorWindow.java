@@ -12,6 +12,7 @@ import javax.swing.Timer;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.context.ProjectFile;
+import org.sami.crw.gui.sound.AlarmSounds;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.status.FleetStopCommands;
 import org.sami.crw.gui.status.StatusStrip;
@@ -35,6 +36,7 @@ public final class OperatorWindow {
     private final DockArea dock;
     private final OperatorPanels panels;
     private final CommandKeys keys;
+    private final AlarmSounds sounds;
     private final Timer refresh;
 
     /**
@@ -54,6 +56,7 @@ public final class OperatorWindow {
         FleetStopCommands fleetStop = new FleetStopCommands(context);
         ProjectFile file = new ProjectFile(project);
         panels = new OperatorPanels(context, settings, file);
+        sounds = AlarmSounds.of(context, settings);
         dock = new DockArea(frame, panels.all(), OperatorPanels.FIRST, data.arrangement());
         WindowCommands commands = new WindowCommands(context, frame, settings, loaded -> {
             file.set(loaded);
@@ -104,6 +107,7 @@ public final class OperatorWindow {
     public void end() {
         refresh.stop();
         keys.close();
+        sounds.close();
         dock.close();
         panels.close();
         frame.dispose();

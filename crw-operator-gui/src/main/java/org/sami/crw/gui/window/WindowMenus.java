@@ -44,12 +44,15 @@ public final class WindowMenus {
                 "boat-take",
                 "boat-hand-over",
                 "boat-resend",
+                "boat-cancel-command",
+                "boat-clear-block",
+                "boat-try-motor",
                 "boat-disconnect",
                 "",
                 "fleet-stop",
                 "fleet-release",
                 "fleet-release-confirm"));
-        bar.add(menus.menu("Notices", 'N', "message-acknowledge", "alarm-acknowledge", "alarm-mute"));
+        bar.add(menus.menu("Notices", 'N', "message-acknowledge", "alarm-acknowledge", "alarm-mute", "alarm-sounds"));
         bar.add(menus.view(panels));
         bar.add(menus.help());
         return bar;

@@ -1,0 +1,136 @@
+package org.sami.crw.gui.boat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.operator.BoatCommands;
+import org.sami.crw.operator.BoatCommands.Concluded;
+import org.sami.crw.proxy.CommandQueueSnapshot.Entry;
+import org.sami.crw.proxy.Upload;
+import org.sami.ui.command.Command;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.table.RowColumn;
+import org.sami.ui.table.RowTable;
+
+/** The command queue of a boat: what is in force, who keeps the boat for itself, what waits and why, what became of the last ones. */
+final class BoatQueue {
+    private final OperatorContext context;
+    private final RowTable<Row> table;
+    private final Command cancel;
+    private Optional<String> shown = Optional.empty();
+
+    /**
+     * A line of the queue: its turn, what is wanted and by whom, how it stands.
+     *
+     * @param command id of a command that can be cancelled; empty for a line that is none, or is over
+     */
+    private record Row(String turn, String what, String state, SemanticColor color, Optional<String> command) {}
+
+    BoatQueue(OperatorContext context) {
+        this.context = context;
+        table = new RowTable<>(
+                "boat-queue",
+                "Nobody wants anything of this boat. Commands of missions stand here: the one in force, those that wait and why.",
+                row -> row.command().orElse(row.turn() + row.what()),
+                List.of(
+                        RowColumn.words("Turn", 88, Row::turn),
+                        RowColumn.words("Command", 0, Row::what),
+                        RowColumn.<Row>words("State", 190, Row::state).colored(Row::color)));
+        cancel = context.commands()
+                .add(new Command("boat-cancel-command", "Cancel the command", this::cancel)
+                        .withKey("ctrl DELETE")
+                        .withIcon("abort")
+                        .unless(() -> chosen().isPresent()
+                                ? Optional.empty()
+                                : Optional.of("select a command in the boat's queue first")));
+        table.addSelectionListener(cancel::refresh);
+    }
+
+    RowTable<?> table() {
+        return table;
+    }
+
+    Command cancelCommand() {
+        return cancel;
+    }
+
+    /** Shows the queue of a boat as it is now. */
+    void show(Optional<String> boat) {
+        shown = boat;
+        table.show(context.models().commands().snapshot().stream()
+                .filter(commands -> boat.filter(commands.boat()::equals).isPresent())
+                .findFirst()
+                .map(BoatQueue::rows)
+                .orElse(List.of()));
+        cancel.refresh();
+    }
+
+    private Optional<String> chosen() {
+        return table.selected().flatMap(Row::command);
+    }
+
+    private void cancel() {
+        String boat = shown.orElseThrow();
+        chosen().ifPresent(command -> context.tell(
+                context.session().fleet().cancel(boat, command),
+                boat + ": the command is cancelled; its mission hears that it failed"));
+    }
+
+    private static List<Row> rows(BoatCommands commands) {
+        List<Row> rows = new ArrayList<>();
+        commands.queue()
+                .current()
+                .ifPresent(
+                        entry -> rows.add(row("in force", entry, state(entry, commands.upload()), SemanticColor.OK)));
+        commands.queue()
+                .blockedBy()
+                .ifPresent(mission -> rows.add(new Row(
+                        "block",
+                        "mission " + mission + " keeps the boat for itself",
+                        "others wait",
+                        SemanticColor.WARNING,
+                        Optional.empty())));
+        List<Entry> waiting = commands.queue().waiting();
+        for (int i = 0; i < waiting.size(); i++) {
+            rows.add(row((i + 1) + ". next", waiting.get(i), waiting.get(i).why(), SemanticColor.MUTED));
+        }
+        List<Concluded> gone = commands.concluded();
+        for (int i = gone.size() - 1; i >= 0; i--) {
+            rows.add(over(gone.get(i)));
+        }
+        return rows;
+    }
+
+    private static Row row(String turn, Entry entry, String state, SemanticColor color) {
+        return new Row(
+                turn,
+                CommandWords.full(entry),
+                state,
+                color,
+                Optional.of(entry.command().commandId()));
+    }
+
+    private static String state(Entry entry, Optional<Upload> upload) {
+        String sent = upload.filter(up -> up.commandId().equals(entry.command().commandId()))
+                .map(up -> ", "
+                        + switch (up.state()) {
+                            case SENT -> "sent";
+                            case ACKNOWLEDGED -> "acknowledged";
+                            case READ_BACK_EQUAL -> "read back equal";
+                            case FAILED -> "not sent: " + up.why();
+                        })
+                .orElse("");
+        return (entry.points() == 0 ? "running" : entry.visited() + " / " + entry.points()) + sent;
+    }
+
+    private static Row over(Concluded gone) {
+        return new Row(
+                "over",
+                CommandWords.what(gone.command()) + ", " + CommandWords.whose(gone.command()),
+                gone.end().name().toLowerCase(Locale.ROOT) + (gone.why().isEmpty() ? "" : ": " + gone.why()),
+                gone.end() == BoatCommands.End.FAILED ? SemanticColor.WARNING : SemanticColor.MUTED,
+                Optional.empty());
+    }
+}

@@ -1,0 +1,95 @@
+package org.sami.crw.gui.boat;
+
+import java.awt.BorderLayout;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.operator.LaunchCheck;
+import org.sami.crw.operator.LaunchCheck.Item;
+import org.sami.crw.operator.LaunchCheck.State;
+import org.sami.crw.operator.LaunchCheck.Subject;
+import org.sami.crw.proxy.BoatTuning;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.command.CommandRow;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.table.RowColumn;
+import org.sami.ui.table.RowTable;
+
+/** What is to be so before the selected boat is put into the water. */
+final class LaunchPanel extends JPanel {
+    private final OperatorContext context;
+    private final MotorTrial motor;
+    private final JLabel summary = new JLabel(" ");
+    private final RowTable<Item> table;
+
+    LaunchPanel(OperatorContext context) {
+        super(new BorderLayout());
+        this.context = context;
+        motor = new MotorTrial(context);
+        setName("boat-launch");
+        table = new RowTable<>(
+                "boat-launch-table",
+                "Select a boat: link, position, compass, motor, battery and what it does without a link are gone through here.",
+                Item::subject,
+                List.of(
+                        RowColumn.<Item>words("Check", 150, item -> mark(item.state()) + name(item.subject()))
+                                .colored(item -> color(item.state())),
+                        RowColumn.<Item>words("How it is", 0, Item::text).colored(item -> color(item.state()))));
+        summary.setName("boat-launch-summary");
+        CommandRow head = new CommandRow();
+        head.left(summary).right(new CommandButton(motor.command()));
+        add(head, BorderLayout.NORTH);
+        add(table);
+    }
+
+    /** Shows how a boat stands now. */
+    void show(Optional<BoatSnapshot> boat, Optional<BoatTuning> settings) {
+        motor.command().refresh();
+        Optional<LaunchCheck> check = boat.map(one -> LaunchCheck.of(
+                one, context.models().alarms().snapshot(), settings, motor.seenMps(one.boat()), context.nowMillis()));
+        table.show(check.map(LaunchCheck::items).orElse(List.of()));
+        summary.setFont(Fonts.strong());
+        summary.setText(check.map(LaunchPanel::words).orElse("No boat is selected"));
+        summary.setForeground(check.map(one -> one.mayLaunch() ? SemanticColor.OK : SemanticColor.WARNING)
+                .orElse(SemanticColor.MUTED)
+                .get());
+    }
+
+    private static String words(LaunchCheck check) {
+        long all = check.items().size();
+        return (check.mayLaunch() ? "✓ may be launched: " : "△ not ready: ") + check.good() + " of " + all + " good";
+    }
+
+    private static String name(Subject subject) {
+        return switch (subject) {
+            case LINK -> "Link";
+            case COMMANDER -> "Command";
+            case POSITION -> "Position";
+            case COMPASS -> "Compass";
+            case MOTOR -> "Motor";
+            case BATTERY -> "Battery";
+            case LOST_LINK -> "Without a link";
+        };
+    }
+
+    private static String mark(State state) {
+        return switch (state) {
+            case GOOD -> "✓ ";
+            case DOUBTFUL -> "△ ";
+            case BAD -> "▲ ";
+            case UNKNOWN -> "? ";
+        };
+    }
+
+    private static SemanticColor color(State state) {
+        return switch (state) {
+            case GOOD -> SemanticColor.TEXT;
+            case DOUBTFUL, UNKNOWN -> SemanticColor.WARNING;
+            case BAD -> SemanticColor.CRITICAL;
+        };
+    }
+}

@@ -1,0 +1,181 @@
+package org.sami.crw.gui.boat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import net.miginfocom.swing.MigLayout;
+import org.sami.boat.link.GainAxis;
+import org.sami.boat.link.Gains;
+import org.sami.boat.link.LostLinkAction;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.operator.LaunchCheck;
+import org.sami.crw.proxy.BoatTuning;
+import org.sami.crw.session.Fleet;
+import org.sami.crw.session.RefusedException;
+import org.sami.ui.command.Command;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.SemanticColor;
+
+/** The settings of the selected boat: gains of its two loops, velocity multiplier, what it does without a link. Each is set by itself, and says what the boat answered. */
+final class SettingsForm extends JPanel {
+    private final OperatorContext context;
+    private final List<Line> lines = new ArrayList<>();
+    private Optional<String> boat = Optional.empty();
+
+    /** One setting: fields, a button, what is in force and what came of the last request. */
+    private final class Line {
+        private final Function<BoatTuning, String> inForce;
+        private final JLabel now = new JLabel("–");
+        private final Command command;
+        private String answer = "";
+        private boolean bad;
+
+        Line(String id, String title, JComponent fields, Function<BoatTuning, String> inForce, Setting setting) {
+            this.inForce = inForce;
+            command = context.commands()
+                    .add(new Command("boat-set-" + id, "Set " + title.toLowerCase(Locale.ROOT), () -> set(setting))
+                            .withIcon("check")
+                            .unless(() -> boat.isPresent() ? Optional.empty() : Optional.of("select a boat first")));
+            now.setName("boat-" + id + "-now");
+            CommandButton button = new CommandButton(command);
+            button.setText("Set");
+            add(new JLabel(title));
+            add(fields);
+            add(button);
+            add(now, "wmin 60");
+        }
+
+        private void set(Setting setting) {
+            String whom = boat.orElseThrow();
+            try {
+                CompletionStage<Void> asked = setting.ask(context.session().fleet(), whom);
+                say("asked…", false);
+                asked.whenComplete((taken, fault) -> {
+                    say(fault == null ? "✓ taken" : "▲ " + RefusedException.reason(fault), fault != null);
+                    if (fault == null) {
+                        context.notices()
+                                .told(whom + " took it: " + command.title().toLowerCase(Locale.ROOT));
+                    } else {
+                        context.notices().refused(RefusedException.reason(fault));
+                    }
+                });
+            } catch (IllegalArgumentException unfit) { // also of a number that is none
+                say("▲ " + unfit.getMessage(), true);
+            }
+        }
+
+        private void say(String text, boolean wrong) {
+            answer = text;
+            bad = wrong;
+        }
+
+        private void show(Optional<BoatTuning> settings) {
+            String text =
+                    settings.map(inForce).map(value -> "in force: " + value).orElse("not known")
+                            + (answer.isEmpty() ? "" : "   " + answer);
+            if (!text.equals(now.getText())) {
+                now.setText(text);
+                now.setToolTipText(text);
+            }
+            now.setForeground((bad ? SemanticColor.CRITICAL : SemanticColor.MUTED).get());
+            command.refresh();
+        }
+    }
+
+    /** Asks a boat for a setting. */
+    private interface Setting {
+        /** @throws IllegalArgumentException if what is entered is no value, in words */
+        CompletionStage<Void> ask(Fleet fleet, String boat);
+    }
+
+    SettingsForm(OperatorContext context) {
+        super(new MigLayout("novisualpadding, insets 8 12 8 12, gap 8 4, fillx, wrap 4", "[][][][grow,fill]"));
+        this.context = context;
+        setName("boat-settings");
+        addGains("heading", "Steering gains", GainAxis.HEADING, BoatTuning::heading);
+        addGains("speed", "Driving gains", GainAxis.SPEED, BoatTuning::speed);
+        JTextField multiplier = field("boat-velocity", "1");
+        lines.add(new Line(
+                "velocity",
+                "Velocity multiplier",
+                multiplier,
+                settings -> number(settings.velocityMultiplier()),
+                (fleet, whom) -> fleet.setVelocityMultiplier(whom, number(multiplier))));
+        JComboBox<LostLinkAction> action = new JComboBox<>(LostLinkAction.values());
+        action.setName("boat-lost-link");
+        action.getAccessibleContext().setAccessibleName("What the boat does when its link is lost");
+        action.setRenderer((list, value, index, selected, focused) -> {
+            JLabel label = new JLabel(value == null ? "" : LaunchCheck.words(value));
+            label.setOpaque(selected);
+            label.setBackground(SemanticColor.SELECTION.get());
+            label.setForeground((selected ? SemanticColor.ON_SELECTION : SemanticColor.TEXT).get());
+            return label;
+        });
+        lines.add(new Line(
+                "lost-link",
+                "Without a link",
+                action,
+                settings -> LaunchCheck.words(settings.lostLinkAction()),
+                (fleet, whom) -> fleet.setLostLinkAction(whom, action.getItemAt(action.getSelectedIndex()))));
+    }
+
+    private void addGains(String id, String title, GainAxis axis, Function<BoatTuning, Gains> of) {
+        JTextField p = field("boat-" + id + "-p", "");
+        JTextField i = field("boat-" + id + "-i", "");
+        JTextField d = field("boat-" + id + "-d", "");
+        JPanel fields = new JPanel(new MigLayout("novisualpadding, insets 0, gap 4", "[][][][][][]"));
+        fields.setOpaque(false);
+        List<Supplier<JComponent>> parts =
+                List.of(() -> new JLabel("P"), () -> p, () -> new JLabel("I"), () -> i, () -> new JLabel("D"), () -> d);
+        parts.forEach(part -> fields.add(part.get()));
+        lines.add(new Line(
+                id,
+                title,
+                fields,
+                settings -> {
+                    Gains gains = of.apply(settings);
+                    return "P " + number(gains.proportional()) + ", I " + number(gains.integral()) + ", D "
+                            + number(gains.derivative());
+                },
+                (fleet, whom) -> fleet.setGains(whom, axis, new Gains(number(p), number(i), number(d)))));
+    }
+
+    private static JTextField field(String name, String text) {
+        JTextField field = new JTextField(text, 5);
+        field.setName(name);
+        field.getAccessibleContext().setAccessibleName(name.replace('-', ' '));
+        return field;
+    }
+
+    private static String number(double value) {
+        return value == Math.rint(value) && Math.abs(value) < 1e6
+                ? String.format(Locale.ROOT, "%.0f", value)
+                : String.format(Locale.ROOT, "%.3f", value).replaceFirst("0+$", "");
+    }
+
+    private static double number(JTextField field) {
+        try {
+            return Double.parseDouble(field.getText().strip().replace(',', '.'));
+        } catch (NumberFormatException unfit) {
+            throw new IllegalArgumentException("enter a number, such as 0.5, not '" + field.getText() + "'", unfit);
+        }
+    }
+
+    /** Shows what is in force on a boat; another one has not been asked for anything yet. */
+    void show(Optional<String> which, Optional<BoatTuning> settings) {
+        if (!which.equals(boat)) {
+            boat = which;
+            lines.forEach(line -> line.say("", false));
+        }
+        lines.forEach(line -> line.show(settings));
+    }
+}
