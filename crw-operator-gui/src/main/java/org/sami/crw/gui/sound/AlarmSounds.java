@@ -5,9 +5,9 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.Timer;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.gui.start.WindowSettings;
 import org.sami.ui.EventThread;
 import org.sami.ui.command.Command;
+import org.sami.ui.window.WindowSettings;
 
 /** Lets alarms of a session be heard, by severity, until they are acknowledged, muted or over; all of it can be turned off. On the event thread. */
 public final class AlarmSounds implements AutoCloseable {
