@@ -2,6 +2,7 @@ package org.sami.crw.gui;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.IntConsumer;
 import javax.swing.JOptionPane;
@@ -13,7 +14,13 @@ import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.replay.ReplayedJournal;
 import org.sami.crw.session.Session;
 import org.sami.ui.EventThread;
+import org.sami.ui.look.Icons;
+import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.look.Look;
+import org.sami.ui.map.MapView;
+import org.sami.ui.net.NetView;
+import org.sami.ui.table.RowColumn;
+import org.sami.ui.table.RowTable;
 import org.sami.ui.window.WindowSettings;
 
 /** Opens a session and the window over it, on the main thread, which may wait. */
@@ -41,6 +48,7 @@ final class WindowStart {
             settings.keepLook();
             return null;
         });
+        EventThread.later(WindowStart::loadViews);
         SessionOpener opener = new SessionOpener(data, options.boats(), options.project());
         Optional<Path> unfinished = data.unfinished();
         boolean goesOn = unfinished.isPresent()
@@ -70,6 +78,14 @@ final class WindowStart {
             made.open(options.atMillis());
             return made;
         });
+    }
+
+    /** Has the classes of the largest views loaded while the session is opened: the window is there sooner. */
+    private static void loadViews() {
+        new MapView().close();
+        new NetView(new IdentityMarks());
+        new RowTable<String>("table", "", row -> row, List.of(RowColumn.words("", 0, row -> row)));
+        Icons.normal("stop");
     }
 
     private static boolean asksToResume(Path journal) {

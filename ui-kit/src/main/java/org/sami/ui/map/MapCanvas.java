@@ -2,6 +2,7 @@ package org.sami.ui.map;
 
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.GraphicsDevice;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.geom.Point2D;
@@ -26,6 +27,7 @@ final class MapCanvas extends JXMapViewer {
     private final transient MapScale scale = new MapScale();
     private final transient MapMessage message = new MapMessage();
     private final transient StillImage still = new StillImage();
+    private final transient StillImage whole = new StillImage();
     private transient MapTool tool = new MapTool() {};
     private transient Set<String> highlighted = Set.of();
     private transient Optional<GeoBounds> toFit = Optional.empty();
@@ -166,6 +168,17 @@ final class MapCanvas extends JXMapViewer {
     public void setBounds(int x, int y, int width, int height) {
         super.setBounds(x, y, width, height);
         toFit.ifPresent(this::fit);
+    }
+
+    /** Paints it in memory first: a screen draws many small shapes slowly, and copies one image quickly. */
+    @Override
+    protected void paintComponent(Graphics g) {
+        Graphics2D target = (Graphics2D) g;
+        if (target.getDeviceConfiguration().getDevice().getType() == GraphicsDevice.TYPE_IMAGE_BUFFER) {
+            super.paintComponent(g);
+        } else {
+            whole.paint(target, new Object(), getWidth(), getHeight(), super::paintComponent);
+        }
     }
 
     /** All that {@link #paintStill} depends on. */

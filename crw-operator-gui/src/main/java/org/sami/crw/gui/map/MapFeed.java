@@ -12,6 +12,7 @@ import org.sami.crw.operator.map.MapSnapshot;
 import org.sami.crw.operator.map.SensorLayer;
 import org.sami.crw.operator.map.ShownBoat;
 import org.sami.crw.operator.map.ShownLayer;
+import org.sami.crw.operator.map.ShownTrack;
 import org.sami.crw.service.field.FieldGrid;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.GeoBounds;
@@ -38,6 +39,11 @@ final class MapFeed {
     private final PointLayer places = new PointLayer("places", "Places");
     private final VehicleLayer boats = new VehicleLayer("boats", "Boats");
 
+    private final Map<String, Known> known = new HashMap<>();
+
+    /** The points of the model that a track was made of. */
+    private record Known(List<ShownTrack.Point> points, Track track) {}
+
     MapFeed(OperatorContext context, MapLayers layers) {
         this.context = context;
         List.of(data, areas, tracks, paths, places, boats).forEach(layers::add);
@@ -52,12 +58,7 @@ final class MapFeed {
                         area.area(),
                         kind(area.layer())))
                 .toList());
-        tracks.show(map.tracks().stream()
-                .map(track -> new Track(
-                        track.boat(),
-                        context.marks().of(track.boat()),
-                        track.points().stream().map(point -> point.position()).toList()))
-                .toList());
+        tracks.show(map.tracks().stream().map(this::track).toList());
         Map<String, GeoPoint> at = new HashMap<>();
         map.boats().forEach(boat -> at.put(boat.boat(), boat.position()));
         paths.show(map.paths().stream()
@@ -93,6 +94,19 @@ final class MapFeed {
             case FENCE -> ShownArea.Kind.FENCE;
             default -> ShownArea.Kind.WORK;
         };
+    }
+
+    /** A track that is as it was is not copied again: most are, ten times a second. */
+    private Track track(ShownTrack now) {
+        Optional<Known> before = Optional.ofNullable(known.get(now.boat())).filter(one -> one.points() == now.points());
+        if (before.isPresent()) {
+            return before.get().track();
+        }
+        List<GeoPoint> points =
+                now.points().stream().map(ShownTrack.Point::position).toList();
+        Track track = new Track(now.boat(), context.marks().of(now.boat()), points);
+        known.put(now.boat(), new Known(now.points(), track));
+        return track;
     }
 
     private ShownVehicle vehicle(ShownBoat boat) {

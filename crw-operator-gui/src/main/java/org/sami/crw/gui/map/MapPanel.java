@@ -10,6 +10,7 @@ import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JFileChooser;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
+import javax.swing.Timer;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.decision.DecisionMap;
 import org.sami.crw.operator.MapModel;
@@ -31,12 +32,15 @@ import org.sami.ui.map.MapView;
 /** The map of the session: boats, ways, areas, measured fields; boats are chosen on it and sent somewhere. */
 public final class MapPanel extends JPanel {
     private static final String HOME = "@home";
+    private static final int SHOW_MS =
+            50; // boats of a large fleet are seen at all times: what comes meanwhile is shown together
 
     private final OperatorContext context;
     private final MapView view = new MapView();
     private final MapFeed feed;
     private final GuidedMode guided;
     private final CommandRow tools = new CommandRow();
+    private final Timer pace = new Timer(SHOW_MS, e -> refresh());
     private boolean placed;
     private boolean pointing;
     private long partShown;
@@ -67,7 +71,9 @@ public final class MapPanel extends JPanel {
             }
         });
         context.boats().addListener(() -> refresh());
+        pace.setRepeats(false);
         map().addListener(this::show);
+        feed.show(map().snapshot());
         show(map().snapshot());
     }
 
@@ -171,7 +177,7 @@ public final class MapPanel extends JPanel {
     }
 
     private void show(MapSnapshot now) {
-        feed.show(now);
+        pace.start();
         if (!placed) {
             MapFeed.bounds(now).filter(box -> !now.boats().isEmpty()).ifPresent(box -> {
                 placed = true;
@@ -196,6 +202,7 @@ public final class MapPanel extends JPanel {
 
     /** Gives up its files. */
     public void close() {
+        pace.stop();
         view.close();
     }
 }

@@ -97,7 +97,7 @@ public final class MissionMonitor extends JPanel {
                                 ? Optional.empty()
                                 : Optional.of("only the tab of an ended mission can be closed")));
         NetView.commands(() -> shown().map(MissionView::net)).forEach(context.commands()::add);
-        tabs.addChangeListener(e -> refreshCommands());
+        tabs.addChangeListener(e -> tabChanged());
     }
 
     private void refreshCommands() {
@@ -148,11 +148,22 @@ public final class MissionMonitor extends JPanel {
         }
     }
 
+    /** A tab that was hidden was not kept up to date. */
+    private void tabChanged() {
+        MissionsSnapshot missions = context.models().missions().snapshot();
+        shown().filter(views::containsValue)
+                .flatMap(view -> missions.mission(view.mission()))
+                .ifPresent(mission -> views.get(mission.id()).show(mission, missions));
+        refreshCommands();
+    }
+
     private void show(MissionsSnapshot missions) {
         for (MissionSnapshot mission : missions.missions()) {
             if (mission.parent() == Ids.NONE && !closed.contains(mission.id())) {
                 MissionView view = views.computeIfAbsent(mission.id(), id -> added(mission, missions));
-                view.show(mission, missions);
+                if (view == tabs.getSelectedComponent()) {
+                    view.show(mission, missions);
+                }
                 int index = tabs.indexOfComponent(view);
                 tabs.setIconAt(index, icon(mission));
             }

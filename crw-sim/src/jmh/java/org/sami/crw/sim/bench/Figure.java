@@ -9,4 +9,4 @@ import java.util.Map;
  * @param params what it was measured with
  * @param error how far single measurements were off, in the same unit; 0 where there was one
  */
-record Figure(String name, Map<String, Integer> params, double value, String unit, double error) {}
+public record Figure(String name, Map<String, Integer> params, double value, String unit, double error) {}

@@ -13,13 +13,13 @@ import java.util.Locale;
 import java.util.TreeMap;
 
 /** The table of all benchmarks as a file; other modules write theirs into the same one. */
-final class FigureFile {
+public final class FigureFile {
     private static final ObjectMapper JSON = new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
 
     private FigureFile() {}
 
     /** Puts figures in place of all whose names begin alike. */
-    static void replace(Path file, String prefix, List<Figure> figures) throws IOException {
+    public static void replace(Path file, String prefix, List<Figure> figures) throws IOException {
         ArrayNode all = JSON.createArrayNode();
         if (Files.exists(file)) {
             for (JsonNode entry : JSON.readTree(file.toFile())) {
@@ -38,7 +38,8 @@ final class FigureFile {
         Files.writeString(file, JSON.writeValueAsString(all) + "\n");
     }
 
-    static void print(List<Figure> figures) {
+    /** Prints figures as a table. */
+    public static void print(List<Figure> figures) {
         System.out.println();
         System.out.printf(Locale.ROOT, "%-14s %-28s %14s %12s %s%n", "name", "params", "value", "error", "unit");
         for (Figure figure : figures) {

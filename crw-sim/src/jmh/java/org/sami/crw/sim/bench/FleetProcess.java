@@ -16,13 +16,15 @@ import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.spn.value.GeoPoint;
 
 /** Boats behind TCP in a process of their own, so that what they need is not counted for the base. They end with the base. */
-final class FleetProcess implements AutoCloseable {
-    static final GeoPoint PIER = GeoPoint.of(45.4, 10.9);
+public final class FleetProcess implements AutoCloseable {
+    /** Where the boats are launched. */
+    public static final GeoPoint PIER = GeoPoint.of(45.4, 10.9);
 
     private final Process process;
     private final List<InetSocketAddress> addresses = new ArrayList<>();
 
-    FleetProcess(int boats) throws IOException {
+    /** Begins the process; its boats are named "boat1" and so on. */
+    public FleetProcess(int boats) throws IOException {
         process = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                         "-cp",
@@ -43,7 +45,8 @@ final class FleetProcess implements AutoCloseable {
         }
     }
 
-    List<InetSocketAddress> addresses() {
+    /** Where the boats listen, in order. */
+    public List<InetSocketAddress> addresses() {
         return addresses;
     }
 

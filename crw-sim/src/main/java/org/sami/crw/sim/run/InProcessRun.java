@@ -134,6 +134,11 @@ public final class InProcessRun {
                 proxy.explain().text());
     }
 
+    /** The session on which it runs, for a window that shows it; on the run's thread. */
+    public Session session() {
+        return session;
+    }
+
     /** Lets it run to its time also when nothing can happen in the mission any longer. To be called before it runs. */
     public void goOnWhenStuck() {
         endsWhenStuck = false;

@@ -1,0 +1,156 @@
+package org.sami.crw.gui;
+
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import java.util.function.ToLongFunction;
+import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.gui.start.StartOptions;
+import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.session.Session;
+import org.sami.crw.sim.bench.Figure;
+import org.sami.crw.sim.bench.FigureFile;
+import org.sami.crw.sim.bench.FleetProcess;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.ProjectWriter;
+import org.sami.ui.EventThread;
+import org.sami.ui.look.Theme;
+
+/**
+ * How soon the event thread of the real window serves what is posted to it, while a large fleet behind TCP sails for many missions and all panels
+ * are shown as they lie at first.
+ */
+final class LatencyBenchmark {
+    private static final String NAME = "window.latency";
+    private static final String PLAN = "station-keep";
+    private static final long PROBE_EVERY_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
+    private static final int PATIENCE_S = 180;
+    private static final int SETTLE_S = 10;
+
+    private final int boats;
+    private final int missions;
+    private final int seconds;
+
+    private LatencyBenchmark(int boats, int missions, int seconds) {
+        this.boats = boats;
+        this.missions = missions;
+        this.seconds = seconds;
+    }
+
+    /**
+     * Measures.
+     *
+     * @param args boats, missions, seconds
+     */
+    public static void main(String[] args) throws Exception {
+        new LatencyBenchmark(Integer.parseInt(args[0]), Integer.parseInt(args[1]), Integer.parseInt(args[2])).run();
+        System.exit(0);
+    }
+
+    private void run() throws Exception {
+        Path folder = Files.createTempDirectory("window-latency");
+        Path project = folder.resolve("project.json");
+        DomainLibrary library =
+                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
+        Files.writeString(
+                project,
+                new ProjectWriter(library.vocabulary())
+                        .text(library.projectOf(PLAN).orElseThrow()));
+        try (FleetProcess fleet = new FleetProcess(boats)) {
+            List<BoatAddress> addresses = fleet.addresses().stream()
+                    .map(at -> new BoatAddress(at.getAddress().getHostAddress(), at.getPort()))
+                    .toList();
+            StartOptions options = new StartOptions(
+                    addresses, Optional.of(project), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
+            OperatorWindow window = WindowStart.open(options, DataDirectory.open(folder.resolve("data")), code -> {});
+            Session session = window.session();
+            await("all boats are linked", () -> linked(session) == boats);
+            session.execute(() -> session.addOperator(new SharingOperator(session, missions)));
+            for (int i = 1; i <= missions; i++) {
+                session.start(PLAN, "mission " + i, Map.of());
+            }
+            await(
+                    "all missions have their boats under way",
+                    () -> session.models().fleet().snapshot().stream()
+                            .allMatch(boat -> boat.command().isPresent()));
+            probe(SETTLE_S);
+            figures(probe(seconds));
+            int running = session.models().missions().snapshot().running().size();
+            if (running < missions) {
+                throw new IllegalStateException("only " + running + " missions ran to the end of the measurement");
+            }
+        }
+    }
+
+    private static long linked(Session session) {
+        return session.models().fleet().snapshot().stream()
+                .filter(boat -> boat.link() == LinkState.LINKED && boat.pose().isPresent())
+                .count();
+    }
+
+    private static void await(String what, BooleanSupplier condition) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
+        while (!condition.getAsBoolean()) {
+            if (System.nanoTime() > end) {
+                throw new IllegalStateException("not within " + PATIENCE_S + " s: " + what);
+            }
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(20));
+        }
+    }
+
+    /** How long a probe waited, by the clock and in CPU time of the event thread: what others on the machine take is not in the latter. */
+    private record Wait(long nanos, long cpuNanos) {}
+
+    /** What was measured, and how much of the time the event thread worked. */
+    private record Probed(List<Wait> waits, double busy) {}
+
+    private static Probed probe(int seconds) {
+        int probes = (int) (TimeUnit.SECONDS.toNanos(seconds) / PROBE_EVERY_NANOS);
+        List<CompletableFuture<Wait>> waits = new ArrayList<>();
+        ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+        long eventThread = EventThread.get(() -> Thread.currentThread().getId());
+        long start = System.nanoTime();
+        long busy = threads.getThreadCpuTime(eventThread);
+        for (int i = 0; i < probes; i++) {
+            long due = start + i * PROBE_EVERY_NANOS;
+            LockSupport.parkNanos(due - System.nanoTime());
+            CompletableFuture<Wait> served = new CompletableFuture<>();
+            waits.add(served);
+            long posted = System.nanoTime();
+            long cpu = threads.getThreadCpuTime(eventThread);
+            EventThread.later(() ->
+                    served.complete(new Wait(System.nanoTime() - posted, threads.getCurrentThreadCpuTime() - cpu)));
+        }
+        List<Wait> all = waits.stream().map(CompletableFuture::join).toList();
+        double worked = threads.getThreadCpuTime(eventThread) - busy;
+        return new Probed(all, worked / (System.nanoTime() - start));
+    }
+
+    private void figures(Probed probed) throws Exception {
+        Map<String, Integer> params = Map.of("boats", boats, "hz", 10, "missions", missions);
+        List<Figure> figures = List.of(
+                new Figure(NAME, params, ms(probed, Wait::nanos, 0.5), "ms, event thread, median", 0),
+                new Figure(NAME, params, ms(probed, Wait::nanos, 0.99), "ms, event thread, p99", 0),
+                new Figure(NAME, params, ms(probed, Wait::nanos, 1), "ms, event thread, most", 0),
+                new Figure(NAME, params, ms(probed, Wait::cpuNanos, 0.99), "ms of its CPU time, p99", 0),
+                new Figure(NAME, params, probed.busy(), "of one core, event thread", 0));
+        FigureFile.print(figures);
+        FigureFile.replace(WindowBenchmarkMain.file(), NAME, figures);
+    }
+
+    private static double ms(Probed probed, ToLongFunction<Wait> what, double part) {
+        long[] nanos = probed.waits().stream().mapToLong(what).sorted().toArray();
+        return nanos[(int) Math.ceil(part * nanos.length) - 1] / 1e6;
+    }
+}
