@@ -59,7 +59,7 @@ final class BoatNews implements BoatListener {
             tell(boat, Priority.LOW, "The link to " + boat + " is back");
         } else if (status.link() == LinkState.LINKED
                 && !host.ask(view -> view.proxies().contains(boat))) {
-            host.post(newBoats.joined(boat));
+            host.post(newBoats.joined(boat, host.ask(view -> view.awaits(EventNames.PROXY_CREATED))));
         }
     }
 

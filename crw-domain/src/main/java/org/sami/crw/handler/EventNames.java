@@ -27,6 +27,7 @@ public final class EventNames {
     static final String QUANTITY_LESS = "QuantityLess";
     static final String QUANTITY_EQUAL = "QuantityEqual";
     static final String PROXY_CREATED = "ProxyCreated";
+    static final String PROXY_CONNECTED = "ProxyConnected";
     /** Answer to Task Complete. */
     public static final String TASK_COMPLETED = "TaskCompleted";
 

@@ -26,6 +26,11 @@ final class NewsEventCases {
                         "a boat that connects while the mission runs joins it",
                         NewsEventCases::created)
                 .shows(
+                        "ProxyConnected",
+                        Seen.IN_THE_MARKING,
+                        "the boat that the mission asked for joins it, another boat that connects does not",
+                        NewsEventCases::connected)
+                .shows(
                         "ProxyPoseUpdated",
                         Seen.IN_THE_MARKING,
                         "a boat moves on at its next report of where it is",
@@ -122,6 +127,23 @@ final class NewsEventCases {
         scene.world.addBoat("late", 20, 0);
         scene.untilBoat("late", "team");
         assertThat(scene.used("ProxyCreated").get(0).proxies()).isEqualTo(List.of("late"));
+    }
+
+    private static void connected() {
+        PlanScene scene = new PlanScene(
+                new PlanSketch()
+                        .asks(
+                                "ask",
+                                "ConnectExistingProxy",
+                                "name",
+                                new TextValue("red"),
+                                "server",
+                                new TextValue("10.0.0.1:11411"))
+                        .joining("ask", "ProxyConnected", "team"),
+                0);
+        scene.world.addBoat("late", 20, 0);
+        scene.untilBoat("red at 10.0.0.1:11411", "team");
+        assertThat(scene.stands(PlanScene.boat("late"), "team")).isFalse();
     }
 
     private static void battery(double before, double after, String news) {

@@ -12,6 +12,7 @@ import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.InterruptButton;
 import org.sami.spn.engine.MissionView;
+import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
@@ -42,13 +43,23 @@ final class PlanScene {
 
     /** As the other, with hulls that are made ready before their boats are heard of. */
     PlanScene(PlanSketch plan, int boats, Consumer<TestHull> ready) {
-        world = new TestWorld(new HostedEngine(plan.project()));
-        world.host.addListener((index, atMillis, input, stepped, view) -> effects.addAll(stepped));
+        this(plan.project(), PlanSketch.ROOT, boats, ready);
+    }
+
+    /** A plan of a project, on boats as in the others. */
+    PlanScene(Project project, String plan, int boats, Consumer<TestHull> ready) {
+        this(new TestWorld(new HostedEngine(project)));
         for (int boat = 1; boat <= boats; boat++) {
             world.addBoat("boat-" + boat, 4.0 * boat, 0, ready);
         }
         world.run(2);
-        post(new Input.StartMission(PlanSketch.ROOT, "test", Map.of()));
+        post(new Input.StartMission(plan, "test", Map.of()));
+    }
+
+    /** A world in which nothing runs yet. */
+    PlanScene(TestWorld world) {
+        this.world = world;
+        world.host.addListener((index, atMillis, input, stepped, view) -> effects.addAll(stepped));
     }
 
     static GeoPoint at(double eastM, double northM) {

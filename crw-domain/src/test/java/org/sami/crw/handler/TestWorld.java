@@ -1,11 +1,13 @@
 package org.sami.crw.handler;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicLong;
@@ -49,6 +51,7 @@ final class TestWorld implements HostClock {
     private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
     private final AtomicLong clock = new AtomicLong();
     private volatile Wake wake = Wake.NEVER;
+    private final Set<String> cut = new HashSet<>();
     private boolean linkUp = true;
 
     TestWorld(EngineFunction engine) {
@@ -112,7 +115,7 @@ final class TestWorld implements HostClock {
         hulls.put(id, hull);
         boats.add(new BoatProxy(
                 id,
-                frame -> send(() -> sessions.get(id).receive(frame, nowMillis())),
+                frame -> send(id, () -> sessions.get(id).receive(frame, nowMillis())),
                 domain.boatListener(),
                 ProxyConfig.DEFAULT.withTelemetryHz(5)));
         startServer(id, id + "-boot1");
@@ -125,19 +128,28 @@ final class TestWorld implements HostClock {
         BoatServer server =
                 new BoatServer(ServerConfig.of(id, bootId).fullThrustSpeedMps(3).build(), hulls.get(id));
         servers.put(id, server);
-        sessions.put(id, server.connect(frame -> send(() -> proxy.receive(frame, nowMillis()))));
+        sessions.put(id, server.connect(frame -> send(id, () -> proxy.receive(frame, nowMillis()))));
         proxy.closed(nowMillis());
         proxy.opened(nowMillis());
     }
 
-    private void send(Runnable delivery) {
-        if (linkUp) {
+    private void send(String boat, Runnable delivery) {
+        if (linkUp && !cut.contains(boat)) {
             tasks.add(delivery);
         }
     }
 
     void cutLinks(boolean cut) {
         linkUp = !cut;
+    }
+
+    /** Cuts one boat's link, as when it is out of the radio's range, or mends it. */
+    void cutLink(String boat, boolean isCut) {
+        if (isCut) {
+            cut.add(boat);
+        } else {
+            cut.remove(boat);
+        }
     }
 
     /** These effects happen now. */

@@ -91,11 +91,17 @@ final class StepMeaning {
     private static Optional<Activation> asked(Collection<Activation> activations, TestStep.Occur s) {
         Stream<Activation> fitting = activations.stream()
                 .filter(a -> a.event().equals(s.answers()))
-                .filter(a ->
-                        a.proxies().containsAll(s.proxies()) && names(a.tasks()).containsAll(s.tasks()));
+                .filter(a -> asksOfNobody(a)
+                        || (a.proxies().containsAll(s.proxies())
+                                && names(a.tasks()).containsAll(s.tasks())));
         return s.proxies().isEmpty() && s.tasks().isEmpty()
                 ? fitting.findFirst()
                 : fitting.reduce((older, newer) -> newer);
+    }
+
+    /** Whether no robot or task entered: its answer may name some that are new, as of robots that connect. */
+    private static boolean asksOfNobody(Activation activation) {
+        return activation.proxies().isEmpty() && activation.tasks().isEmpty();
     }
 
     private static List<String> names(List<TaskId> tasks) {
