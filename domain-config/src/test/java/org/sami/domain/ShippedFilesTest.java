@@ -80,6 +80,7 @@ class ShippedFilesTest {
                         Stream.of("/plans/", "/deployments/", "everything").anyMatch(path::contains);
                 String of = path.endsWith("/legacy.json") ? "legacy-classes" : project ? "project" : "vocabulary";
                 of = path.endsWith("/components.json") ? "components" : of;
+                of = path.endsWith("/authoring.json") ? "authoring" : of;
                 Schema schema = Schemas.load(of + "-1.schema.json");
 
                 assertThat(Schemas.errors(schema, Schemas.MAPPER.readTree(Files.readString(file))))

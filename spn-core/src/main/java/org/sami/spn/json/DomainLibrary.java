@@ -8,12 +8,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Function;
 import org.sami.spn.component.ComponentLibrary;
 import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.vocabulary.Vocabulary;
+import org.sami.spn.wizard.AuthoringLibrary;
 
 /**
  * A domain as it ships: its vocabulary and its library of plans. Each file of the library is a project of its own, so that
@@ -21,14 +23,20 @@ import org.sami.spn.vocabulary.Vocabulary;
  *
  * @param files the vocabulary's files as text, for the journal
  * @param components what windows show and ask values with; none where the domain names no file of them
+ * @param authoring what helps to write plans; nothing where the domain names no file of it
  * @param projects the projects of the library, by the name of their file, in the order of the domain's index
  */
 public record DomainLibrary(
-        Vocabulary vocabulary, VocabularyFiles files, ComponentLibrary components, Map<String, Project> projects) {
+        Vocabulary vocabulary,
+        VocabularyFiles files,
+        ComponentLibrary components,
+        AuthoringLibrary authoring,
+        Map<String, Project> projects) {
     public DomainLibrary {
         Objects.requireNonNull(vocabulary, "vocabulary");
         Objects.requireNonNull(files, "files");
         Objects.requireNonNull(components, "components");
+        Objects.requireNonNull(authoring, "authoring");
         projects = Collections.unmodifiableMap(new LinkedHashMap<>(projects));
     }
 
@@ -79,19 +87,29 @@ public record DomainLibrary(
                 return text;
             };
             return new DomainLibrary(
-                    v, found, readComponents(found, v, located, problems), readProjects(found, v, located, problems));
+                    v,
+                    found,
+                    readPart(found, VocabularyFiles.COMPONENTS, t -> ComponentReader.read(t, v), located, problems)
+                            .orElse(ComponentLibrary.EMPTY),
+                    readPart(found, VocabularyFiles.AUTHORING, t -> AuthoringReader.read(t, v), located, problems)
+                            .orElse(AuthoringLibrary.EMPTY),
+                    readProjects(found, v, located, problems));
         });
     }
 
-    private static ComponentLibrary readComponents(
-            VocabularyFiles files, Vocabulary vocabulary, VocabularyFiles.Source source, Problems problems) {
-        return files.components()
+    /** Reads a file that a member of the index names. */
+    private static <T> Optional<T> readPart(
+            VocabularyFiles files,
+            String member,
+            Function<String, Reading<T>> reader,
+            VocabularyFiles.Source source,
+            Problems problems) {
+        return files.named(member)
                 .flatMap(name -> VocabularyFiles.fetch(source, name, problems).flatMap(text -> {
-                    Reading<ComponentLibrary> reading = ComponentReader.read(text, vocabulary);
+                    Reading<T> reading = reader.apply(text);
                     problems.addAll(reading.findings(), name + "#");
                     return reading.result();
-                }))
-                .orElse(ComponentLibrary.EMPTY);
+                }));
     }
 
     private static Map<String, Project> readProjects(

@@ -22,6 +22,9 @@ public record VocabularyFiles(Map<String, String> texts) {
     /** The index's member that names the file of components. No vocabulary: a journal does not need it. */
     static final String COMPONENTS = "components";
 
+    /** The index's member that names the file of groups and sequences of events. No vocabulary either. */
+    static final String AUTHORING = "authoring";
+
     public VocabularyFiles {
         texts = Collections.unmodifiableMap(new LinkedHashMap<>(texts));
     }
@@ -60,12 +63,12 @@ public record VocabularyFiles(Map<String, String> texts) {
                 .orElse(List.of());
     }
 
-    /** The name of the file that says which components windows have; empty where the index names none. */
-    Optional<String> components() {
+    /** The name of the file that a member of the index gives; empty where it names none. */
+    Optional<String> named(String member) {
         Problems ignored = new Problems();
         return JsonText.parse(texts.getOrDefault(INDEX, "{}"), ignored)
                 .flatMap(node -> JsonObjectReader.of(node, "", ignored))
-                .map(m -> m.text(COMPONENTS, ""))
+                .map(m -> m.text(member, ""))
                 .filter(name -> !name.isEmpty());
     }
 

@@ -86,6 +86,7 @@ public final class VocabularyReader {
         index.texts("files");
         index.texts("library");
         index.text(VocabularyFiles.COMPONENTS, "");
+        index.text(VocabularyFiles.AUTHORING, "");
         return index.text("domain");
     }
 

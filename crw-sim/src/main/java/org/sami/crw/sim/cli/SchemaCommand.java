@@ -29,6 +29,7 @@ final class SchemaCommand implements Callable<Integer> {
     private static final Map<String, String> FILES = new TreeMap<>(Map.of(
             "project", PROJECT,
             "vocabulary", "vocabulary-1.schema.json",
+            "authoring", "authoring-1.schema.json",
             "legacy-classes", "legacy-classes-1.schema.json"));
 
     @Spec
@@ -38,8 +39,9 @@ final class SchemaCommand implements Callable<Integer> {
             paramLabel = "KIND",
             arity = "0..1",
             defaultValue = "project",
-            description = "project (a project's file; the default), vocabulary (a domain's files) or legacy-classes "
-                    + "(a domain's table of class names of the earlier system).")
+            description =
+                    "project (a project's file; the default), vocabulary (a domain's files), authoring "
+                            + "(its groups and sequences of events) or legacy-classes (a domain's table of class names of the earlier system).")
     private String kind;
 
     @Override

@@ -1,0 +1,86 @@
+package org.sami.spn.wizard;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.sami.spn.vocabulary.Direction;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.vocabulary.TokenNeed;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * What a domain says to help authors: groups of events, and the sequences of events. No vocabulary: plans mean the same without it.
+ *
+ * @param categories groups in the order of a palette
+ * @param sequences flexible and manual ones
+ */
+public record AuthoringLibrary(List<EventCategory> categories, List<Sequence> sequences) {
+    /** Of a domain that says nothing. */
+    public static final AuthoringLibrary EMPTY = new AuthoringLibrary(List.of(), List.of());
+
+    public AuthoringLibrary {
+        categories = List.copyOf(categories);
+        sequences = List.copyOf(sequences);
+    }
+
+    /** The sequences of an event type, the one to offer first first. */
+    public List<Sequence> of(String event) {
+        return sequences.stream().filter(s -> s.event().equals(event)).toList();
+    }
+
+    /** A sequence of an event type by its id; empty for {@link Sequence#ALONE}. */
+    public Optional<Sequence> sequence(String event, String id) {
+        return of(event).stream().filter(s -> s.id().equals(id)).findFirst();
+    }
+
+    /** The flexible sequence of an output event. */
+    Optional<Sequence.OfOutput> ofOutput(String event) {
+        return flexible(event, Sequence.OfOutput.class);
+    }
+
+    /** The flexible sequence of an input event. */
+    Optional<Sequence.OfInput> ofInput(String event) {
+        return flexible(event, Sequence.OfInput.class);
+    }
+
+    private <S extends Sequence> Optional<S> flexible(String event, Class<S> kind) {
+        return of(event).stream().filter(kind::isInstance).map(kind::cast).findFirst();
+    }
+
+    /** What an output event needs: what its sequence says, and nothing where it has none (thesis 5.1.1). */
+    TokenNeed needs(String event) {
+        return ofOutput(event).map(Sequence.OfOutput::tokens).orElse(TokenNeed.NONE);
+    }
+
+    /** The groups of a palette: those of the domain, then what they leave out, by direction. Every event type is in one. */
+    public List<EventCategory> groups(Vocabulary vocabulary) {
+        Set<String> left = new LinkedHashSet<>(vocabulary.events().keySet());
+        List<EventCategory> groups = new ArrayList<>();
+        for (EventCategory category : categories) {
+            left.removeAll(category.events());
+            groups.add(category);
+        }
+        rest(vocabulary, left, Direction.OUTPUT, "other-output-events", "Other output events", groups);
+        rest(vocabulary, left, Direction.INPUT, "other-input-events", "Other input events", groups);
+        return groups;
+    }
+
+    private static void rest(
+            Vocabulary vocabulary,
+            Set<String> left,
+            Direction direction,
+            String id,
+            String name,
+            List<EventCategory> groups) {
+        List<String> events = left.stream()
+                .map(e -> vocabulary.events().get(e))
+                .filter(e -> e.direction() == direction)
+                .map(EventType::name)
+                .toList();
+        if (!events.isEmpty()) {
+            groups.add(new EventCategory(id, name, events));
+        }
+    }
+}

@@ -1,0 +1,103 @@
+package org.sami.spn.wizard;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.sami.spn.drawing.RequirementWords;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.OutEdge;
+import org.sami.spn.model.Plan;
+
+/**
+ * What a change of a plan makes, as a preview shows it.
+ *
+ * @param vertices ids of new vertices
+ * @param edges ids of new edges
+ * @param changed ids of edges that were there and have other requirements now
+ * @param lines a line for each, in words
+ */
+public record PlanChange(Set<String> vertices, Set<String> edges, Set<String> changed, List<String> lines) {
+    public PlanChange {
+        vertices = Set.copyOf(vertices);
+        edges = Set.copyOf(edges);
+        changed = Set.copyOf(changed);
+        lines = List.copyOf(lines);
+    }
+
+    /** What lies between two versions of a plan. */
+    public static PlanChange between(Plan before, Plan after) {
+        Comparison comparison = new Comparison(before, after);
+        comparison.compareVertices();
+        comparison.compareEdges();
+        return new PlanChange(comparison.vertices, comparison.edges, comparison.changed, comparison.lines);
+    }
+
+    private static final class Comparison {
+        private final Plan before;
+        private final Plan after;
+        private final Set<String> vertices = new LinkedHashSet<>();
+        private final Set<String> edges = new LinkedHashSet<>();
+        private final Set<String> changed = new LinkedHashSet<>();
+        private final List<String> lines = new ArrayList<>();
+
+        Comparison(Plan before, Plan after) {
+            this.before = before;
+            this.after = after;
+        }
+
+        void compareVertices() {
+            after.places().stream().filter(p -> before.place(p.id()).isEmpty()).forEach(p -> {
+                vertices.add(p.id());
+                lines.add("Place " + title(p.id()) + (p.start() ? ", the start of the plan" : ""));
+            });
+            after.transitions().stream()
+                    .filter(t -> before.transition(t.id()).isEmpty())
+                    .forEach(t -> {
+                        vertices.add(t.id());
+                        lines.add("Transition " + title(t.id()));
+                    });
+        }
+
+        void compareEdges() {
+            Map<String, List<String>> old = words(before);
+            Map<String, List<String>> now = words(after);
+            after.inEdges().forEach(e -> compare(e.id(), e.place(), e.transition(), old, now));
+            after.outEdges().forEach(e -> compare(e.id(), e.transition(), e.place(), old, now));
+        }
+
+        private void compare(
+                String edge, String from, String to, Map<String, List<String>> old, Map<String, List<String>> now) {
+            String way = title(from) + " → " + title(to) + ": " + String.join(", ", now.get(edge));
+            if (!old.containsKey(edge)) {
+                edges.add(edge);
+                lines.add("Edge " + way);
+            } else if (!old.get(edge).equals(now.get(edge))) {
+                changed.add(edge);
+                lines.add("Changed " + way);
+            }
+        }
+
+        private static Map<String, List<String>> words(Plan plan) {
+            Map<String, List<String>> words = plan.inEdges().stream()
+                    .collect(Collectors.toMap(InEdge::id, e -> words(e.requirements(), RequirementWords::of)));
+            words.putAll(plan.outEdges().stream()
+                    .collect(Collectors.toMap(OutEdge::id, e -> words(e.requirements(), RequirementWords::of))));
+            return words;
+        }
+
+        private static <R> List<String> words(List<R> requirements, Function<R, String> of) {
+            return requirements.stream().map(of).toList();
+        }
+
+        private String title(String vertex) {
+            String name = after.place(vertex)
+                    .map(p -> p.name())
+                    .orElseGet(() -> after.transition(vertex).map(t -> t.name()).orElse(""));
+            return "\"" + (name.isBlank() ? vertex : name) + "\"";
+        }
+    }
+}
