@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.sami.dreamm.document.EditorState;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
+import org.sami.dreamm.wizard.Additions;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.ComponentLibrary;
 import org.sami.spn.edit.Edit;
@@ -29,6 +30,7 @@ public final class DreammContext implements AutoCloseable {
     private final Questions questions = new Questions();
     private final BackgroundWork background = new BackgroundWork(notices::refused);
     private final ValueEditors values;
+    private final Additions additions;
 
     /** The context of a window over a document, with the domain that ships. */
     public DreammContext(DomainLibrary domain, ProjectDocument document, Profile profile) {
@@ -50,6 +52,7 @@ public final class DreammContext implements AutoCloseable {
         values = new ValueEditors(
                 new ComponentChoice(domain.components(), domain.vocabulary().types()),
                 new ValueContext(domain.vocabulary().types(), new ProjectNames(document, editor), MapMaker.PLAIN));
+        additions = new Additions(document, editor, domain.authoring(), this::apply);
     }
 
     /** The project that is written. */
@@ -105,6 +108,11 @@ public final class DreammContext implements AutoCloseable {
     /** Makes editors of values, for the open plan. */
     public ValueEditors values() {
         return values;
+    }
+
+    /** Adds events and vertices to the open plan. */
+    public Additions additions() {
+        return additions;
     }
 
     /** Does what is slow beside the event thread. */

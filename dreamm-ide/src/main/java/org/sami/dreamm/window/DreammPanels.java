@@ -4,6 +4,8 @@ import java.util.List;
 import javax.swing.JComponent;
 import org.sami.dreamm.canvas.ModelView;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.inspector.InspectorPanel;
+import org.sami.dreamm.palette.PalettePanel;
 import org.sami.ui.dock.Arrangement;
 import org.sami.ui.dock.DockPanel;
 
@@ -27,20 +29,8 @@ final class DreammPanels {
                                 "layers",
                                 empty("Mission tree", "The project's plans, their sub-missions and variables.")),
                         new DockPanel("model-view", "Model view", "net", new ModelView(context)),
-                        new DockPanel(
-                                "palette",
-                                "Palette",
-                                "plus",
-                                empty(
-                                        "Toolset palette",
-                                        "Events, sub-missions and roles to drag onto the net; type to find one.")),
-                        new DockPanel(
-                                "inspector",
-                                "Inspector",
-                                "edit",
-                                empty(
-                                        "Inspector",
-                                        "Select a vertex or an edge: its events, markup and requirements stand here.")),
+                        new DockPanel("palette", "Palette", "plus", new PalettePanel(context)),
+                        new DockPanel("inspector", "Inspector", "edit", new InspectorPanel(context)),
                         new DockPanel(
                                 "issues",
                                 "Issues",

@@ -1,0 +1,89 @@
+package org.sami.dreamm.inspector;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.spn.edit.EventEdit;
+import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.model.MarkupSpec;
+import org.sami.spn.model.OutputEventSpec;
+import org.sami.spn.vocabulary.EventType;
+import org.sami.spn.wizard.RemoveWithRequirements;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.SemanticColor;
+
+/** One event of a vertex: what it is, its fields and its markup, with buttons that order, reset and delete it. */
+final class EventCard extends Form {
+    private final transient DreammContext context;
+    private final transient Scope scope;
+
+    /** An output event. */
+    EventCard(DreammContext context, Scope scope, OutputEventSpec spec, int index) {
+        this.context = context;
+        this.scope = scope;
+        EventType type = context.vocabulary().event(spec.type()).orElseThrow();
+        head(
+                "→ ",
+                type,
+                spec.id(),
+                index,
+                () -> context.apply(new EventEdit.ChangeOutput(
+                        scope.plan().id(),
+                        new OutputEventSpec(spec.id(), spec.type(), Map.of(), Map.of(), List.of()))));
+        type.fields().forEach(field -> wide(FieldRow.of(context, scope, spec, field)));
+        markups(spec.id(), spec.markups());
+    }
+
+    /** An input event. */
+    EventCard(DreammContext context, Scope scope, InputEventSpec spec, int index) {
+        this.context = context;
+        this.scope = scope;
+        EventType type = context.vocabulary().event(spec.type()).orElseThrow();
+        head(
+                "← ",
+                type,
+                spec.id(),
+                index,
+                () -> context.apply(new EventEdit.ChangeInput(
+                        scope.plan().id(), new InputEventSpec(spec.id(), spec.type(), Map.of(), Map.of(), List.of()))));
+        type.fields().forEach(field -> wide(FieldRow.of(context, scope, spec, field)));
+        markups(spec.id(), spec.markups());
+    }
+
+    private void head(String mark, EventType type, String id, int index, Runnable reset) {
+        setName("event-" + index);
+        JPanel head = new JPanel(new MigLayout("insets 4 0 0 0, gap 2, fillx", "[grow, fill][][][][]"));
+        head.setOpaque(false);
+        JLabel title = new JLabel(mark + type.label());
+        title.setFont(Fonts.strong());
+        title.setToolTipText(type.help());
+        head.add(title, "wmin 0");
+        String plan = scope.plan().id();
+        if (index > 0) {
+            head.add(button(
+                    "↑",
+                    "event-" + index + "-up",
+                    "Move the event up",
+                    () -> context.apply(new EventEdit.MoveEvent(plan, id, index - 1))));
+        }
+        head.add(button("Reset", "event-" + index + "-reset", "Take away its fields, variables and markup", reset));
+        head.add(button(
+                "Delete",
+                "event-" + index + "-delete",
+                "Delete the event, and what only it needed",
+                () -> context.apply(new RemoveWithRequirements(
+                        plan, Set.of(id), context.additions().library()))));
+        wide(head);
+        note(type.help(), SemanticColor.MUTED);
+    }
+
+    private void markups(String event, List<MarkupSpec> markups) {
+        if (context.profile().shows("event-markups")) {
+            wide(new MarkupRows(context, scope.plan().id(), event, markups));
+        }
+    }
+}

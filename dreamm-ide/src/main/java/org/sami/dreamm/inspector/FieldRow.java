@@ -1,0 +1,258 @@
+package org.sami.dreamm.inspector;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import javax.swing.JLabel;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.spn.edit.Edit;
+import org.sami.spn.edit.FieldEdit;
+import org.sami.spn.model.FieldSource;
+import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.model.OutputEventSpec;
+import org.sami.spn.value.TypeNames;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.FieldType;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.Spacing;
+import org.sami.ui.value.ValueField;
+
+/**
+ * One field of an event: where it comes from – a value, asked of the operator, a variable, the entering task – and into which variable it is
+ * written (thesis, Figure 5.3).
+ */
+final class FieldRow extends Form {
+    private static final String NEW_VARIABLE = "new variable…";
+    private static final String NOWHERE = "no variable";
+
+    private final transient DreammContext context;
+    private final transient Scope scope;
+    private final String event;
+    private final transient FieldType field;
+    private final String name;
+
+    /** Where a field of an output event can come from. */
+    enum Source {
+        NOTHING("not given"),
+        VALUE("value"),
+        ASKED("asked, with a value to start from"),
+        LOCKED("asked, locked to a value"),
+        VARIABLE("variable"),
+        TASK("@task, the entering task");
+
+        private final String words;
+
+        Source(String words) {
+            this.words = words;
+        }
+
+        static Source of(Optional<FieldSource> source) {
+            if (source.isEmpty()) {
+                return NOTHING;
+            }
+            FieldSource given = source.get();
+            if (given instanceof FieldSource.Fixed) {
+                return VALUE;
+            }
+            if (given instanceof FieldSource.Asked asked) {
+                return asked.editable() ? ASKED : LOCKED;
+            }
+            return given instanceof FieldSource.FromVariable ? VARIABLE : TASK;
+        }
+    }
+
+    private FieldRow(DreammContext context, Scope scope, String event, FieldType field) {
+        this.context = context;
+        this.scope = scope;
+        this.event = event;
+        this.field = field;
+        this.name =
+                "field-" + field.name().replaceAll("([a-z0-9])([A-Z])", "$1-$2").toLowerCase(java.util.Locale.ROOT);
+        setName(name);
+        JLabel title =
+                new JLabel(ValueField.words(field.name()) + (field.unit().isEmpty() ? "" : " (" + field.unit() + ")"));
+        title.setFont(Fonts.strong());
+        title.setToolTipText(field.help() + " Type: " + TypeNames.of(field.type()));
+        add(title, "span 2, wmin 0, gaptop 4");
+    }
+
+    static FieldRow of(DreammContext context, Scope scope, OutputEventSpec spec, FieldType field) {
+        FieldRow row = new FieldRow(context, scope, spec.id(), field);
+        row.source(Optional.ofNullable(spec.fields().get(field.name())));
+        row.writes(spec.writes());
+        return row;
+    }
+
+    static FieldRow of(DreammContext context, Scope scope, InputEventSpec spec, FieldType field) {
+        FieldRow row = new FieldRow(context, scope, spec.id(), field);
+        row.writes(spec.writes());
+        row.selects(Optional.ofNullable(spec.fields().get(field.name())));
+        return row;
+    }
+
+    private void apply(Edit edit) {
+        context.apply(edit);
+    }
+
+    private void set(FieldSource source) {
+        apply(new FieldEdit.SetField(scope.plan().id(), event, field.name(), source));
+    }
+
+    private void source(Optional<FieldSource> source) {
+        Source now = Source.of(source);
+        choice(
+                "From",
+                name + "-source",
+                "Where the value comes from when the place is entered",
+                sources(),
+                Optional.of(now),
+                s -> s == Source.NOTHING ? nothing() : s.words,
+                chosen -> choose(chosen, source));
+        switch (now) {
+            case NOTHING ->
+                note(
+                        field.required() ? "▲ Needed: say where it comes from." : nothing() + ".",
+                        field.required() ? SemanticColor.CRITICAL : SemanticColor.MUTED);
+            case VALUE -> value(source.map(s -> ((FieldSource.Fixed) s).value()), FieldSource.Fixed::new);
+            case ASKED ->
+                value(
+                        source.flatMap(s -> ((FieldSource.Asked) s).defaultValue()),
+                        v -> new FieldSource.Asked(Optional.of(v), true));
+            case LOCKED ->
+                value(
+                        source.flatMap(s -> ((FieldSource.Asked) s).defaultValue()),
+                        v -> new FieldSource.Asked(Optional.of(v), false));
+            case VARIABLE ->
+                choice(
+                        "Variable",
+                        name + "-variable",
+                        "Variables of type " + TypeNames.of(field.type()),
+                        variables(),
+                        source.map(s -> ((FieldSource.FromVariable) s).variable()),
+                        v -> v,
+                        v -> variable(
+                                v,
+                                chosen -> new FieldEdit.SetField(
+                                        scope.plan().id(), event, field.name(), new FieldSource.FromVariable(chosen))));
+            case TASK -> note("The field \"" + field.name() + "\" of each task that enters.", SemanticColor.MUTED);
+        }
+    }
+
+    private String nothing() {
+        return field.defaultValue()
+                .map(v -> "not given: " + org.sami.ui.value.ValueSummary.of(v))
+                .orElse(field.required() ? "not given" : "not given, not needed");
+    }
+
+    private List<Source> sources() {
+        return context.profile().allows("event-field-sources")
+                ? List.of(Source.values())
+                : List.of(Source.NOTHING, Source.VALUE);
+    }
+
+    /** What there is already stays, as far as the other source can hold it. */
+    private void choose(Source chosen, Optional<FieldSource> before) {
+        Optional<Value> value = before.flatMap(s -> s instanceof FieldSource.Fixed fixed
+                        ? Optional.of(fixed.value())
+                        : s instanceof FieldSource.Asked asked ? asked.defaultValue() : Optional.empty())
+                .or(field::defaultValue);
+        switch (chosen) {
+            case NOTHING -> apply(new FieldEdit.ClearField(scope.plan().id(), event, field.name()));
+            case VALUE ->
+                value.ifPresentOrElse(v -> set(new FieldSource.Fixed(v)), () -> draft(FieldSource.Fixed::new));
+            case ASKED -> set(new FieldSource.Asked(value, true));
+            case LOCKED ->
+                value.ifPresentOrElse(
+                        v -> set(new FieldSource.Asked(Optional.of(v), false)),
+                        () -> draft(v -> new FieldSource.Asked(Optional.of(v), false)));
+            case VARIABLE ->
+                variable(
+                        variables().get(0),
+                        v -> new FieldEdit.SetField(
+                                scope.plan().id(), event, field.name(), new FieldSource.FromVariable(v)));
+            case TASK -> set(new FieldSource.FromTask());
+        }
+    }
+
+    /** An editor for a value that has to be given before the field can have this source. */
+    private void draft(Function<Value, FieldSource> source) {
+        value(Optional.empty(), source);
+        revalidate();
+        repaint();
+    }
+
+    private void value(Optional<Value> value, Function<Value, FieldSource> source) {
+        ValueField of = ValueField.of(field);
+        ValueRow row = new ValueRow(context.values().editor(of), value, v -> set(source.apply(v)));
+        add(row, "span 2, wmin 0, gapbottom " + Spacing.TIGHT);
+    }
+
+    private List<String> variables() {
+        List<String> names = new ArrayList<>(scope.ofType(field.type()));
+        names.add(NEW_VARIABLE);
+        return names;
+    }
+
+    private void variable(String chosen, Function<String, Edit> use) {
+        if (chosen.equals(NEW_VARIABLE)) {
+            String fresh = scope.freshName(field.name());
+            apply(scope.declaring(fresh, field.type(), use.apply(fresh)));
+        } else {
+            apply(use.apply(chosen));
+        }
+    }
+
+    private void writes(Map<String, String> writes) {
+        List<String> names = new ArrayList<>(List.of(NOWHERE));
+        names.addAll(variables());
+        choice(
+                "Write to",
+                name + "-write",
+                "The variable that receives the value; variables of type " + TypeNames.of(field.type()),
+                names,
+                Optional.of(writes.getOrDefault(field.name(), NOWHERE)),
+                v -> v,
+                v -> {
+                    if (v.equals(NOWHERE)) {
+                        apply(new FieldEdit.ClearWrite(scope.plan().id(), event, field.name()));
+                    } else {
+                        variable(
+                                v, chosen -> new FieldEdit.SetWrite(scope.plan().id(), event, field.name(), chosen));
+                    }
+                });
+    }
+
+    /** An input event is taken only if its field has the value that is given here. */
+    private void selects(Optional<Value> value) {
+        choice(
+                "Only if",
+                name + "-only",
+                "Whether the transition takes every such answer, or only those with one value",
+                List.of(false, true),
+                Optional.of(value.isPresent()),
+                one -> one ? "it is" : field.required() ? "– say which –" : "whatever it is",
+                one -> {
+                    if (one) {
+                        input(Optional.empty());
+                        revalidate();
+                        repaint();
+                    } else {
+                        apply(new FieldEdit.ClearField(scope.plan().id(), event, field.name()));
+                    }
+                });
+        if (value.isPresent()) {
+            input(value);
+        }
+    }
+
+    private void input(Optional<Value> value) {
+        ValueRow row = new ValueRow(
+                context.values().editor(ValueField.of(field)),
+                value,
+                v -> apply(new FieldEdit.SetInputField(scope.plan().id(), event, field.name(), v)));
+        add(row, "span 2, wmin 0");
+    }
+}

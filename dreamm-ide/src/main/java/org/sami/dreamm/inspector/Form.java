@@ -1,0 +1,140 @@
+package org.sami.dreamm.inspector;
+
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import net.miginfocom.swing.MigLayout;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.Spacing;
+import org.sami.ui.value.WrappedText;
+
+/** Rows of labelled fields. A field gives what it holds when it is left or Enter is pressed; a choice at once. */
+class Form extends JPanel {
+    Form() {
+        super(new MigLayout("insets 0, gap 8 4, fillx, wrap 2, hidemode 3", "[80!, left][grow, fill]"));
+        setOpaque(false);
+    }
+
+    final void heading(String text) {
+        JLabel label = new JLabel(text);
+        label.setFont(Fonts.strong());
+        add(label, "span 2, gaptop 6, wmin 0");
+    }
+
+    final WrappedText note(String text, SemanticColor color) {
+        WrappedText note = new WrappedText(text);
+        note.setColor(color);
+        add(note, "span 2, wmin 0");
+        return note;
+    }
+
+    final void wide(JComponent component) {
+        add(component, "span 2, wmin 0");
+    }
+
+    final <C extends JComponent> C row(String label, String name, String tip, C field) {
+        JLabel caption = new JLabel(label);
+        caption.setToolTipText(tip.isEmpty() ? label : tip);
+        caption.setLabelFor(field);
+        field.setName(name);
+        if (!tip.isEmpty()) {
+            field.setToolTipText(tip);
+        }
+        field.getAccessibleContext().setAccessibleName(label);
+        add(caption, "wmin 0");
+        add(field, "wmin 0, hmin " + Spacing.HIT_TARGET);
+        return field;
+    }
+
+    final JTextField text(String label, String name, String tip, String value, Consumer<String> given) {
+        JTextField field = row(label, name, tip, new JTextField(value));
+        giveWhenLeft(field, value, given);
+        return field;
+    }
+
+    static void giveWhenLeft(JTextField field, String value, Consumer<String> given) {
+        Runnable give = () -> {
+            if (!field.getText().equals(value)) {
+                given.accept(field.getText());
+            }
+        };
+        field.addActionListener(e -> give.run());
+        field.addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusLost(FocusEvent e) {
+                give.run();
+            }
+        });
+    }
+
+    final JCheckBox flag(String label, String name, String tip, boolean value, Consumer<Boolean> given) {
+        JCheckBox box = new JCheckBox(label, value);
+        box.setName(name);
+        box.setToolTipText(tip);
+        box.setOpaque(false);
+        box.addActionListener(e -> given.accept(box.isSelected()));
+        add(new JLabel(), "wmin 0");
+        add(box, "wmin 0");
+        return box;
+    }
+
+    /** A choice; what is chosen now may be none of the options, where several elements differ. */
+    final <T> JComboBox<T> choice(
+            String label,
+            String name,
+            String tip,
+            List<T> options,
+            Optional<T> now,
+            Function<T, String> words,
+            Consumer<T> given) {
+        return row(label, name, tip, combo(options, now, words, given));
+    }
+
+    static <T> JComboBox<T> combo(List<T> options, Optional<T> now, Function<T, String> words, Consumer<T> given) {
+        JComboBox<T> box = new JComboBox<>();
+        List<T> all = new ArrayList<>(options);
+        now.filter(n -> !all.contains(n)).ifPresent(all::add);
+        all.forEach(box::addItem);
+        box.setSelectedItem(now.orElse(null));
+        box.setRenderer(new DefaultListCellRenderer() {
+            @Override
+            @SuppressWarnings("unchecked")
+            public java.awt.Component getListCellRendererComponent(
+                    JList<?> list, Object value, int index, boolean selected, boolean focus) {
+                String text = value == null ? "(various)" : words.apply((T) value);
+                return super.getListCellRendererComponent(list, text, index, selected, focus);
+            }
+        });
+        box.addActionListener(e -> {
+            int chosen = box.getSelectedIndex();
+            if (chosen >= 0 && !Optional.of(box.getItemAt(chosen)).equals(now)) {
+                given.accept(box.getItemAt(chosen));
+            }
+        });
+        return box;
+    }
+
+    static JButton button(String text, String name, String tip, Runnable pressed) {
+        JButton button = new JButton(text);
+        button.setName(name);
+        button.setToolTipText(tip);
+        button.getAccessibleContext().setAccessibleName(tip);
+        button.putClientProperty("JButton.buttonType", "toolBarButton");
+        button.addActionListener(e -> pressed.run());
+        return button;
+    }
+}

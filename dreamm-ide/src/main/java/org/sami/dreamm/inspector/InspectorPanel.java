@@ -1,0 +1,240 @@
+package org.sami.dreamm.inspector;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.KeyboardFocusManager;
+import java.awt.Rectangle;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.Scrollable;
+import javax.swing.SwingUtilities;
+import net.miginfocom.swing.MigLayout;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.document.EditorListener;
+import org.sami.dreamm.palette.PaletteItem;
+import org.sami.dreamm.palette.PaletteList;
+import org.sami.spn.analysis.PlanChecks;
+import org.sami.spn.edit.EdgeEdit;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.model.Transition;
+import org.sami.spn.vocabulary.Direction;
+import org.sami.spn.wizard.AddEvent;
+import org.sami.spn.wizard.EventTarget;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.Spacing;
+
+/** Editors of what is selected, one below the other; of the plan where nothing is selected. The focus stays where it is over an edit. */
+public final class InspectorPanel extends JPanel {
+    private static final int STEP = 24;
+
+    private final transient DreammContext context;
+    private final JLabel title = new JLabel();
+    private final Column column = new Column();
+    private final JScrollPane scrolled =
+            new JScrollPane(column, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+    private transient List<Finding> findings = List.of();
+
+    /** The inspector of a window. */
+    public InspectorPanel(DreammContext context) {
+        super(new MigLayout("insets " + Spacing.NORMAL + ", gap 0 4, wrap 1, fill", "[grow, fill]", "[][grow, fill]"));
+        this.context = context;
+        setName("inspector-panel");
+        title.setName("inspector-title");
+        scrolled.setBorder(null);
+        scrolled.getViewport().setOpaque(false);
+        scrolled.setOpaque(false);
+        scrolled.getVerticalScrollBar().setUnitIncrement(Look.px(STEP));
+        add(title, "wmin 0");
+        add(scrolled, "wmin 0, hmin 0");
+        context.document().addListener(change -> changed());
+        context.editor().addListener(new EditorListener() {
+            @Override
+            public void planOpened() {
+                changed();
+            }
+
+            @Override
+            public void selectionChanged() {
+                rebuild();
+            }
+        });
+        changed();
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        setBackground(SemanticColor.SURFACE.get());
+        if (title != null) {
+            title.setFont(Fonts.heading());
+        }
+    }
+
+    private void changed() {
+        rebuild();
+        Project project = context.document().project();
+        context.background().run("Checking the plan", () -> PlanChecks.check(project, context.vocabulary()), found -> {
+            boolean other = !found.equals(findings);
+            findings = found;
+            if (other) {
+                rebuild();
+            }
+        });
+    }
+
+    /** Shows what is selected now. What was being typed stays in the fields that are still there. */
+    private void rebuild() {
+        Optional<String> focus = Optional.ofNullable(
+                        KeyboardFocusManager.getCurrentKeyboardFocusManager().getPermanentFocusOwner())
+                .filter(owner -> SwingUtilities.isDescendingFrom(owner, this))
+                .map(Component::getName);
+        int at = scrolled.getVerticalScrollBar().getValue();
+        column.removeAll();
+        context.editor().plan().ifPresentOrElse(this::fill, () -> title.setText("No plan is open"));
+        column.revalidate();
+        column.repaint();
+        scrolled.getVerticalScrollBar().setValue(at);
+        focus.flatMap(name -> find(column, name)).ifPresent(Component::requestFocusInWindow);
+    }
+
+    private void fill(Plan plan) {
+        title.setFont(Fonts.heading());
+        Selected selected = Selected.of(plan, context.editor().selection());
+        if (selected.isEmpty()) {
+            title.setText("Plan " + plan.title());
+            column.add(new PlanSection(context, plan));
+            return;
+        }
+        title.setText(selected.title());
+        title.setToolTipText(selected.title());
+        Set<String> ids = new LinkedHashSet<>(selected.elements());
+        selected.places().forEach(p -> {
+            p.outputs().forEach(o -> ids.add(o.id()));
+            p.subMissions().forEach(s -> ids.add(s.id()));
+        });
+        selected.transitions().forEach(t -> t.inputs().forEach(i -> ids.add(i.id())));
+        column.add(new FindingRows(context, findings, plan.id(), ids));
+        if (selected.vertices() > 0) {
+            column.add(new VertexSection(context, plan, selected));
+        }
+        if (selected.edges() > 0) {
+            column.add(lock(plan, selected));
+        }
+        if (selected.vertices() == 1 && selected.edges() == 0) {
+            selected.places().forEach(p -> place(plan, p));
+            selected.transitions().forEach(t -> transition(plan, t));
+        }
+        if (selected.vertices() == 0 && selected.edges() == 1) {
+            selected.inEdges().forEach(e -> column.add(new RequirementRows(context, plan, e)));
+            selected.outEdges().forEach(e -> column.add(new RequirementRows(context, plan, e)));
+        }
+    }
+
+    private JComponent lock(Plan plan, Selected selected) {
+        boolean locked = selected.inEdges().stream().allMatch(e -> e.locked())
+                && selected.outEdges().stream().allMatch(e -> e.locked());
+        Form form = new Form();
+        form.flag(
+                "Locked",
+                "inspector-locked",
+                "Whether additions and deletions leave the requirements as they are (thesis 5.1.1); edges of manual sequences are",
+                locked,
+                on -> context.apply(new EdgeEdit.SetLocked(plan.id(), selected.edgeIds(), on)));
+        return form;
+    }
+
+    private void place(Plan plan, Place place) {
+        Scope scope = Scope.of(context, plan);
+        for (int i = 0; i < place.outputs().size(); i++) {
+            column.add(new EventCard(context, scope, place.outputs().get(i), i));
+        }
+        for (int i = 0; i < place.subMissions().size(); i++) {
+            column.add(new SubMissionCard(context, plan, place.subMissions().get(i), i));
+        }
+        events(plan, place.id(), Direction.OUTPUT);
+    }
+
+    private void transition(Plan plan, Transition transition) {
+        Scope scope = Scope.of(context, plan);
+        for (int i = 0; i < transition.inputs().size(); i++) {
+            column.add(new EventCard(context, scope, transition.inputs().get(i), i));
+        }
+        events(plan, transition.id(), Direction.INPUT);
+    }
+
+    /** The events that can be added here (thesis, Figure 5.3). */
+    private void events(Plan plan, String vertex, Direction direction) {
+        Form form = new Form();
+        form.heading("Add an event");
+        form.wide(new PaletteList(
+                context,
+                "inspector-events",
+                item -> item instanceof PaletteItem.Event event && event.type().direction() == direction,
+                item -> context.additions()
+                        .add(AddEvent.usual(
+                                plan.id(),
+                                ((PaletteItem.Event) item).type().name(),
+                                new EventTarget.OnVertex(vertex),
+                                context.additions().mode(),
+                                context.additions().library()))));
+        column.add(form, "hmin 160");
+    }
+
+    private static Optional<Component> find(Container root, String name) {
+        for (Component child : root.getComponents()) {
+            if (name.equals(child.getName())) {
+                return Optional.of(child);
+            }
+            Optional<Component> found = child instanceof Container inner ? find(inner, name) : Optional.empty();
+            if (found.isPresent()) {
+                return found;
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** As wide as the panel, as high as what it holds. */
+    private static final class Column extends JPanel implements Scrollable {
+        Column() {
+            super(new MigLayout("insets 0, gap 0 8, wrap 1, fillx", "[grow, fill]"));
+            setOpaque(false);
+        }
+
+        @Override
+        public Dimension getPreferredScrollableViewportSize() {
+            return getPreferredSize();
+        }
+
+        @Override
+        public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
+            return Look.px(STEP);
+        }
+
+        @Override
+        public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
+            return visible.height;
+        }
+
+        @Override
+        public boolean getScrollableTracksViewportWidth() {
+            return true;
+        }
+
+        @Override
+        public boolean getScrollableTracksViewportHeight() {
+            return false;
+        }
+    }
+}

@@ -1,0 +1,192 @@
+package org.sami.dreamm.inspector;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import javax.swing.JComboBox;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import net.miginfocom.swing.MigLayout;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.spn.edit.ProjectEdit;
+import org.sami.spn.edit.RenameVariable;
+import org.sami.spn.edit.TaskEdit;
+import org.sami.spn.edit.Usage;
+import org.sami.spn.edit.Usages;
+import org.sami.spn.edit.VariableEdit;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.TaskSpec;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.value.TypeNames;
+import org.sami.spn.value.ValueType;
+import org.sami.spn.vocabulary.FieldType;
+import org.sami.spn.vocabulary.TaskClass;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.value.ValueField;
+
+/** The plan itself, where nothing is selected: its name, its tasks, the variables of each scope with their uses. */
+final class PlanSection extends Form {
+    private static final String NO_TYPE = "+ Variable of type…";
+    private static final String NO_CLASS = "+ Task of class…";
+    private static final int MOST_USES = 4;
+
+    private final transient DreammContext context;
+    private final transient Plan plan;
+
+    PlanSection(DreammContext context, Plan plan) {
+        this.context = context;
+        this.plan = plan;
+        setName("inspector-plan");
+        text(
+                "Name",
+                "plan-name",
+                "What people call the plan; its id in the file is " + plan.id(),
+                plan.name(),
+                n -> context.apply(new ProjectEdit.DescribePlan(plan.id(), n, plan.description(), plan.notes())));
+        text(
+                "Describes",
+                "plan-description",
+                "A few sentences for whoever chooses a plan",
+                plan.description(),
+                d -> context.apply(new ProjectEdit.DescribePlan(plan.id(), plan.name(), d, plan.notes())));
+        heading("Tasks");
+        plan.tasks().forEach(this::task);
+        addTask();
+        variables("Variables of the plan", Optional.of(plan.id()), plan.variables());
+        variables(
+                "Variables of the project",
+                Optional.empty(),
+                context.document().project().globals());
+        if (!plan.reads().isEmpty()) {
+            heading("Expected of parents");
+            note(String.join(", ", plan.reads()), SemanticColor.MUTED);
+        }
+    }
+
+    private void task(TaskSpec task) {
+        JPanel row = line();
+        JTextField name = new JTextField(task.name());
+        name.setName("task-" + task.name());
+        name.setToolTipText("Name of the task; renamed wherever it is spoken of");
+        giveWhenLeft(name, task.name(), n -> context.apply(new TaskEdit.RenameTask(plan.id(), task.name(), n)));
+        row.add(name, "growx, pushx, wmin 0");
+        row.add(new javax.swing.JLabel(task.taskClass()));
+        row.add(button(
+                "×",
+                "task-remove-" + task.name(),
+                "Delete the task " + task.name(),
+                () -> context.apply(new TaskEdit.RemoveTask(plan.id(), task.name()))));
+        wide(row);
+        TaskClass of = context.vocabulary().taskClasses().get(task.taskClass());
+        if (of != null) {
+            for (FieldType field : of.fields()) {
+                ValueField shown = ValueField.of(field);
+                wide(new javax.swing.JLabel(shown.label()));
+                wide(new ValueRow(
+                        context.values()
+                                .editor(new ValueField(
+                                        task.name() + "." + field.name(),
+                                        shown.label(),
+                                        shown.type(),
+                                        shown.unit(),
+                                        shown.help())),
+                        Optional.ofNullable(task.fields().get(field.name())),
+                        v -> {
+                            Map<String, org.sami.spn.value.Value> fields = new java.util.LinkedHashMap<>(task.fields());
+                            fields.put(field.name(), v);
+                            context.apply(new TaskEdit.ChangeTask(plan.id(), task.withFields(fields)));
+                        }));
+            }
+        }
+    }
+
+    private void addTask() {
+        JComboBox<String> add = new JComboBox<>();
+        add.addItem(NO_CLASS);
+        context.vocabulary().taskClasses().keySet().forEach(add::addItem);
+        add.setName("plan-add-task");
+        add.addActionListener(e -> {
+            if (add.getSelectedIndex() > 0) {
+                String of = (String) add.getSelectedItem();
+                context.apply(new TaskEdit.AddTask(
+                        plan.id(), new TaskSpec(of + " " + (plan.tasks().size() + 1), of, Map.of())));
+            }
+        });
+        wide(add);
+    }
+
+    private static JPanel line() {
+        JPanel row = new JPanel(new MigLayout("insets 0, gap 4, fillx"));
+        row.setOpaque(false);
+        return row;
+    }
+
+    private void variables(String title, Optional<String> owner, List<VariableSpec> variables) {
+        heading(title);
+        String prefix = owner.isPresent() ? "variable-" : "global-";
+        for (VariableSpec v : variables) {
+            JPanel row = line();
+            JTextField name = new JTextField(v.name());
+            name.setName(prefix + v.name().substring(1));
+            name.setToolTipText(
+                    "Name of the variable; renamed wherever it is spoken of. Type " + TypeNames.of(v.type()));
+            giveWhenLeft(name, v.name(), n -> context.apply(new RenameVariable(owner, v.name(), n)));
+            row.add(name, "growx, pushx, wmin 0");
+            row.add(new javax.swing.JLabel(TypeNames.of(v.type())), "wmin 0");
+            row.add(button(
+                    "×",
+                    prefix + "remove-" + v.name().substring(1),
+                    "Delete the variable " + v.name(),
+                    () -> context.apply(new VariableEdit.RemoveVariable(owner, v.name()))));
+            wide(row);
+            note(uses(owner, v), SemanticColor.MUTED);
+        }
+        JComboBox<String> add = new JComboBox<>();
+        add.addItem(NO_TYPE);
+        types().forEach(t -> add.addItem(TypeNames.of(t)));
+        add.setName(prefix + "add");
+        add.addActionListener(e -> {
+            if (add.getSelectedIndex() > 0) {
+                ValueType type = types().get(add.getSelectedIndex() - 1);
+                String name = Scope.of(context, plan).freshName("new");
+                context.apply(new VariableEdit.AddVariable(owner, new VariableSpec(name, type, Optional.empty())));
+            }
+        });
+        wide(add);
+    }
+
+    private String uses(Optional<String> owner, VariableSpec v) {
+        List<Usage> uses = new Usages(context.document().project())
+                .ofVariable(owner, v.name()).stream()
+                        .filter(u -> !u.where().equals("declaration"))
+                        .toList();
+        if (uses.isEmpty()) {
+            return "Not used.";
+        }
+        List<String> words = new ArrayList<>(uses.stream()
+                .limit(MOST_USES)
+                .map(u -> (u.plan().equals(plan.id()) || u.plan().isEmpty() ? "" : u.plan() + ": ")
+                        + (u.element().isEmpty() ? "" : u.element() + ", ")
+                        + u.where())
+                .toList());
+        if (uses.size() > MOST_USES) {
+            words.add("and " + (uses.size() - MOST_USES) + " more");
+        }
+        return "Used: " + String.join("; ", words);
+    }
+
+    private List<ValueType> types() {
+        List<ValueType> types = new ArrayList<>();
+        for (ValueType.Simple simple : ValueType.Simple.values()) {
+            types.add(simple);
+        }
+        context.vocabulary().events().values().stream()
+                .flatMap(e -> e.fields().stream())
+                .map(FieldType::type)
+                .filter(t -> !types.contains(t))
+                .distinct()
+                .forEach(types::add);
+        return types;
+    }
+}

@@ -1,0 +1,99 @@
+package org.sami.dreamm.inspector;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.OutEdge;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Transition;
+
+/**
+ * What is selected in a plan. A selected event or sub-mission stands for its vertex.
+ *
+ * @param events ids of the selected events and sub-missions
+ */
+record Selected(
+        List<Place> places,
+        List<Transition> transitions,
+        List<InEdge> inEdges,
+        List<OutEdge> outEdges,
+        Set<String> events) {
+    Selected {
+        places = List.copyOf(places);
+        transitions = List.copyOf(transitions);
+        inEdges = List.copyOf(inEdges);
+        outEdges = List.copyOf(outEdges);
+        events = Set.copyOf(events);
+    }
+
+    static Selected of(Plan plan, Set<String> ids) {
+        Set<String> events = new LinkedHashSet<>(ids);
+        return new Selected(
+                plan.places().stream()
+                        .filter(p -> ids.contains(p.id())
+                                || p.outputs().stream().anyMatch(o -> ids.contains(o.id()))
+                                || p.subMissions().stream().anyMatch(s -> ids.contains(s.id())))
+                        .toList(),
+                plan.transitions().stream()
+                        .filter(t -> ids.contains(t.id()) || t.inputs().stream().anyMatch(i -> ids.contains(i.id())))
+                        .toList(),
+                plan.inEdges().stream().filter(e -> ids.contains(e.id())).toList(),
+                plan.outEdges().stream().filter(e -> ids.contains(e.id())).toList(),
+                events);
+    }
+
+    int vertices() {
+        return places.size() + transitions.size();
+    }
+
+    int edges() {
+        return inEdges.size() + outEdges.size();
+    }
+
+    boolean isEmpty() {
+        return vertices() + edges() == 0;
+    }
+
+    /** Ids of the vertices and edges. */
+    Set<String> elements() {
+        Set<String> ids = new LinkedHashSet<>(edgeIds());
+        places.forEach(p -> ids.add(p.id()));
+        transitions.forEach(t -> ids.add(t.id()));
+        return ids;
+    }
+
+    Set<String> edgeIds() {
+        Set<String> ids = new LinkedHashSet<>();
+        inEdges.forEach(e -> ids.add(e.id()));
+        outEdges.forEach(e -> ids.add(e.id()));
+        return ids;
+    }
+
+    /** A title in words. */
+    String title() {
+        if (vertices() == 1 && edges() == 0) {
+            return places.isEmpty()
+                    ? "Transition "
+                            + name(transitions.get(0).name(), transitions.get(0).id())
+                    : "Place " + name(places.get(0).name(), places.get(0).id());
+        }
+        if (vertices() == 0 && edges() == 1) {
+            return inEdges.isEmpty()
+                    ? outEdges.get(0).transition() + " → " + outEdges.get(0).place()
+                    : inEdges.get(0).place() + " → " + inEdges.get(0).transition();
+        }
+        return (vertices() > 0 ? count(vertices(), "vertex", "vertices") : "")
+                + (vertices() > 0 && edges() > 0 ? ", " : "")
+                + (edges() > 0 ? count(edges(), "edge", "edges") : "");
+    }
+
+    private static String name(String name, String id) {
+        return name.isBlank() ? id : name;
+    }
+
+    private static String count(int n, String one, String many) {
+        return n + " " + (n == 1 ? one : many);
+    }
+}

@@ -1,0 +1,84 @@
+package org.sami.dreamm.palette;
+
+import java.awt.GraphicsEnvironment;
+import java.util.Optional;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.document.EditorListener;
+import org.sami.dreamm.wizard.SequenceStrip;
+import org.sami.spn.edit.Edit;
+import org.sami.ui.command.Command;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.Spacing;
+
+/** The toolset palette: the list of what can be added, and below it what the marked item is and what would come with it. */
+public final class PalettePanel extends JPanel {
+    private final transient DreammContext context;
+    private final transient PaletteEdits edits;
+    private final PaletteList list;
+    private final SequenceStrip strip;
+
+    /** The palette of a window. */
+    public PalettePanel(DreammContext context) {
+        super(new MigLayout("insets " + Spacing.NORMAL + ", gap 0 8, wrap 1, fill", "[grow, fill]", "[grow, fill][]"));
+        this.context = context;
+        this.edits = new PaletteEdits(context);
+        this.list = new PaletteList(context, "palette", item -> true, this::add);
+        this.strip = new SequenceStrip(context.additions());
+        setName("palette-panel");
+        add(list, "wmin 0, hmin 120");
+        add(strip, "wmin 0");
+        if (!GraphicsEnvironment.isHeadless()) {
+            list.enableDrag();
+        }
+        list.whenSelected(this::refresh);
+        context.document().addListener(change -> {
+            list.fill();
+            refresh();
+        });
+        context.editor().addListener(new EditorListener() {
+            @Override
+            public void planOpened() {
+                refresh();
+            }
+
+            @Override
+            public void selectionChanged() {
+                refresh();
+            }
+        });
+        context.commands()
+                .add(new Command("palette-find", "Find what to add", () -> {
+                            list.searchField().requestFocusInWindow();
+                            list.searchField().selectAll();
+                        })
+                        .withKey("ctrl SPACE")
+                        .withIcon("plus"));
+        refresh();
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        setBackground(SemanticColor.SURFACE.get());
+    }
+
+    private void add(PaletteItem item) {
+        edits.refusal(item, edits.target(item))
+                .ifPresentOrElse(
+                        context.notices()::refused,
+                        () -> context.additions().add(strip.chosen(edits.edit(item, edits.target(item)))));
+    }
+
+    private void refresh() {
+        Optional<PaletteItem> item = list.selected();
+        Optional<Edit> edit =
+                item.filter(i -> edits.refusal(i, edits.target(i)).isEmpty()).map(i -> edits.edit(i, edits.target(i)));
+        strip.show(
+                item.map(PaletteItem::label).orElse(""),
+                item.map(PaletteItem::help).orElse(""),
+                edit,
+                item.flatMap(i -> edits.refusal(i, edits.target(i))));
+    }
+}

@@ -1,0 +1,166 @@
+package org.sami.dreamm.wizard;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Function;
+import org.sami.dreamm.document.EditorState;
+import org.sami.dreamm.document.ProjectDocument;
+import org.sami.spn.edit.Edit;
+import org.sami.spn.edit.EditResult;
+import org.sami.spn.model.LayoutPoint;
+import org.sami.spn.model.Mode;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.wizard.AddEvent;
+import org.sami.spn.wizard.AuthoringLibrary;
+import org.sami.spn.wizard.EventTarget;
+import org.sami.spn.wizard.PlanChange;
+import org.sami.ui.net.NetMode;
+
+/**
+ * Adds events and vertices to the open plan, and remembers the last event that was added, so that another of its sequences can take the place
+ * of the one that came with it. On the event thread; knows no Swing.
+ */
+public final class Additions {
+    private static final double BELOW = 140;
+    private static final LayoutPoint FIRST = new LayoutPoint(60, 200);
+
+    private final ProjectDocument document;
+    private final EditorState editor;
+    private final AuthoringLibrary library;
+    private final Function<Edit, EditResult> apply;
+    private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
+    private Optional<AddEvent> last = Optional.empty();
+    private Project after;
+
+    /**
+     * Additions to the plan that is open in an editor.
+     *
+     * @param apply makes an edit, and tells the author what came of it
+     */
+    public Additions(
+            ProjectDocument document, EditorState editor, AuthoringLibrary library, Function<Edit, EditResult> apply) {
+        this.document = Objects.requireNonNull(document, "document");
+        this.editor = Objects.requireNonNull(editor, "editor");
+        this.library = Objects.requireNonNull(library, "library");
+        this.apply = Objects.requireNonNull(apply, "apply");
+        this.after = document.project();
+        document.addListener(change -> listeners.forEach(Runnable::run));
+    }
+
+    /** The groups and sequences of the domain. */
+    public AuthoringLibrary library() {
+        return library;
+    }
+
+    /** In which mode new parts are drawn: what is made in recovery mode is a recovery part (thesis 5.1). */
+    public Mode mode() {
+        return editor.mode() == NetMode.NOMINAL ? Mode.NOMINAL : Mode.RECOVERY;
+    }
+
+    /** Where something goes that is added without saying where: onto the selected vertex, else behind it, else into free space. */
+    public EventTarget target(boolean ontoPlaces) {
+        Optional<String> vertex = selectedVertex();
+        if (vertex.isEmpty()) {
+            return new EventTarget.Free(Optional.of(freePoint()));
+        }
+        boolean place = editor.plan().flatMap(p -> p.place(vertex.get())).isPresent();
+        return place == ontoPlaces ? new EventTarget.OnVertex(vertex.get()) : new EventTarget.Behind(vertex.get());
+    }
+
+    /** The one vertex that is selected. */
+    public Optional<String> selectedVertex() {
+        Set<String> selection = editor.selection();
+        return editor.plan()
+                .flatMap(plan -> selection.stream()
+                        .filter(id -> plan.place(id).isPresent()
+                                || plan.transition(id).isPresent())
+                        .findFirst()
+                        .filter(id -> selection.size() == 1));
+    }
+
+    private LayoutPoint freePoint() {
+        return editor.plan()
+                .flatMap(plan ->
+                        plan.layout().values().stream().map(LayoutPoint::y).max(Double::compare))
+                .map(y -> new LayoutPoint(FIRST.x(), y + BELOW))
+                .orElse(FIRST);
+    }
+
+    /** What an edit would make of the open plan, or why it would be refused. */
+    public Preview preview(Edit edit) {
+        EditResult result = edit.apply(document.project(), document.vocabulary());
+        if (result instanceof EditResult.Refused refused) {
+            return new Preview(Optional.empty(), Optional.of(refused.message()));
+        }
+        Optional<Plan> before = editor.plan();
+        Optional<PlanChange> change = before.flatMap(plan ->
+                result.project().flatMap(p -> p.plan(plan.id())).map(changed -> PlanChange.between(plan, changed)));
+        return new Preview(change, Optional.empty());
+    }
+
+    /**
+     * What an edit would make.
+     *
+     * @param change empty where it is refused
+     * @param refusal why; empty where it is not refused
+     */
+    public record Preview(Optional<PlanChange> change, Optional<String> refusal) {}
+
+    /** Makes an edit of the open plan and selects the vertex that it adds first, or that it adds something to. */
+    public EditResult add(Edit edit) {
+        Optional<Plan> before = editor.plan();
+        EditResult result = apply.apply(edit);
+        if (result instanceof EditResult.Done && before.isPresent()) {
+            last = edit instanceof AddEvent event ? Optional.of(event) : Optional.empty();
+            after = document.project();
+            editor.plan().ifPresent(now -> select(before.get(), now, edit));
+            listeners.forEach(Runnable::run);
+        }
+        return result;
+    }
+
+    private void select(Plan before, Plan now, Edit edit) {
+        if (edit instanceof AddEvent event && event.target() instanceof EventTarget.OnVertex on) {
+            editor.select(List.of(on.vertex()));
+            return;
+        }
+        boolean input = edit instanceof AddEvent event
+                && now.transitions().stream()
+                        .filter(t -> before.transition(t.id()).isEmpty())
+                        .anyMatch(
+                                t -> t.inputs().stream().anyMatch(i -> i.type().equals(event.event())));
+        List<String> places = now.places().stream()
+                .map(p -> p.id())
+                .filter(id -> before.place(id).isEmpty())
+                .toList();
+        List<String> transitions = now.transitions().stream()
+                .map(t -> t.id())
+                .filter(id -> before.transition(id).isEmpty())
+                .toList();
+        List<String> first = input || places.isEmpty() ? transitions : places;
+        first.stream().findFirst().ifPresent(id -> editor.select(List.of(id)));
+    }
+
+    /** The event that was added last, as long as nothing was done since. */
+    @SuppressWarnings("ReferenceEquality") // any other version of the project means that something was done
+    public Optional<AddEvent> last() {
+        return document.project() == after ? last : Optional.empty();
+    }
+
+    /** Takes the last addition back and makes it with another sequence instead. */
+    public void exchange(String sequence) {
+        last().filter(event -> !event.sequence().equals(sequence)).ifPresent(event -> {
+            document.undo();
+            add(event.withSequence(sequence));
+        });
+    }
+
+    /** Adds somebody who is told when something was added, or the document is another. */
+    public void addListener(Runnable listener) {
+        listeners.add(Objects.requireNonNull(listener, "listener"));
+    }
+}

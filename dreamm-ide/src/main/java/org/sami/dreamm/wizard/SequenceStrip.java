@@ -1,0 +1,170 @@
+package org.sami.dreamm.wizard;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.ButtonGroup;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JRadioButton;
+import net.miginfocom.swing.MigLayout;
+import org.sami.spn.edit.Edit;
+import org.sami.spn.edit.FreshIds;
+import org.sami.spn.wizard.AddEvent;
+import org.sami.spn.wizard.EventTarget;
+import org.sami.spn.wizard.PlanChange;
+import org.sami.spn.wizard.Sequence;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.value.WrappedText;
+
+/**
+ * Says what the marked item of a palette is, offers the sequences of an event, and says what would be drawn. After an event was added the
+ * same strip lets another of its sequences take the place of the one that came with it.
+ */
+public final class SequenceStrip extends JPanel {
+    private static final int MOST_LINES = 7;
+
+    private final transient Additions additions;
+    private final JLabel title = new JLabel();
+    private final WrappedText help = new WrappedText("");
+    private final JPanel choices = new JPanel(new MigLayout("insets 0, gap 0 0, wrap 1", "[grow, fill]"));
+    private final WrappedText preview = new WrappedText("");
+    private Optional<Edit> offered = Optional.empty();
+    private String sequence = "";
+    private String event = "";
+
+    /** A strip over the additions of a window. */
+    public SequenceStrip(Additions additions) {
+        super(new MigLayout("insets 0, gap 0 4, wrap 1, fillx, hidemode 3", "[grow, fill]"));
+        this.additions = additions;
+        setName("wizard-strip");
+        setOpaque(false);
+        choices.setOpaque(false);
+        help.setColor(SemanticColor.MUTED);
+        preview.setName("wizard-preview");
+        title.setName("wizard-title");
+        add(title, "wmin 0");
+        add(help, "wmin 0");
+        add(choices, "wmin 0");
+        add(preview, "wmin 0");
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (title != null) {
+            title.setFont(Fonts.strong());
+        }
+    }
+
+    /**
+     * Shows what an item is and what would come with it.
+     *
+     * @param edit what adds it where it would go now; empty where nothing is marked, or it cannot go there
+     * @param refusal why it cannot go there
+     */
+    public void show(String label, String text, Optional<Edit> edit, Optional<String> refusal) {
+        title.setFont(Fonts.strong());
+        Optional<AddEvent> last = additions.last();
+        offered = edit;
+        boolean added = last.isPresent()
+                && (edit.isEmpty()
+                        || (edit.get() instanceof AddEvent marked
+                                && marked.event().equals(last.get().event())));
+        title.setText(label.isEmpty() ? "Mark an item to see what it does" : label);
+        help.setText(label.isEmpty() ? "Drag it onto the net, or press Enter to add it to what is selected." : text);
+        choices.removeAll();
+        Optional<AddEvent> of =
+                added ? last : edit.filter(AddEvent.class::isInstance).map(AddEvent.class::cast);
+        of.ifPresent(e -> offer(e, added));
+        if (added) {
+            preview.setText("Added. Choose another sequence to exchange it, or undo.");
+        } else {
+            preview.setText(
+                    refusal.orElseGet(() -> edit.map(e -> words(chosen(e))).orElse("")));
+        }
+        revalidate();
+        repaint();
+    }
+
+    private void offer(AddEvent edit, boolean added) {
+        if (!edit.event().equals(event)) {
+            event = edit.event();
+            sequence = edit.sequence();
+        }
+        if (added) {
+            sequence = edit.sequence();
+        }
+        ButtonGroup group = new ButtonGroup();
+        for (Sequence each : additions.library().of(edit.event())) {
+            choices.add(
+                    button(
+                            group,
+                            each.id(),
+                            each.name(),
+                            each.isManual() ? "manual: its edges are locked" : "flexible",
+                            each.help(),
+                            added),
+                    "wmin 0");
+        }
+        choices.add(
+                button(
+                        group,
+                        Sequence.ALONE,
+                        "The event alone",
+                        "",
+                        "Adds nothing else; requirements are adjusted",
+                        added),
+                "wmin 0");
+    }
+
+    private JRadioButton button(ButtonGroup group, String id, String name, String kind, String tip, boolean added) {
+        JRadioButton button = new JRadioButton(kind.isEmpty() ? name : name + "  (" + kind + ")", id.equals(sequence));
+        button.setName("wizard-sequence-" + FreshIds.ofWords(id));
+        button.setToolTipText(tip.isEmpty() ? button.getText() : tip);
+        button.setOpaque(false);
+        button.addActionListener(e -> {
+            sequence = id;
+            if (added) {
+                additions.exchange(id);
+            } else {
+                preview.setText(offered.map(o -> words(chosen(o))).orElse(""));
+            }
+        });
+        group.add(button);
+        return button;
+    }
+
+    /** The edit with the sequence that is chosen here. */
+    public Edit chosen(Edit edit) {
+        return edit instanceof AddEvent add && add.event().equals(event) && !sequence.isEmpty()
+                ? add.withSequence(sequence)
+                : edit;
+    }
+
+    private String words(Edit edit) {
+        Additions.Preview shown = additions.preview(edit);
+        if (shown.refusal().isPresent()) {
+            return shown.refusal().get();
+        }
+        List<String> lines =
+                new ArrayList<>(shown.change().map(PlanChange::lines).orElse(List.of()));
+        int more = lines.size() - MOST_LINES;
+        if (more > 0) {
+            lines = new ArrayList<>(lines.subList(0, MOST_LINES));
+            lines.add("and " + more + " more");
+        }
+        String where = edit instanceof AddEvent add ? where(add.target()) : "";
+        return where + (lines.isEmpty() ? "Draws nothing else." : "Draws:\n" + String.join("\n", lines));
+    }
+
+    private static String where(EventTarget target) {
+        if (target instanceof EventTarget.OnVertex on) {
+            return "Enter adds it to " + on.vertex() + ". ";
+        }
+        return target instanceof EventTarget.Behind behind
+                ? "Enter adds it behind " + behind.vertex() + ". "
+                : "Enter adds it as a vertex of its own. ";
+    }
+}
