@@ -22,6 +22,7 @@ import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.BoatSnapshot;
 import org.sami.crw.operator.MissionSnapshot;
 import org.sami.spn.protocol.Outcome;
+import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Theme;
 
 /** A whole mission in the real window, by pointer and keys: the area and the boats are given as they are asked for. */

@@ -33,6 +33,7 @@ import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.BoatSnapshot;
 import org.sami.crw.operator.MissionSnapshot;
 import org.sami.spn.protocol.Outcome;
+import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
 

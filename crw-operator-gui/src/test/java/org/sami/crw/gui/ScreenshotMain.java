@@ -32,6 +32,7 @@ import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.crw.sim.run.SimulatedOperatorDriver;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoPoint;
+import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
 

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.context.LibraryProject;
 import org.sami.dreamm.context.Question;
 import org.sami.spn.edit.PlanBuilder;
 import org.sami.spn.model.Project;
@@ -91,7 +92,7 @@ public final class FileCommands implements AutoCloseable {
     }
 
     private void openLibrary() {
-        file.open(context.domain().combined());
+        file.open(LibraryProject.of(context.domain()));
         context.notices().told("The library's plans; what you change is saved as a project of your own");
     }
 

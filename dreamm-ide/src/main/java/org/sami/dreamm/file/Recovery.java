@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.context.LibraryProject;
 import org.sami.dreamm.context.Question;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.Reading;
@@ -73,7 +74,7 @@ final class Recovery {
             file.open(empty(project));
             return "; " + unreadable.getMessage();
         }
-        Project library = context.domain().combined();
+        Project library = LibraryProject.of(context.domain());
         file.open(library.id().equals(project.id()) ? library : empty(project));
         return path.map(gone -> "; " + gone + " is no longer there").orElse("");
     }

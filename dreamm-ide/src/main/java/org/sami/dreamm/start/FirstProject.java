@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.dreamm.context.DomainSource;
+import org.sami.dreamm.context.LibraryProject;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.file.ProjectFile;
 import org.sami.spn.finding.Finding;
@@ -40,7 +41,8 @@ public record FirstProject(DomainSource source, DomainLibrary domain, ProjectDoc
         boolean library = named.isEmpty()
                 || (path.isEmpty() && domain.projectOf(named.get()).isPresent());
         if (library) {
-            return new FirstProject(source, domain, document(domain, domain.combined(), Optional.empty()), named);
+            return new FirstProject(
+                    source, domain, document(domain, LibraryProject.of(domain), Optional.empty()), named);
         }
         if (path.isEmpty()) {
             throw new IOException("there is no file, folder or plan of the library " + named.get());

@@ -31,7 +31,9 @@ final class DreammMenus {
                 "",
                 "end");
         bar.add(file);
-        bar.add(menus.menu("Edit", 'E', "undo", "redo"));
+        bar.add(menus.menu("Edit", 'E', "undo", "redo", "", "rename", "usages-find", "search-everything"));
+        bar.add(menus.menu(
+                "Plan", 'P', "plan-new", "plan-clone", "tree-delete", "", "folder-new", "plan-up", "plan-down"));
         bar.add(menus.view(panels));
         bar.add(menus.help());
         return bar;

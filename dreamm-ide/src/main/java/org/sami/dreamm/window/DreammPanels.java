@@ -6,6 +6,7 @@ import org.sami.dreamm.canvas.ModelView;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.inspector.InspectorPanel;
 import org.sami.dreamm.palette.PalettePanel;
+import org.sami.dreamm.tree.MissionTreePanel;
 import org.sami.ui.dock.Arrangement;
 import org.sami.ui.dock.DockPanel;
 
@@ -23,11 +24,7 @@ final class DreammPanels {
 
     DreammPanels(DreammContext context) {
         all = List.of(
-                        new DockPanel(
-                                "mission-tree",
-                                "Mission tree",
-                                "layers",
-                                empty("Mission tree", "The project's plans, their sub-missions and variables.")),
+                        new DockPanel("mission-tree", "Mission tree", "layers", new MissionTreePanel(context)),
                         new DockPanel("model-view", "Model view", "net", new ModelView(context)),
                         new DockPanel("palette", "Palette", "plus", new PalettePanel(context)),
                         new DockPanel("inspector", "Inspector", "edit", new InspectorPanel(context)),

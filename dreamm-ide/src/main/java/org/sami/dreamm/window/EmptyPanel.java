@@ -21,6 +21,7 @@ final class EmptyPanel extends JPanel {
         this.text.setEditable(false);
         this.text.setFocusable(false);
         this.text.setOpaque(false);
+        this.text.setBorder(null);
         add(this.title);
         add(this.text, "wmin 0");
         style();

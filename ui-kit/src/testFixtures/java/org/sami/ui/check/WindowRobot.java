@@ -1,4 +1,4 @@
-package org.sami.crw.gui;
+package org.sami.ui.check;
 
 import java.awt.AWTException;
 import java.awt.Component;
@@ -25,13 +25,17 @@ import javax.swing.JTable;
 import org.sami.ui.EventThread;
 
 /** Drives windows as a person does: looks for components by their names, moves the pointer, clicks, types. */
-final class WindowRobot {
+public final class WindowRobot {
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
     private static final int PATIENCE_S = 30;
 
     private final Robot robot;
 
-    WindowRobot() {
+    /** A robot on this display.
+     *
+     * @throws IllegalStateException if the display takes no input
+     */
+    public WindowRobot() {
         try {
             robot = new Robot();
         } catch (AWTException noInput) {
@@ -41,7 +45,7 @@ final class WindowRobot {
     }
 
     /** Asks something on the event thread. */
-    static <T> T ask(Supplier<T> question) {
+    public static <T> T ask(Supplier<T> question) {
         CompletableFuture<T> answer = new CompletableFuture<>();
         EventThread.later(() -> {
             try {
@@ -54,12 +58,12 @@ final class WindowRobot {
     }
 
     /** Waits until something is so; looked at on the event thread. */
-    void until(String what, Supplier<Boolean> so) {
+    public void until(String what, Supplier<Boolean> so) {
         until(what, PATIENCE_S, so);
     }
 
-    /** Waits until something is so that takes boats their time. */
-    void until(String what, int withinS, Supplier<Boolean> so) {
+    /** Waits until something is so that takes its time. */
+    public void until(String what, int withinS, Supplier<Boolean> so) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(withinS);
         while (!ask(so)) {
             if (System.nanoTime() > end) {
@@ -82,7 +86,7 @@ final class WindowRobot {
     }
 
     /** The component of a name that is on the screen; waits for it. */
-    <C extends Component> C find(Class<C> type, String name) {
+    public <C extends Component> C find(Class<C> type, String name) {
         return find(type, name, component -> true);
     }
 
@@ -119,7 +123,7 @@ final class WindowRobot {
     }
 
     /** Waits until a label says something. */
-    void untilSaid(String label, String text) {
+    public void untilSaid(String label, String text) {
         find(
                 JLabel.class,
                 label,
@@ -127,14 +131,14 @@ final class WindowRobot {
     }
 
     /** Clicks into the middle of a component that can be used; waits for it. */
-    void click(String name) {
+    public void click(String name) {
         Component component = find(Component.class, name, Component::isEnabled);
         Dimension size = ask(component::getSize);
         clickAt(component, size.width / 2, size.height / 2);
     }
 
     /** Clicks at a place of a component. */
-    void clickAt(Component component, int x, int y) {
+    public void clickAt(Component component, int x, int y) {
         Point at = ask(component::getLocationOnScreen);
         robot.mouseMove(at.x + x, at.y + y);
         robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
@@ -142,7 +146,7 @@ final class WindowRobot {
     }
 
     /** Clicks the row of a table whose first column says this. */
-    void clickRow(String table, String first) {
+    public void clickRow(String table, String first) {
         JTable found = find(JTable.class, table);
         until("a row " + first, () -> rowOf(found, first) >= 0);
         Point at = ask(() -> found.getCellRect(rowOf(found, first), 0, true).getLocation());
@@ -159,7 +163,7 @@ final class WindowRobot {
     }
 
     /** Presses a key with others held: {@code press(VK_G, VK_CONTROL)}. */
-    void press(int key, int... held) {
+    public void press(int key, int... held) {
         robot.setAutoWaitForIdle(false); // what a key does may take long, and a held key repeats
         for (int each : held) {
             robot.keyPress(each);
@@ -174,7 +178,7 @@ final class WindowRobot {
     }
 
     /** Types small letters, digits, spaces, points and commas. */
-    void type(String text) {
+    public void type(String text) {
         text.chars().forEach(letter -> press(KeyEvent.getExtendedKeyCodeForChar(letter)));
     }
 }

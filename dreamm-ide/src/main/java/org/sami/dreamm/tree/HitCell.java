@@ -1,0 +1,36 @@
+package org.sami.dreamm.tree;
+
+import java.awt.Component;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.ListCellRenderer;
+import net.miginfocom.swing.MigLayout;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.SemanticColor;
+
+/** Shows something that was found: what it is, and below it where. */
+final class HitCell extends JPanel implements ListCellRenderer<Hit> {
+    private final JLabel title = new JLabel();
+    private final JLabel detail = new JLabel();
+
+    HitCell() {
+        super(new MigLayout("insets 4 12 4 12, wrap, gap 0", "[grow, fill]"));
+        add(title, "wmin 0");
+        add(detail, "wmin 0");
+    }
+
+    @Override
+    public Component getListCellRendererComponent(
+            JList<? extends Hit> list, Hit hit, int index, boolean selected, boolean focused) {
+        title.setText(hit.title());
+        title.setFont(Fonts.text());
+        detail.setText(hit.detail());
+        detail.setFont(Fonts.small());
+        setToolTipText(hit.title() + ": " + hit.detail());
+        setBackground((selected ? SemanticColor.SELECTION : SemanticColor.SURFACE).get());
+        title.setForeground((selected ? SemanticColor.ON_SELECTION : SemanticColor.TEXT).get());
+        detail.setForeground((selected ? SemanticColor.ON_SELECTION : SemanticColor.MUTED).get());
+        return this;
+    }
+}

@@ -1,0 +1,5 @@
+/**
+ * The mission tree (thesis 5.1): plans, their sub-missions and variables; names that are changed everywhere; where something is used, and the search
+ * over everything.
+ */
+package org.sami.dreamm.tree;
