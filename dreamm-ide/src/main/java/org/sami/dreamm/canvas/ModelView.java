@@ -1,32 +1,109 @@
 package org.sami.dreamm.canvas;
 
 import java.awt.BorderLayout;
-import java.util.List;
-import java.util.Map;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.util.Optional;
 import java.util.Set;
+import javax.swing.JMenuItem;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.document.DocumentChange;
 import org.sami.dreamm.document.EditorListener;
-import org.sami.spn.model.Plan;
+import org.sami.spn.drawing.NetDetail;
+import org.sami.spn.drawing.NetDrawing.Vertex;
+import org.sami.spn.model.LayoutPoint;
+import org.sami.ui.command.Command;
 import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.net.NetListener;
+import org.sami.ui.net.NetMarking;
 import org.sami.ui.net.NetView;
 
-/** Shows the net of the open plan. */
-public final class ModelView extends JPanel {
-    private static final Plan NONE = new Plan(
-            "", "", "", List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), Map.of(),
-            List.of(), List.of());
+/** The net of the open plan, as its author sees and changes it (thesis 5.1). */
+public final class ModelView extends JPanel implements NetDropTarget {
+    private static final String[] MENU = {
+        "net-rename",
+        "net-append",
+        "net-connect",
+        "",
+        "net-set-start",
+        "net-set-end",
+        "net-mark-recovery",
+        "net-mark-nominal",
+        "net-extract",
+        "",
+        "net-cut",
+        "net-copy",
+        "net-paste-here",
+        "net-duplicate",
+        "net-delete",
+        "",
+        "net-add-place",
+        "net-add-transition",
+        "net-add-note"
+    };
 
     private final transient DreammContext context;
-    private final NetView net = new NetView(new IdentityMarks());
+    private final NetView view = new NetView(new IdentityMarks());
+    private final transient ShownNet net;
+    private final transient NetActions actions;
+    private transient NetMarking marking = NetMarking.EMPTY;
+    private boolean tokens = true;
 
-    /** The view of a window. */
+    /** The view of a window, which registers its commands. */
     public ModelView(DreammContext context) {
         super(new BorderLayout());
         this.context = context;
-        add(net);
-        context.document().addListener(change -> showPlan());
+        setName("model-view");
+        net = new ShownNet(context.vocabulary(), NetView::textWidth);
+        actions = new NetActions(context, view, net);
+        Connecting connecting = new Connecting(view, net, actions);
+        EditTool tool = new EditTool(view, net, actions, connecting);
+        view.setTool(tool);
+        view.canvas().setTransferHandler(new NetDropHandler(view, net, actions));
+        view.canvas().setFocusTraversalKeysEnabled(false); // Tab goes through the vertices; F6 leaves
+        actions.setMenu(this::menu);
+        new CanvasViewCommands(context, view, new ShownDetail()).add();
+        LayoutCommands layouts = new LayoutCommands(context, view, net, actions);
+        layouts.add();
+        new CanvasCommands(context, view, net, actions, tool, connecting, layouts::cancel).add();
+        add(ModelTools.of(context), BorderLayout.NORTH);
+        add(view);
+        view.canvas().addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                if (tool.pointer().isEmpty()) { // nobody has looked elsewhere yet
+                    view.fit();
+                }
+            }
+        });
+        listen();
+        showPlan();
+        view.setMode(context.editor().mode());
+    }
+
+    private final class ShownDetail implements CanvasViewCommands.Detail {
+        @Override
+        public NetDetail get() {
+            return net.detail();
+        }
+
+        @Override
+        public void set(NetDetail detail) {
+            net.setDetail(detail);
+            view.show(net.plan(), context.vocabulary(), net.drawing());
+        }
+
+        @Override
+        public void toggleTokens() {
+            tokens = !tokens;
+            showMarking(marking);
+        }
+    }
+
+    private void listen() {
+        context.document().addListener(this::documentChanged);
         context.editor().addListener(new EditorListener() {
             @Override
             public void planOpened() {
@@ -35,29 +112,94 @@ public final class ModelView extends JPanel {
 
             @Override
             public void modeChanged() {
-                net.setMode(context.editor().mode());
+                view.setMode(context.editor().mode());
+                context.commands().refresh();
             }
 
             @Override
             public void selectionChanged() {
-                net.select(context.editor().selection());
+                view.select(context.editor().selection());
             }
 
             @Override
             public void highlightChanged() {
-                net.highlight(context.editor().highlight());
+                view.highlight(context.editor().highlight());
             }
         });
-        net.addNetListener(new NetListener() {
+        view.addNetListener(new NetListener() {
             @Override
             public void selected(Set<String> ids) {
-                context.editor().select(ids);
+                if (!ids.equals(context.editor().selection())) {
+                    context.editor().select(ids);
+                }
             }
         });
-        showPlan();
+    }
+
+    private void documentChanged(DocumentChange change) {
+        if (change.isOpened()) {
+            net.forget();
+        }
+        if (change.isOpened() || change.plans().contains(net.plan().id())) {
+            showPlan();
+        }
     }
 
     private void showPlan() {
-        net.show(context.editor().plan().orElse(NONE), context.vocabulary());
+        actions.endWriting();
+        net.show(context.editor().plan());
+        view.show(net.plan(), context.vocabulary(), net.drawing());
+        view.select(context.editor().selection());
+    }
+
+    private JPopupMenu menu() {
+        JPopupMenu menu = new JPopupMenu();
+        menu.setName("net-menu");
+        context.commands().refresh();
+        for (String id : MENU) {
+            if (id.isEmpty()) {
+                menu.addSeparator();
+            } else {
+                context.commands()
+                        .find(id)
+                        .filter(command -> !command.isHidden())
+                        .ifPresent(command -> menu.add(item(command)));
+            }
+        }
+        return menu;
+    }
+
+    private static JMenuItem item(Command command) {
+        JMenuItem item = new JMenuItem(command);
+        item.setName("net-menu-" + command.id());
+        return item;
+    }
+
+    /** Says what can come next at a vertex; nothing until somebody knows. */
+    public void setNextSteps(NextSteps next) {
+        actions.setNextSteps(next);
+    }
+
+    @Override
+    public void put(NetDrop drop) {
+        Optional<Vertex> vertex = actions.selectedVertex();
+        Optional<String> onto = vertex.map(Vertex::id)
+                .filter(id -> drop.whyNotOnto(net.plan(), id).isEmpty());
+        LayoutPoint free = vertex.map(v -> actions.behind(v.id())).orElseGet(() -> {
+            LayoutPoint middle = view.centre();
+            return net.free(middle.x(), middle.y());
+        });
+        actions.whyNotEdit("net-drop").ifPresentOrElse(actions::refuse, () -> actions.put(drop, onto, free));
+    }
+
+    /** Shows what stands where while the plan is tried; nothing with {@link NetMarking#EMPTY}. */
+    public void showMarking(NetMarking marking) {
+        this.marking = marking;
+        view.setMarking(tokens ? marking : NetMarking.EMPTY);
+    }
+
+    /** The net itself, for whoever tries the plan or prints it. */
+    public NetView net() {
+        return view;
     }
 }

@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.ui.net.NetMode;
+import org.sami.ui.net.NetScene;
 
 /**
  * What the author looks at: the open plan, how much of its net is shown, what is selected, and what is spoken of. It follows the document:
@@ -52,7 +53,7 @@ public final class EditorState {
         return mode;
     }
 
-    /** Ids of the vertices, edges, events and sub-missions that are selected, in the order of their selection. */
+    /** Ids of the vertices, edges, events, sub-missions and notes ({@link NetScene#idOf}) that are selected, in the order of their selection. */
     public Set<String> selection() {
         return selection;
     }
@@ -146,6 +147,9 @@ public final class EditorState {
         });
         plan.inEdges().forEach(edge -> ids.add(edge.id()));
         plan.outEdges().forEach(edge -> ids.add(edge.id()));
+        for (int i = 0; i < plan.notes().size(); i++) {
+            ids.add(NetScene.idOf(i));
+        }
         return ids;
     }
 

@@ -29,11 +29,68 @@ final class DreammMenus {
                 "import-legacy",
                 "import-geometry",
                 "",
+                "plan-export-png",
+                "plan-export-svg",
+                "plan-export-pdf",
+                "",
                 "end");
         bar.add(file);
-        bar.add(menus.menu("Edit", 'E', "undo", "redo", "", "rename", "usages-find", "search-everything"));
         bar.add(menus.menu(
-                "Plan", 'P', "plan-new", "plan-clone", "tree-delete", "", "folder-new", "plan-up", "plan-down"));
+                "Edit",
+                'E',
+                "undo",
+                "redo",
+                "",
+                "net-cut",
+                "net-copy",
+                "net-paste",
+                "net-duplicate",
+                "net-delete",
+                "",
+                "net-select-all",
+                "net-rename",
+                "",
+                "rename",
+                "usages-find",
+                "search-everything"));
+        bar.add(menus.menu(
+                "Plan",
+                'P',
+                "plan-new",
+                "plan-clone",
+                "tree-delete",
+                "",
+                "folder-new",
+                "plan-up",
+                "plan-down",
+                "",
+                "plan-compare-saved",
+                "plan-compare-file"));
+        bar.add(menus.menu(
+                "Net",
+                'N',
+                "net-add-place",
+                "net-add-transition",
+                "net-connect",
+                "net-append",
+                "net-add-note",
+                "net-extract",
+                "",
+                "net-layout-layers",
+                "net-layout-forces",
+                "net-align-row",
+                "net-align-column",
+                "net-align-spread-x",
+                "net-align-spread-y",
+                "net-snap",
+                "",
+                "net-mode-nominal",
+                "net-mode-recovery",
+                "net-mode-all",
+                "net-show-events",
+                "net-show-markups",
+                "net-show-requirements",
+                "net-show-tokens"));
         bar.add(menus.view(panels));
         bar.add(menus.help());
         return bar;

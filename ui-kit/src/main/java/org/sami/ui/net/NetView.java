@@ -7,6 +7,7 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -22,6 +23,7 @@ import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.drawing.NetLayout;
 import org.sami.spn.drawing.TextStyle;
+import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -186,7 +188,7 @@ public final class NetView extends JPanel {
     /** Selects vertices and edges instead of those before, by their ids. */
     public void select(Set<String> ids) {
         if (!selected.equals(ids)) {
-            selected = Set.copyOf(ids);
+            selected = Collections.unmodifiableSet(new LinkedHashSet<>(ids)); // in the order of their selection
             changed();
             listeners.forEach(listener -> listener.selected(selected));
         }
@@ -306,6 +308,18 @@ public final class NetView extends JPanel {
     /** Where a point of the drawing is, in pixels of {@link #canvas}. */
     public Point2D pixel(double x, double y) {
         return viewport.pixel(x, y);
+    }
+
+    /** The point of the drawing in the middle of the view. */
+    public LayoutPoint centre() {
+        Point2D middle = viewport.point(viewer.getWidth() / 2.0, viewer.getHeight() / 2.0);
+        return new LayoutPoint(middle.getX(), middle.getY());
+    }
+
+    /** The point of the drawing at a pixel of {@link #canvas}. */
+    public LayoutPoint point(double px, double py) {
+        Point2D at = viewport.point(px, py);
+        return new LayoutPoint(at.getX(), at.getY());
     }
 
     /** How large the net is shown: 1 at its own size. */

@@ -1,0 +1,57 @@
+package org.sami.dreamm.canvas;
+
+import java.util.Locale;
+import javax.swing.ButtonGroup;
+import javax.swing.JToggleButton;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.document.EditorListener;
+import org.sami.ui.command.Command;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.command.CommandRow;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.Spacing;
+import org.sami.ui.net.NetMode;
+
+/** The row above the net: which parts are shown, and what authors do most. */
+final class ModelTools {
+    private static final String[] LEFT = {"net-add-place", "net-add-transition", "net-connect", "net-add-note"};
+    private static final String[] RIGHT = {"undo", "redo", "net-layout-layers", "net-zoom-out", "net-zoom-in", "net-fit"
+    };
+
+    private ModelTools() {}
+
+    static CommandRow of(DreammContext context) {
+        CommandRow row = new CommandRow();
+        row.setName("model-tools");
+        ButtonGroup modes = new ButtonGroup();
+        for (NetMode mode : NetMode.values()) {
+            JToggleButton button = new JToggleButton(mode.label());
+            button.setName("net-mode-" + mode.name().toLowerCase(Locale.ROOT));
+            Command command = context.commands().get(button.getName());
+            button.setToolTipText(command.title() + " (" + command.keyText() + ")");
+            button.setFont(Fonts.text());
+            button.setVisible(!command.isHidden());
+            button.setMinimumSize(null);
+            button.setSelected(context.editor().mode() == mode);
+            button.addActionListener(e -> command.run());
+            button.putClientProperty("JButton.buttonType", "toolBarButton");
+            button.putClientProperty("FlatLaf.minimumHeight", Look.px(Spacing.HIT_TARGET_FIELD));
+            modes.add(button);
+            row.left(button);
+            context.editor().addListener(new EditorListener() {
+                @Override
+                public void modeChanged() {
+                    button.setSelected(context.editor().mode() == mode);
+                }
+            });
+        }
+        for (String id : LEFT) {
+            row.left(CommandButton.iconOnly(context.commands().get(id)));
+        }
+        for (String id : RIGHT) {
+            context.commands().find(id).ifPresent(command -> row.right(CommandButton.iconOnly(command)));
+        }
+        return row;
+    }
+}
