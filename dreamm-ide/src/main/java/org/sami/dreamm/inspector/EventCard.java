@@ -3,7 +3,6 @@ package org.sami.dreamm.inspector;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
@@ -13,7 +12,6 @@ import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.wizard.RemoveWithRequirements;
-import org.sami.ui.look.Fonts;
 import org.sami.ui.look.SemanticColor;
 
 /** One event of a vertex: what it is, its fields and its markup, with buttons that order, reset and delete it. */
@@ -56,12 +54,10 @@ final class EventCard extends Form {
 
     private void head(String mark, EventType type, String id, int index, Runnable reset) {
         setName("event-" + index);
-        JPanel head = new JPanel(new MigLayout("insets 4 0 0 0, gap 2, fillx", "[grow, fill][][][][]"));
+        heading(mark + type.label());
+        note(type.help(), SemanticColor.MUTED);
+        JPanel head = new JPanel(new MigLayout("insets 0, gap 2"));
         head.setOpaque(false);
-        JLabel title = new JLabel(mark + type.label());
-        title.setFont(Fonts.strong());
-        title.setToolTipText(type.help());
-        head.add(title, "wmin 0");
         String plan = scope.plan().id();
         if (index > 0) {
             head.add(button(
@@ -78,7 +74,6 @@ final class EventCard extends Form {
                 () -> context.apply(new RemoveWithRequirements(
                         plan, Set.of(id), context.additions().library()))));
         wide(head);
-        note(type.help(), SemanticColor.MUTED);
     }
 
     private void markups(String event, List<MarkupSpec> markups) {

@@ -38,10 +38,10 @@ final class FieldRow extends Form {
     enum Source {
         NOTHING("not given"),
         VALUE("value"),
-        ASKED("asked, with a value to start from"),
-        LOCKED("asked, locked to a value"),
+        ASKED("asked, can be changed"),
+        LOCKED("asked, locked"),
         VARIABLE("variable"),
-        TASK("@task, the entering task");
+        TASK("@task");
 
         private final String words;
 
@@ -76,7 +76,7 @@ final class FieldRow extends Form {
                 new JLabel(ValueField.words(field.name()) + (field.unit().isEmpty() ? "" : " (" + field.unit() + ")"));
         title.setFont(Fonts.strong());
         title.setToolTipText(field.help() + " Type: " + TypeNames.of(field.type()));
-        add(title, "span 2, wmin 0, gaptop 4");
+        add(title, "span 2, growx, wmin 0, gaptop 4");
     }
 
     static FieldRow of(DreammContext context, Scope scope, OutputEventSpec spec, FieldType field) {
@@ -187,7 +187,7 @@ final class FieldRow extends Form {
     private void value(Optional<Value> value, Function<Value, FieldSource> source) {
         ValueField of = ValueField.of(field);
         ValueRow row = new ValueRow(context.values().editor(of), value, v -> set(source.apply(v)));
-        add(row, "span 2, wmin 0, gapbottom " + Spacing.TIGHT);
+        add(row, "span 2, growx, wmin 0, gapbottom " + Spacing.TIGHT);
     }
 
     private List<String> variables() {
@@ -253,6 +253,6 @@ final class FieldRow extends Form {
                 context.values().editor(ValueField.of(field)),
                 value,
                 v -> apply(new FieldEdit.SetInputField(scope.plan().id(), event, field.name(), v)));
-        add(row, "span 2, wmin 0");
+        add(row, "span 2, growx, wmin 0");
     }
 }

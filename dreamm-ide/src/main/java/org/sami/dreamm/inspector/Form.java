@@ -32,18 +32,18 @@ class Form extends JPanel {
     final void heading(String text) {
         JLabel label = new JLabel(text);
         label.setFont(Fonts.strong());
-        add(label, "span 2, gaptop 6, wmin 0");
+        add(label, "span 2, growx, gaptop 6, wmin 0");
     }
 
     final WrappedText note(String text, SemanticColor color) {
         WrappedText note = new WrappedText(text);
         note.setColor(color);
-        add(note, "span 2, wmin 0");
+        add(note, "span 2, growx, wmin 0");
         return note;
     }
 
     final void wide(JComponent component) {
-        add(component, "span 2, wmin 0");
+        add(component, "span 2, growx, wmin 0");
     }
 
     final <C extends JComponent> C row(String label, String name, String tip, C field) {

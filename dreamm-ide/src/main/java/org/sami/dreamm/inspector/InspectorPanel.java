@@ -137,8 +137,8 @@ public final class InspectorPanel extends JPanel {
             selected.transitions().forEach(t -> transition(plan, t));
         }
         if (selected.vertices() == 0 && selected.edges() == 1) {
-            selected.inEdges().forEach(e -> column.add(new RequirementRows(context, plan, e)));
-            selected.outEdges().forEach(e -> column.add(new RequirementRows(context, plan, e)));
+            selected.inEdges().forEach(e -> column.add(new InRequirementRows(context, plan, e)));
+            selected.outEdges().forEach(e -> column.add(new OutRequirementRows(context, plan, e)));
         }
     }
 

@@ -89,8 +89,8 @@ final class MarkupRows extends Form {
     private void row(FieldType option, ValueRow editor) {
         JLabel caption = new JLabel(ValueField.words(option.name()));
         caption.setToolTipText(option.help());
-        add(caption, "wmin 0, aligny top, gaptop 6");
-        add(editor, "wmin 0");
+        add(caption, "span 2, growx, wmin 0");
+        add(editor, "span 2, growx, wmin 0");
     }
 
     /** Adds a markup at once where all that it needs has a value, else asks for that first. */

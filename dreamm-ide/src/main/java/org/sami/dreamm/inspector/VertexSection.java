@@ -43,7 +43,7 @@ final class VertexSection extends Form {
                     "Whether it fires for each answer, or waits until all who stand in its places have answered",
                     List.of(WaitFor.values()),
                     common(selected.transitions(), Transition::waitFor),
-                    w -> w == WaitFor.EACH ? "for each answer" : "once, when all have answered",
+                    w -> w == WaitFor.EACH ? "for each answer" : "once, when all answered",
                     w -> each(
                             "Change waiting",
                             selected.transitions().stream().map(t -> new VertexEdit.SetWaitFor(this.plan, t.id(), w))));

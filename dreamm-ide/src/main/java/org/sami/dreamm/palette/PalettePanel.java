@@ -33,7 +33,7 @@ public final class PalettePanel extends JPanel {
             list.enableDrag();
         }
         list.whenSelected(this::refresh);
-        context.document().addListener(change -> {
+        context.additions().addListener(() -> {
             list.fill();
             refresh();
         });

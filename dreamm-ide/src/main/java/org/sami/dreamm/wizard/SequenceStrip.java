@@ -1,7 +1,5 @@
 package org.sami.dreamm.wizard;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import javax.swing.ButtonGroup;
 import javax.swing.JLabel;
@@ -23,8 +21,6 @@ import org.sami.ui.value.WrappedText;
  * same strip lets another of its sequences take the place of the one that came with it.
  */
 public final class SequenceStrip extends JPanel {
-    private static final int MOST_LINES = 7;
-
     private final transient Additions additions;
     private final JLabel title = new JLabel();
     private final WrappedText help = new WrappedText("");
@@ -103,8 +99,8 @@ public final class SequenceStrip extends JPanel {
                             group,
                             each.id(),
                             each.name(),
-                            each.isManual() ? "manual: its edges are locked" : "flexible",
-                            each.help(),
+                            each.isManual() ? "manual" : "flexible",
+                            each.isManual() ? each.help() + " Its edges are locked." : each.help(),
                             added),
                     "wmin 0");
         }
@@ -148,15 +144,10 @@ public final class SequenceStrip extends JPanel {
         if (shown.refusal().isPresent()) {
             return shown.refusal().get();
         }
-        List<String> lines =
-                new ArrayList<>(shown.change().map(PlanChange::lines).orElse(List.of()));
-        int more = lines.size() - MOST_LINES;
-        if (more > 0) {
-            lines = new ArrayList<>(lines.subList(0, MOST_LINES));
-            lines.add("and " + more + " more");
-        }
+        String lines = shown.change().map(c -> String.join("\n", c.lines())).orElse("");
+        preview.setToolTipText(lines.isEmpty() ? null : "<html>" + lines.replace("\n", "<br>"));
         String where = edit instanceof AddEvent add ? where(add.target()) : "";
-        return where + (lines.isEmpty() ? "Draws nothing else." : "Draws:\n" + String.join("\n", lines));
+        return where + shown.change().map(PlanChange::summary).orElse("");
     }
 
     private static String where(EventTarget target) {

@@ -4,10 +4,12 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.WaitFor;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.vocabulary.EventType;
@@ -62,8 +64,18 @@ public final class AuthoringReader {
             });
             m.done();
         }
+        Map<String, String> help = root.textMap("requirements");
+        help.keySet().stream()
+                .filter(kind -> !isKind(kind))
+                .forEach(kind -> root.problem(
+                        Codes.UNKNOWN_WORD, "requirements", "\"" + kind + "\"" + Words.noneOf(TokenKind.class, kind)));
         root.done();
-        return new AuthoringLibrary(categories, sequences);
+        return new AuthoringLibrary(categories, sequences, help);
+    }
+
+    private static boolean isKind(String word) {
+        return word.equals("implied-generic")
+                || Words.parse(TokenKind.class, word).isPresent();
     }
 
     private List<EventCategory> categories(JsonObjectReader root) {

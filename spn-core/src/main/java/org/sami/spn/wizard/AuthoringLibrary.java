@@ -3,6 +3,7 @@ package org.sami.spn.wizard;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.vocabulary.Direction;
@@ -15,14 +16,22 @@ import org.sami.spn.vocabulary.Vocabulary;
  *
  * @param categories groups in the order of a palette
  * @param sequences flexible and manual ones
+ * @param requirementHelp a sentence on each kind of token that a requirement speaks of, by its word in files, and on {@code implied-generic}
  */
-public record AuthoringLibrary(List<EventCategory> categories, List<Sequence> sequences) {
+public record AuthoringLibrary(
+        List<EventCategory> categories, List<Sequence> sequences, Map<String, String> requirementHelp) {
     /** Of a domain that says nothing. */
     public static final AuthoringLibrary EMPTY = new AuthoringLibrary(List.of(), List.of());
 
     public AuthoringLibrary {
         categories = List.copyOf(categories);
         sequences = List.copyOf(sequences);
+        requirementHelp = Map.copyOf(requirementHelp);
+    }
+
+    /** Groups and sequences without help on requirements. */
+    public AuthoringLibrary(List<EventCategory> categories, List<Sequence> sequences) {
+        this(categories, sequences, Map.of());
     }
 
     /** The sequences of an event type, the one to offer first first. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
@@ -19,13 +20,16 @@ import org.sami.spn.model.Plan;
  * @param edges ids of new edges
  * @param changed ids of edges that were there and have other requirements now
  * @param lines a line for each, in words
+ * @param summary all of it in a sentence or two
  */
-public record PlanChange(Set<String> vertices, Set<String> edges, Set<String> changed, List<String> lines) {
+public record PlanChange(
+        Set<String> vertices, Set<String> edges, Set<String> changed, List<String> lines, String summary) {
     public PlanChange {
         vertices = Set.copyOf(vertices);
         edges = Set.copyOf(edges);
         changed = Set.copyOf(changed);
         lines = List.copyOf(lines);
+        Objects.requireNonNull(summary, "summary");
     }
 
     /** What lies between two versions of a plan. */
@@ -33,7 +37,8 @@ public record PlanChange(Set<String> vertices, Set<String> edges, Set<String> ch
         Comparison comparison = new Comparison(before, after);
         comparison.compareVertices();
         comparison.compareEdges();
-        return new PlanChange(comparison.vertices, comparison.edges, comparison.changed, comparison.lines);
+        return new PlanChange(
+                comparison.vertices, comparison.edges, comparison.changed, comparison.lines, comparison.summary());
     }
 
     private static final class Comparison {
@@ -79,6 +84,31 @@ public record PlanChange(Set<String> vertices, Set<String> edges, Set<String> ch
                 changed.add(edge);
                 lines.add("Changed " + way);
             }
+        }
+
+        String summary() {
+            List<String> transitions = after.transitions().stream()
+                    .map(t -> t.id())
+                    .filter(vertices::contains)
+                    .map(this::title)
+                    .toList();
+            int places = vertices.size() - transitions.size();
+            List<String> drawn = new ArrayList<>();
+            if (!transitions.isEmpty()) {
+                drawn.add(count(transitions.size(), "transition") + " " + String.join(", ", transitions));
+            }
+            if (places > 0) {
+                drawn.add(count(places, "place"));
+            }
+            if (!edges.isEmpty()) {
+                drawn.add(count(edges.size(), "edge"));
+            }
+            return (drawn.isEmpty() ? "Draws nothing else." : "Draws " + String.join("; ", drawn) + ".")
+                    + (changed.isEmpty() ? "" : " Changes the requirements of " + count(changed.size(), "edge") + ".");
+        }
+
+        private static String count(int n, String what) {
+            return n + " " + what + (n == 1 ? "" : "s");
         }
 
         private static Map<String, List<String>> words(Plan plan) {

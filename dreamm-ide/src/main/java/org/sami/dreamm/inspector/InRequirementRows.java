@@ -1,0 +1,113 @@
+package org.sami.dreamm.inspector;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.swing.JPanel;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.spn.edit.EdgeEdit;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.Match;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.TokenKind;
+
+/** The requirements of an edge from a place to a transition: what the transition waits for. */
+final class InRequirementRows extends RequirementRows<InRequirement> {
+    private final transient DreammContext context;
+    private final String plan;
+    private final String edge;
+
+    InRequirementRows(DreammContext context, Plan plan, InEdge edge) {
+        super(context, plan, edge.id(), edge.requirements());
+        this.context = context;
+        this.plan = plan.id();
+        this.edge = edge.id();
+        fill(
+                "The transition waits until here is",
+                InRequirement.of(TokenKind.GENERIC, Match.AT_LEAST, 1),
+                "≥ 1 Generic",
+                edge.locked());
+    }
+
+    @Override
+    void quantity(JPanel panel, InRequirement r, int at) {
+        List<Match> matches = Stream.of(Match.values())
+                .filter(m -> m != Match.ALL || r.kind() == TokenKind.RELEVANT)
+                .toList();
+        choice(
+                panel,
+                combo(
+                        matches,
+                        Optional.of(r.match()),
+                        InRequirementRows::words,
+                        m -> put(at, new InRequirement(r.kind(), m, counted(m) ? Math.max(1, r.n()) : 0, r.task()))),
+                "inspector-match-" + at,
+                "How many");
+        if (counted(r.match())) {
+            number(panel, r.n(), at, n -> put(at, new InRequirement(r.kind(), r.match(), n, r.task())));
+        }
+    }
+
+    private static boolean counted(Match match) {
+        return match == Match.LESS_THAN || match == Match.AT_LEAST || match == Match.EXACTLY;
+    }
+
+    private static String words(Match match) {
+        return switch (match) {
+            case ZERO -> "No";
+            case LESS_THAN -> "<";
+            case AT_LEAST -> "≥";
+            case EXACTLY -> "=";
+            case ALL -> "All";
+        };
+    }
+
+    @Override
+    TokenKind kind(InRequirement r) {
+        return r.kind();
+    }
+
+    @Override
+    String task(InRequirement r) {
+        return r.task();
+    }
+
+    @Override
+    InRequirement ofKind(InRequirement r, TokenKind kind) {
+        if (kind == TokenKind.UNCONDITIONAL) {
+            return InRequirement.unconditional();
+        }
+        Match match = r.match() == Match.ALL && kind != TokenKind.RELEVANT ? Match.AT_LEAST : r.match();
+        return new InRequirement(kind, match, counted(match) ? Math.max(1, r.n()) : 0, firstTask(kind));
+    }
+
+    @Override
+    InRequirement ofTask(InRequirement r, String task) {
+        return new InRequirement(r.kind(), r.match(), r.n(), task);
+    }
+
+    @Override
+    InRequirement fresh(List<InRequirement> there) {
+        return there.contains(InRequirement.allRelevant())
+                ? InRequirement.of(TokenKind.ANY_PROXY, Match.AT_LEAST, 1)
+                : InRequirement.allRelevant();
+    }
+
+    @Override
+    void set(List<InRequirement> requirements) {
+        context.apply(new EdgeEdit.SetInRequirements(plan, edge, requirements));
+    }
+
+    @Override
+    List<TokenKind> kinds() {
+        return Stream.of(TokenKind.values())
+                .filter(k -> k != TokenKind.SUB_MISSION_TOKENS)
+                .toList();
+    }
+
+    @Override
+    String unconditional() {
+        return "No Condition";
+    }
+}

@@ -1,0 +1,107 @@
+package org.sami.dreamm.inspector;
+
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JPanel;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.spn.edit.EdgeEdit;
+import org.sami.spn.model.Action;
+import org.sami.spn.model.OutEdge;
+import org.sami.spn.model.OutRequirement;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.TokenKind;
+
+/** The requirements of an edge from a transition to a place: what a firing does with tokens. */
+final class OutRequirementRows extends RequirementRows<OutRequirement> {
+    private final transient DreammContext context;
+    private final String plan;
+    private final String edge;
+
+    OutRequirementRows(DreammContext context, Plan plan, OutEdge edge) {
+        super(context, plan, edge.id(), edge.requirements());
+        this.context = context;
+        this.plan = plan.id();
+        this.edge = edge.id();
+        fill(
+                "When the transition fires",
+                OutRequirement.of(Action.TAKE, 1, TokenKind.GENERIC),
+                "Take 1 Generic",
+                edge.locked());
+    }
+
+    @Override
+    void quantity(JPanel panel, OutRequirement r, int at) {
+        choice(
+                panel,
+                combo(
+                        List.of(Action.values()),
+                        Optional.of(r.action()),
+                        OutRequirementRows::words,
+                        a -> put(at, new OutRequirement(r.kind(), r.n(), a, r.task()))),
+                "inspector-action-" + at,
+                "What becomes of the tokens: taken along, consumed, or added as copies");
+        choice(
+                panel,
+                combo(
+                        List.of(true, false),
+                        Optional.of(r.takesAll()),
+                        all -> all ? "All" : "n",
+                        all -> put(
+                                at, new OutRequirement(r.kind(), all ? OutRequirement.ALL : 1, r.action(), r.task()))),
+                "inspector-quantity-" + at,
+                "All tokens, or so many");
+        if (!r.takesAll()) {
+            number(panel, r.n(), at, n -> put(at, new OutRequirement(r.kind(), n, r.action(), r.task())));
+        }
+    }
+
+    private static String words(Action action) {
+        return switch (action) {
+            case TAKE -> "Take";
+            case CONSUME -> "Consume";
+            case ADD -> "Add";
+        };
+    }
+
+    @Override
+    TokenKind kind(OutRequirement r) {
+        return r.kind();
+    }
+
+    @Override
+    String task(OutRequirement r) {
+        return r.task();
+    }
+
+    @Override
+    OutRequirement ofKind(OutRequirement r, TokenKind kind) {
+        return kind == TokenKind.UNCONDITIONAL
+                ? OutRequirement.unconditional()
+                : new OutRequirement(kind, r.n(), r.action(), firstTask(kind));
+    }
+
+    @Override
+    OutRequirement ofTask(OutRequirement r, String task) {
+        return new OutRequirement(r.kind(), r.n(), r.action(), task);
+    }
+
+    @Override
+    OutRequirement fresh(List<OutRequirement> there) {
+        return OutRequirement.of(Action.TAKE, OutRequirement.ALL, TokenKind.ANY_PROXY);
+    }
+
+    @Override
+    void set(List<OutRequirement> requirements) {
+        context.apply(new EdgeEdit.SetOutRequirements(plan, edge, requirements));
+    }
+
+    @Override
+    List<TokenKind> kinds() {
+        return List.of(TokenKind.values());
+    }
+
+    @Override
+    String unconditional() {
+        return "Enter With Nobody";
+    }
+}

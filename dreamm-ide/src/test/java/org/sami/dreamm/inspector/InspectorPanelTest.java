@@ -1,0 +1,262 @@
+package org.sami.dreamm.inspector;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import javax.swing.AbstractButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JTextField;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.dreamm.OnEventThread;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.document.ProjectDocument;
+import org.sami.dreamm.profile.Profile;
+import org.sami.spn.drawing.RequirementWords;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.model.FieldSource;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.Mode;
+import org.sami.spn.model.OutputEventSpec;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.value.RealValue;
+import org.sami.ui.check.Layout;
+import org.sami.ui.check.TextFit;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.Theme;
+
+/** The inspector without a window: each field makes an edit, and no text is cut. */
+@ExtendWith(OnEventThread.class)
+class InspectorPanelTest {
+    private static final int WIDTH = 340;
+    private static final int HEIGHT = 2600;
+
+    private DreammContext context;
+    private InspectorPanel panel;
+
+    @AfterEach
+    void close() {
+        context.close();
+        Look.apply(Theme.LIGHT, 100);
+    }
+
+    private void open(String domain, String plan, String... selected) {
+        DomainLibrary library =
+                DomainLibrary.fromClassPath("/org/sami/domain/" + domain).orThrow();
+        context = new DreammContext(
+                library, new ProjectDocument(library.vocabulary(), library.combined(), Optional.empty()), Profile.ALL);
+        context.editor().open(plan);
+        context.editor().select(List.of(selected));
+        panel = new InspectorPanel(context);
+    }
+
+    private Plan plan() {
+        return context.editor().plan().orElseThrow();
+    }
+
+    private <C extends JComponent> C find(String name, Class<C> type) {
+        return Layout.find(panel, name, type).orElseThrow(() -> new AssertionError("there is no " + name));
+    }
+
+    private void choose(String name, Object item) {
+        find(name, JComboBox.class).setSelectedItem(item);
+    }
+
+    private OutputEventSpec event(String place) {
+        return plan().place(place).orElseThrow().outputs().get(0);
+    }
+
+    @Test
+    void nameOfAPlaceIsGivenWithEnterAndTakenBack() {
+        open("crw", "clv", "execute");
+
+        JTextField name = find("inspector-name", JTextField.class);
+        name.setText("Drive");
+        name.postActionEvent();
+
+        assertThat(plan().place("execute").orElseThrow().name()).isEqualTo("Drive");
+        context.undo();
+        assertThat(find("inspector-name", JTextField.class).getText()).isEqualTo("Execute paths");
+    }
+
+    @Test
+    void severalSelectedShowWhatTheyHaveInCommon() {
+        open("crw", "clv", "execute", "visited", "execute.visited");
+
+        choose("inspector-mode", Mode.RECOVERY);
+
+        assertThat(plan().place("execute").orElseThrow().mode()).isEqualTo(Mode.RECOVERY);
+        assertThat(plan().transition("visited").orElseThrow().mode()).isEqualTo(Mode.RECOVERY);
+        assertThat(plan().inEdges().stream().filter(e -> e.id().equals("execute.visited")))
+                .extracting(InEdge::mode)
+                .containsExactly(Mode.RECOVERY);
+        context.undo();
+        assertThat(plan().place("execute").orElseThrow().mode()).isEqualTo(Mode.NOMINAL);
+    }
+
+    @Test
+    void fieldComesFromAVariableANewOneTheOperatorOrTheTask() {
+        open("crw", "clv", "execute");
+
+        choose("field-paths-source", FieldRow.Source.ASKED);
+        assertThat(event("execute").fields().get("paths")).isEqualTo(new FieldSource.Asked(Optional.empty(), true));
+        choose("field-paths-source", FieldRow.Source.VARIABLE);
+        assertThat(event("execute").fields().get("paths")).isEqualTo(new FieldSource.FromVariable("@paths"));
+        choose("field-paths-variable", "new variable…");
+        assertThat(event("execute").fields().get("paths")).isEqualTo(new FieldSource.FromVariable("@paths2"));
+        assertThat(plan().variables()).extracting(v -> v.name()).contains("@paths2");
+        choose("field-paths-source", FieldRow.Source.TASK);
+        assertThat(event("execute").fields().get("paths")).isEqualTo(new FieldSource.FromTask());
+        choose("field-paths-write", "@paths");
+        assertThat(event("execute").writes()).containsEntry("paths", "@paths");
+    }
+
+    @Test
+    void valueIsGivenWithTheEditorOfItsTypeAndCannotBeWhatItIsNot() {
+        open("crw", "station-keep", "assemble");
+        choose("field-spacing-source", FieldRow.Source.VALUE);
+
+        ValueRow row = valueRow("spacing");
+        JTextField text = text(row);
+        text.setText("far");
+        row.give();
+        assertThat(row.editor().entry().reason()).isPresent();
+        text.setText("4.5");
+        row.give();
+
+        assertThat(event("assemble").fields().get("spacing")).isEqualTo(new FieldSource.Fixed(new RealValue(4.5)));
+    }
+
+    private ValueRow valueRow(String field) {
+        List<ValueRow> rows = new ArrayList<>();
+        collect(panel, ValueRow.class, rows);
+        return rows.stream()
+                .filter(r -> r.editor().field().path().equals(field))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private static JTextField text(ValueRow row) {
+        List<JTextField> texts = new ArrayList<>();
+        collect(row, JTextField.class, texts);
+        return texts.get(0);
+    }
+
+    private static <C> void collect(java.awt.Container root, Class<C> type, List<C> found) {
+        for (java.awt.Component child : root.getComponents()) {
+            if (type.isInstance(child)) {
+                found.add(type.cast(child));
+            }
+            if (child instanceof java.awt.Container inner) {
+                collect(inner, type, found);
+            }
+        }
+    }
+
+    @Test
+    void requirementsAreSaidInChoicesAndComputedOnDemand() {
+        open("crw", "clv", "execute.visited");
+        List<String> before = words();
+
+        find("inspector-add-requirement", AbstractButton.class).doClick();
+        assertThat(words()).hasSize(before.size() + 1);
+        context.undo();
+        find("inspector-implied-generic", AbstractButton.class).doClick();
+        assertThat(words()).contains("≥ 1 Generic");
+        find("inspector-compute", AbstractButton.class).doClick();
+        assertThat(words()).contains("All Relevant");
+        find("inspector-locked", AbstractButton.class).doClick();
+        assertThat(find("inspector-compute", AbstractButton.class).isEnabled()).isFalse();
+        assertThat(find("inspector-compute", AbstractButton.class).getToolTipText())
+                .contains("locked");
+    }
+
+    private List<String> words() {
+        return plan().inEdges().stream()
+                .filter(e -> e.id().equals("execute.visited"))
+                .flatMap(e -> e.requirements().stream())
+                .map(RequirementWords::of)
+                .toList();
+    }
+
+    @Test
+    void markupWhoseOptionsAreAllThereIsAddedAndRemoved() {
+        open("crw", "clv", "execute");
+
+        choose("event-add-markup", "Priority");
+        if (event("execute").markups().stream().noneMatch(m -> m.type().equals("Priority"))) {
+            AbstractButton add = find("markup-priority-add", AbstractButton.class);
+            assertThat(add.isEnabled()).isFalse();
+            assertThat(add.getToolTipText()).isNotEmpty();
+        }
+        find("markup-relevant-proxy-remove", AbstractButton.class).doClick();
+        assertThat(event("execute").markups()).extracting(m -> m.type()).doesNotContain("RelevantProxy");
+    }
+
+    @Test
+    void deletedEventTakesAlongWhatOnlyItNeeded() {
+        open("crw", "clv", "execute");
+
+        find("event-0-delete", AbstractButton.class).doClick();
+
+        assertThat(plan().place("execute").orElseThrow().outputs()).isEmpty();
+    }
+
+    /** No editor needs code for a domain: every event, markup and field of both domains is shown and can be edited. */
+    @ParameterizedTest
+    @ValueSource(strings = {"crw", "uav"})
+    void everyVertexAndEdgeOfADomainsPlansHasItsEditors(String domain) {
+        open(domain, "look");
+        for (Plan plan : context.document().project().plans()) {
+            context.editor().open(plan.id());
+            for (Place place : plan.places()) {
+                context.editor().select(Set.of(place.id()));
+                for (OutputEventSpec event : place.outputs()) {
+                    context.vocabulary()
+                            .event(event.type())
+                            .orElseThrow()
+                            .fields()
+                            .forEach(field -> find(
+                                    "field-"
+                                            + field.name()
+                                                    .replaceAll("([a-z0-9])([A-Z])", "$1-$2")
+                                                    .toLowerCase(java.util.Locale.ROOT)
+                                            + "-source",
+                                    JComboBox.class));
+                }
+            }
+            plan.transitions().forEach(t -> context.editor().select(Set.of(t.id())));
+            plan.inEdges().forEach(e -> context.editor().select(Set.of(e.id())));
+            plan.outEdges().forEach(e -> {
+                context.editor().select(Set.of(e.id()));
+                find("inspector-implied-generic", AbstractButton.class);
+            });
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {100, 150})
+    void noTextIsCut(int scale) {
+        Look.apply(Theme.LIGHT, scale);
+        open("crw", "clv");
+        for (List<String> selection : List.of(
+                List.<String>of(),
+                List.of("execute"),
+                List.of("accepted"),
+                List.of("execute.visited"),
+                List.of("execute", "visited"))) {
+            context.editor().select(selection);
+            Layout.layOut(panel, Look.px(WIDTH), Look.px(HEIGHT));
+
+            assertThat(TextFit.faults(panel)).as("%s", selection).isEmpty();
+        }
+    }
+}

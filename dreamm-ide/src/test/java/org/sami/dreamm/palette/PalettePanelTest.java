@@ -1,0 +1,189 @@
+package org.sami.dreamm.palette;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import javax.swing.JList;
+import javax.swing.JMenuItem;
+import javax.swing.JPopupMenu;
+import javax.swing.JRadioButton;
+import javax.swing.JTextField;
+import javax.swing.MenuElement;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.sami.dreamm.OnEventThread;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.document.ProjectDocument;
+import org.sami.dreamm.profile.Profile;
+import org.sami.spn.edit.PlanBuilder;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.model.InEdge;
+import org.sami.spn.model.LayoutPoint;
+import org.sami.spn.model.Mode;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.ui.check.Layout;
+import org.sami.ui.net.NetMode;
+
+/** The palette without a window: what it offers, where that may go, and what comes of it. */
+@ExtendWith(OnEventThread.class)
+class PalettePanelTest {
+    private static final DomainLibrary BOATS =
+            DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
+
+    private DreammContext context;
+
+    @BeforeEach
+    void openAnEmptyPlan() {
+        context = context(Profile.ALL);
+    }
+
+    @AfterEach
+    void close() {
+        context.close();
+    }
+
+    private static DreammContext context(Profile profile) {
+        Project project = new Project("mine", "", "crw", List.of(), List.of(), List.of(new PlanBuilder("p").build()));
+        return new DreammContext(BOATS, new ProjectDocument(BOATS.vocabulary(), project, Optional.empty()), profile);
+    }
+
+    private Plan plan() {
+        return context.editor().plan().orElseThrow();
+    }
+
+    private static JTextField search(PalettePanel panel) {
+        return Layout.find(panel, "palette-search", JTextField.class).orElseThrow();
+    }
+
+    @SuppressWarnings("unchecked")
+    private static JList<Object> list(PalettePanel panel) {
+        return (JList<Object>) Layout.find(panel, "palette-list", JList.class).orElseThrow();
+    }
+
+    private PaletteItem item(String label) {
+        return new PaletteGroups(context, i -> true)
+                .matching(label).stream()
+                        .flatMap(g -> g.items().stream())
+                        .filter(i -> i.label().equals(label))
+                        .findFirst()
+                        .orElseThrow();
+    }
+
+    private PaletteDrop drag(String label) {
+        return PaletteDrop.of(new PaletteDrop(context, item(label)).transferable())
+                .orElseThrow();
+    }
+
+    @Test
+    void typingNarrowsTheListToWhatIsMeant() {
+        PalettePanel panel = new PalettePanel(context);
+
+        search(panel).setText("goto point block");
+
+        assertThat(list(panel).getModel().getSize()).isEqualTo(2);
+        assertThat(list(panel).getSelectedValue())
+                .isInstanceOfSatisfying(
+                        PaletteItem.class, i -> assertThat(i.label()).isEqualTo("Proxy Goto Point and Block"));
+    }
+
+    @Test
+    void eventDroppedOntoFreeSpaceMakesThePlaceAndWhatFollows() {
+        drag("Start System Timer").drop(Optional.empty(), new LayoutPoint(100, 100));
+
+        assertThat(plan().places()).hasSize(2);
+        assertThat(plan().transitions()).hasSize(1);
+        assertThat(plan().layout()).containsEntry("start-system-timer", new LayoutPoint(100, 100));
+        assertThat(context.editor().selection()).containsExactly("start-system-timer");
+        context.undo();
+        assertThat(plan().places()).isEmpty();
+    }
+
+    @Test
+    void itemThatCannotStandOnAVertexSaysWhyAndChangesNothing() {
+        drag("Blank place").drop(Optional.empty(), new LayoutPoint(0, 0));
+        Plan before = plan();
+
+        PaletteDrop answer = drag("Timer Expired");
+        answer.drop(Optional.of("place"), new LayoutPoint(0, 0));
+
+        assertThat(answer.refusal(Optional.of("place")))
+                .contains("Timer Expired is an input event: it stands on transitions, and place is a place");
+        assertThat(drag("Blank transition").refusal(Optional.of("place"))).isPresent();
+        assertThat(plan()).isEqualTo(before);
+    }
+
+    @Test
+    void whatIsMadeInRecoveryModeIsARecoveryPart() {
+        context.editor().setMode(NetMode.RECOVERY);
+
+        drag("Start System Timer").drop(Optional.empty(), new LayoutPoint(100, 100));
+
+        assertThat(plan().places()).extracting(Place::mode).containsOnly(Mode.RECOVERY);
+        assertThat(plan().inEdges()).extracting(InEdge::mode).containsOnly(Mode.RECOVERY);
+    }
+
+    @Test
+    void roleBecomesATaskOfThePlan() {
+        String of = BOATS.vocabulary().taskClasses().keySet().iterator().next();
+
+        drag("Task: " + of).drop(Optional.empty(), new LayoutPoint(0, 0));
+
+        assertThat(plan().tasks()).extracting(t -> t.taskClass()).containsExactly(of);
+    }
+
+    @Test
+    void anotherSequenceTakesThePlaceOfTheOneThatCameAndIsOneStepToUndo() {
+        PalettePanel panel = new PalettePanel(context);
+        search(panel).setText("execute path");
+        drag("Proxy Execute Path").drop(Optional.empty(), new LayoutPoint(100, 100));
+        assertThat(plan().inEdges()).extracting(InEdge::locked).containsOnly(false);
+
+        Layout.find(panel, "wizard-sequence-go-on-when-the-last-is-there", JRadioButton.class)
+                .orElseThrow()
+                .doClick();
+
+        assertThat(plan().inEdges()).hasSize(4).extracting(InEdge::locked).containsOnly(true);
+        context.undo();
+        assertThat(plan().places()).isEmpty();
+    }
+
+    @Test
+    void menuOfAVertexOffersWhatItsEventsCanCause() {
+        drag("Operator Approve").drop(Optional.empty(), new LayoutPoint(100, 100));
+        String place = context.editor().selection().iterator().next();
+        context.editor().select(Set.of());
+
+        JPopupMenu menu = new AppendMenu(context).at(place);
+
+        assertThat(List.of(menu.getSubElements()).subList(0, 3))
+                .extracting(MenuElement::getComponent)
+                .extracting(c -> c.getName())
+                .containsExactly(
+                        "append-palette-event-yes-option",
+                        "append-palette-event-no-option",
+                        "append-palette-blank-transition");
+        ((JMenuItem) menu.getSubElements()[2].getComponent()).doClick();
+        assertThat(plan().transitions()).hasSize(3);
+        assertThat(plan().inEdges()).last().satisfies(e -> {
+            assertThat(e.place()).isEqualTo(place);
+            assertThat(e.requirements()).isNotEmpty();
+        });
+    }
+
+    @Test
+    void profileHidesGroupsAndItems() {
+        context.close();
+        context =
+                context(new Profile("lesson 2", List.of("palette-group-*"), List.of(), List.of("palette-group-blank")));
+
+        List<PaletteGroup> groups = new PaletteGroups(context, i -> true).matching("");
+
+        assertThat(groups).extracting(PaletteGroup::id).containsExactly("palette-group-blank");
+    }
+}
