@@ -26,6 +26,13 @@ final class ImportCommands {
     }
 
     void register() {
+        GeometryImport geometry = new GeometryImport(context);
+        context.commands()
+                .add(new Command(
+                        "import-geometry",
+                        "Import locations, paths or areas as a variable…",
+                        () -> dialogs.open("Import a text file of positions", "Text files", "txt")
+                                .ifPresent(geometry::read)));
         context.commands()
                 .add(new Command(
                                 "import-legacy",

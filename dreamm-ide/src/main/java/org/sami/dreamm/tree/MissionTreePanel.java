@@ -98,6 +98,9 @@ public final class MissionTreePanel extends JPanel {
             @Override
             public void mousePressed(MouseEvent e) {
                 menu(e);
+                if (e.getClickCount() == 2) {
+                    context.commands().get("tree-open").run();
+                }
             }
 
             @Override

@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.Set;
 import javax.swing.DropMode;
 import javax.swing.JTree;
-import javax.swing.KeyStroke;
 import javax.swing.ToolTipManager;
 import javax.swing.tree.DefaultMutableTreeNode;
 import javax.swing.tree.DefaultTreeModel;
@@ -39,7 +38,6 @@ final class MissionTreeView extends JTree {
         setCellRenderer(new TreeCell(this::isOpen));
         setShowsRootHandles(true);
         ToolTipManager.sharedInstance().registerComponent(this);
-        getInputMap().put(KeyStroke.getKeyStroke("F2"), "none"); // lines are named below the tree, not in it
         setToggleClickCount(0);
         setDragEnabled(context.profile().allows("plan-move"));
         setDropMode(DropMode.ON_OR_INSERT);

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Function;
+import javax.swing.KeyStroke;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.tree.TreeItem.Kind;
 import org.sami.spn.edit.Edit;
@@ -27,7 +28,15 @@ import org.sami.ui.command.Command;
 final class TreeCommands {
     /** The commands of the tree's menu. */
     static final List<String> MENU = List.of(
-            "plan-new", "folder-new", "rename", "plan-clone", "tree-delete", "plan-up", "plan-down", "usages-find");
+            "plan-new",
+            "folder-new",
+            "rename",
+            "plan-clone",
+            "tree-delete",
+            "plan-up",
+            "plan-down",
+            "tree-open",
+            "usages-find");
 
     private final DreammContext context;
     private final MissionTreePanel panel;
@@ -47,7 +56,7 @@ final class TreeCommands {
                 .withIcon("plus"));
         add(new Command("folder-new", "New folder in the mission tree…", this::newFolder));
         add(new Command("rename", "Rename everywhere…", this::rename)
-                .withKey("F2")
+                .withKey("shift F6")
                 .withIcon("edit"));
         add(new Command("plan-clone", "Clone the plan…", this::clonePlan)
                 .withKey("ctrl shift D")
@@ -66,12 +75,31 @@ final class TreeCommands {
                 .withKey("alt DOWN")
                 .withIcon("down")
                 .unless(() -> unless(movable().isPresent(), "no plan or folder is selected in the mission tree")));
+        add(new Command("tree-open", "Open the plan that a sub-mission runs", this::open)
+                .unless(() -> unless(
+                        selected().filter(i -> i.kind() == Kind.SUB_MISSION).isPresent(),
+                        "no sub-mission is selected in the mission tree")));
         add(new Command("usages-find", "Find usages", this::findUsages).withKey("alt F7"));
         add(new Command("search-everything", "Search everything", panel::focusSearch)
                 .withKey("ctrl shift F")
                 .withIcon("search"));
-        tree.getInputMap().put(javax.swing.KeyStroke.getKeyStroke("DELETE"), "tree-delete");
-        tree.getActionMap().put("tree-delete", context.commands().get("tree-delete"));
+        onTree("DELETE", "tree-delete");
+        onTree("F2", "rename");
+        onTree("ENTER", "tree-open");
+    }
+
+    /** A key that has its meaning on the tree alone. */
+    private void onTree(String key, String id) {
+        tree.getInputMap().put(KeyStroke.getKeyStroke(key), id);
+        tree.getActionMap().put(id, context.commands().get(id));
+    }
+
+    /** Goes to the plan that a sub-mission's line runs. */
+    private void open() {
+        selected()
+                .filter(item -> item.kind() == Kind.SUB_MISSION)
+                .flatMap(this::runs)
+                .ifPresent(context.editor()::open);
     }
 
     private void add(Command command) {

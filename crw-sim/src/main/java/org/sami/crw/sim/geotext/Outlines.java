@@ -1,57 +1,33 @@
 package org.sami.crw.sim.geotext;
 
 import java.util.List;
-import java.util.Optional;
-import org.locationtech.jts.geom.Coordinate;
-import org.locationtech.jts.geom.GeometryFactory;
-import org.locationtech.jts.geom.Polygon;
-import org.locationtech.jts.operation.valid.IsValidOp;
-import org.locationtech.jts.operation.valid.TopologyValidationError;
 import org.sami.boat.server.LocalFrame;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
-/** What can be said of outlines in the plane that touches the earth at their first point. */
+/** What can be measured of outlines in the plane that touches the earth at their first point. */
 final class Outlines {
-    private static final GeometryFactory GEOMETRY = new GeometryFactory();
-    private static final double MOST_LAT_DEG = 85; // the plane has no poles
-
     private Outlines() {}
 
-    /** Why points are no outline of an area, or nothing where they are. */
-    static Optional<String> whyNoArea(List<GeoPoint> outline) {
-        if (outline.size() < 3) {
-            return Optional.of("An area has three points or more, not " + outline.size());
-        }
-        if (Math.abs(outline.get(0).latDeg()) > MOST_LAT_DEG) {
-            return Optional.of("An area lies between the latitudes -85 and 85, not at "
-                    + outline.get(0).latDeg());
-        }
-        TopologyValidationError error = new IsValidOp(polygon(outline)).getValidationError();
-        return Optional.ofNullable(error).map(e -> "The outline of this area is not simple: " + words(e));
-    }
-
-    private static String words(TopologyValidationError error) {
-        return error.getErrorType() == TopologyValidationError.SELF_INTERSECTION
-                        || error.getErrorType() == TopologyValidationError.RING_SELF_INTERSECTION
-                ? "it crosses or touches itself"
-                : error.getMessage();
-    }
-
-    /** Square metres inside an outline. */
+    /** Square metres inside an outline that does not cross itself. */
     static double squareMetres(GeoArea area) {
-        return polygon(area.outline()).getArea();
+        List<GeoPoint> outline = area.outline();
+        LocalFrame plane =
+                new LocalFrame(outline.get(0).latDeg(), outline.get(0).lonDeg());
+        double twice = 0;
+        for (int i = 0; i < outline.size(); i++) {
+            GeoPoint from = outline.get(i);
+            GeoPoint to = outline.get((i + 1) % outline.size());
+            twice += eastM(plane, from) * northM(plane, to) - eastM(plane, to) * northM(plane, from);
+        }
+        return Math.abs(twice) / 2;
     }
 
-    private static Polygon polygon(List<GeoPoint> outline) {
-        GeoPoint origin = outline.get(0);
-        LocalFrame plane = new LocalFrame(origin.latDeg(), origin.lonDeg());
-        Coordinate[] ring = new Coordinate[outline.size() + 1];
-        for (int i = 0; i < ring.length; i++) {
-            GeoPoint point = outline.get(i % outline.size());
-            ring[i] = new Coordinate(
-                    plane.eastM(point.latDeg(), point.lonDeg()), plane.northM(point.latDeg(), point.lonDeg()));
-        }
-        return GEOMETRY.createPolygon(ring);
+    private static double eastM(LocalFrame plane, GeoPoint point) {
+        return plane.eastM(point.latDeg(), point.lonDeg());
+    }
+
+    private static double northM(LocalFrame plane, GeoPoint point) {
+        return plane.northM(point.latDeg(), point.lonDeg());
     }
 }

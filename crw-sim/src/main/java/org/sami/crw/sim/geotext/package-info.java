@@ -1,7 +1,2 @@
-/**
- * The earlier system's text form of locations, paths and areas: read, checked, and made into variables of a project.
- *
- * <p>Here belong that form and the variables made of it. Files of projects belong to {@code spn.json}, options to
- * {@code crw.sim.cli}.
- */
+/** Variables of places in words, for the command line. The text form that they come from is {@code org.sami.spn.geotext}. */
 package org.sami.crw.sim.geotext;

@@ -1,4 +1,4 @@
-package org.sami.crw.sim.geotext;
+package org.sami.spn.geotext;
 
 import java.util.LinkedHashMap;
 import java.util.List;

@@ -1,4 +1,4 @@
-package org.sami.crw.sim.geotext;
+package org.sami.spn.geotext;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;

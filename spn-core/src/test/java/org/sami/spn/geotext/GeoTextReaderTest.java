@@ -1,4 +1,4 @@
-package org.sami.crw.sim.geotext;
+package org.sami.spn.geotext;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,16 +1,12 @@
-package org.sami.crw.sim.geotext;
+package org.sami.spn.geotext;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import java.nio.charset.StandardCharsets;
-import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.sami.crw.service.Geodesy;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
-import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 
 class GeoVariablesTest {
@@ -87,17 +83,6 @@ class GeoVariablesTest {
 
         assertThat(result.variables()).isEmpty();
         assertThat(result.findings().get(0).message()).contains("2 points");
-    }
-
-    @Test
-    void areasAreMeasuredInSquareMetres() {
-        GeoPoint corner = GeoPoint.of(45, 10);
-        GeoPoint east = Geodesy.offset(corner, 100, 0);
-        GeoPoint north = Geodesy.offset(corner, 0, 50);
-        GeoPoint far = GeoPoint.of(north.latDeg(), east.lonDeg());
-
-        assertThat(Outlines.squareMetres(new GeoArea(List.of(corner, east, far, north), List.of())))
-                .isCloseTo(5000, within(1.0));
     }
 
     private static GeoText text(String text) {
