@@ -70,9 +70,15 @@ public record DecisionPresentation(
         return decision.id();
     }
 
-    /** What is asked, in one sentence. */
+    /** What is asked, in one sentence; of an event that has no question of its own the name of the place that asks. */
     public String title() {
-        return decision.prompt();
+        return isNamedByItsPlace() ? asker.placeName() : decision.prompt();
+    }
+
+    /** Whether nothing but the place says what is asked. */
+    public boolean isNamedByItsPlace() {
+        String ofTheEngine = asker.event() + " (" + asker.placeName() + ")";
+        return !asker.placeName().isEmpty() && decision.prompt().equals(ofTheEngine);
     }
 
     /** What form the answer has. */

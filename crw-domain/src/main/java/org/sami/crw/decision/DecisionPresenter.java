@@ -23,7 +23,8 @@ public final class DecisionPresenter {
     private DecisionPresenter() {}
 
     /** How a decision is to be shown that is open, or was in this step. On the engine's thread. */
-    public static DecisionPresentation of(Decision decision, EngineView view) {
+    public static DecisionPresentation of(Decision asked, EngineView view) {
+        Decision decision = ProposedLocation.in(asked, view.globals());
         Optional<Activation> asking = view.activation(decision.activation());
         MarkupReader markups = new MarkupReader(decision.markups());
         List<String> all = view.proxies();

@@ -4,6 +4,7 @@ import org.sami.crw.markup.MapRelevance;
 import org.sami.crw.markup.MarkupReader;
 import org.sami.crw.operator.MessageSink;
 import org.sami.crw.operator.OperatorMessage;
+import org.sami.crw.operator.manipulation.ManipulationLimit;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
@@ -30,13 +31,14 @@ final class DisplayMessageHandler implements ActivationHandler {
         }
         MarkupReader markups = new MarkupReader(activation.markups());
         messages.tell(new OperatorMessage(
-                context.nowMillis(),
-                activation.mission(),
-                OperatorMessage.Source.PLAN,
-                activation.priority(),
-                text.value(),
-                activation.proxies(),
-                markups.text("Keyword", "source"),
-                MapRelevance.of(markups, activation.proxies(), context.query(EngineView::proxies))));
+                        context.nowMillis(),
+                        activation.mission(),
+                        OperatorMessage.Source.PLAN,
+                        activation.priority(),
+                        text.value(),
+                        activation.proxies(),
+                        markups.text("Keyword", "source"),
+                        MapRelevance.of(markups, activation.proxies(), context.query(EngineView::proxies)))
+                .limited(activation.plan() + " " + activation.event(), ManipulationLimit.of(markups)));
     }
 }

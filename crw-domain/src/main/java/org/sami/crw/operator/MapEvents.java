@@ -2,7 +2,6 @@ package org.sami.crw.operator;
 
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.EnumSet;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -126,11 +125,7 @@ final class MapEvents {
     }
 
     private static Set<ManipulationLimit> limits(MarkedEvent event) {
-        Set<ManipulationLimit> limits = EnumSet.noneOf(ManipulationLimit.class);
-        for (String markup : List.of("ManipulationFrequency", "ManipulationComponent")) {
-            event.reader().constant(markup, "limit", ManipulationLimit.class).ifPresent(limits::add);
-        }
-        return limits;
+        return ManipulationLimit.of(event.reader());
     }
 
     private static String key(MarkedEvent event) {

@@ -8,7 +8,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import java.util.function.UnaryOperator;
+import org.sami.crw.operator.manipulation.ManipulationPolicy;
+import org.sami.crw.operator.manipulation.Ruling;
 
 /**
  * The messages to the operator: the highest priority first, of equal ones the newest first, so that news of little weight does
@@ -16,6 +19,7 @@ import java.util.function.UnaryOperator;
  * anew. When the list is full the last one in order goes.
  */
 public final class MessageList extends Model<List<MessageEntry>> {
+    private static final String COMPONENT = "message list";
     private static final Comparator<MessageEntry> ORDER = Comparator.comparing(
                     (MessageEntry entry) -> entry.message().priority())
             .thenComparingLong(MessageEntry::number)
@@ -26,16 +30,23 @@ public final class MessageList extends Model<List<MessageEntry>> {
     private final OperatorLog log;
     private final TreeSet<MessageEntry> entries = new TreeSet<>(ORDER);
     private final Set<String> muted = new HashSet<>();
+    private final ManipulationPolicy policy;
+    private final List<Later> waiting = new ArrayList<>();
     private long told;
+
+    /** A message whose event waits until it may change the list again. */
+    private record Later(OperatorMessage message, long atMillis) {}
 
     /**
      * A list that keeps so many messages at most.
      *
      * @param inbox brings changes to the owner's thread
      * @param log where the operator's acknowledgements go
+     * @param nowMillis the session's clock
      */
-    MessageList(int capacity, Consumer<Runnable> inbox, OperatorLog log) {
+    MessageList(int capacity, Consumer<Runnable> inbox, OperatorLog log, LongSupplier nowMillis) {
         super(List.of());
+        policy = new ManipulationPolicy(nowMillis);
         if (capacity < 1) {
             throw new IllegalArgumentException("A message list keeps at least one message, not " + capacity);
         }
@@ -44,7 +55,50 @@ public final class MessageList extends Model<List<MessageEntry>> {
         this.log = log;
     }
 
+    /** A message came: it is shown now, or later, or not at all, as the meta-markup of its event says (thesis 5.3). */
     void add(OperatorMessage message) {
+        OperatorMessage.Manipulation manipulation = message.manipulation();
+        if (manipulation.limits().isEmpty()) {
+            show(message);
+            return;
+        }
+        Ruling ruling = policy.rule(source(message), manipulation.limits());
+        if (ruling.kind() == Ruling.Kind.NOW) {
+            show(message);
+        } else if (ruling.kind() == Ruling.Kind.LATER) {
+            waiting.add(new Later(message, ruling.untilMillis()));
+        }
+    }
+
+    private static ManipulationPolicy.Source source(OperatorMessage message) {
+        return new ManipulationPolicy.Source(COMPONENT, message.manipulation().event());
+    }
+
+    /** Time has passed: messages whose waiting time is up are shown together. */
+    void tick(long nowMillis) {
+        for (Later later : List.copyOf(waiting)) {
+            if (later.atMillis() <= nowMillis) {
+                waiting.remove(later);
+                Ruling ruling = policy.due(
+                        source(later.message()), later.message().manipulation().limits());
+                if (ruling.kind() == Ruling.Kind.NOW) {
+                    show(later.message());
+                }
+            }
+        }
+    }
+
+    /** The operator has used the list: scrolled, typed or pressed there. From any thread. */
+    public void touched() {
+        inbox.accept(() -> policy.touched(COMPONENT));
+    }
+
+    /** The operator's focus has come to the list, or left it. From any thread. */
+    public void focus(boolean on) {
+        inbox.accept(() -> policy.focus(COMPONENT, on));
+    }
+
+    private void show(OperatorMessage message) {
         told++;
         Optional<MessageEntry> replaced = message.subject()
                 .flatMap(subject -> entries.stream()
@@ -62,12 +116,14 @@ public final class MessageList extends Model<List<MessageEntry>> {
     /** Forgets the messages, not which are muted. */
     void clear() {
         entries.clear();
+        waiting.clear();
         told = 0;
         change();
     }
 
     /** The operator knows a message; one that is gone changes nothing. From any thread; done a little later. */
     public void acknowledge(long number) {
+        touched();
         inbox.accept(() -> replace(entry -> entry.number() == number ? acknowledged(entry) : entry));
     }
 

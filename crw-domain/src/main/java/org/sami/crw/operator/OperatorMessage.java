@@ -5,6 +5,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.crw.markup.MapRelevance;
+import org.sami.crw.operator.manipulation.ManipulationLimit;
 import org.sami.spn.protocol.Priority;
 
 /**
@@ -16,6 +17,7 @@ import org.sami.spn.protocol.Priority;
  * @param boats whom it is about, for zooming and highlighting; may be empty
  * @param keyword groups it with others; a later message with the same {@link #subject} replaces it; empty text = none does
  * @param map what of the map it is about, for who clicks on it
+ * @param manipulation how often, and when not, its event may change the list
  */
 public record OperatorMessage(
         long atMillis,
@@ -25,7 +27,24 @@ public record OperatorMessage(
         String text,
         List<String> boats,
         String keyword,
-        MapRelevance map) {
+        MapRelevance map,
+        Manipulation manipulation) {
+    /**
+     * How an event of a plan may change the list of messages (meta-markup, thesis 5.3).
+     *
+     * @param event names the event, the same for all missions of its plan
+     * @param limits none for an event that always may
+     */
+    public record Manipulation(String event, Set<ManipulationLimit> limits) {
+        /** Always. */
+        public static final Manipulation FREE = new Manipulation("", Set.of());
+
+        public Manipulation {
+            Objects.requireNonNull(event, "event");
+            limits = Set.copyOf(limits);
+        }
+    }
+
     /**
      * What a message replaces another by: its keyword, with the boats and the readings that its markups name (thesis 6.3.4), so that news of
      * one boat does not replace that of another.
@@ -58,6 +77,26 @@ public record OperatorMessage(
         boats = List.copyOf(boats);
         Objects.requireNonNull(keyword, "keyword");
         Objects.requireNonNull(map, "map");
+        Objects.requireNonNull(manipulation, "manipulation");
+    }
+
+    /** A message that is shown whenever it comes. */
+    public OperatorMessage(
+            long atMillis,
+            long mission,
+            Source source,
+            Priority priority,
+            String text,
+            List<String> boats,
+            String keyword,
+            MapRelevance map) {
+        this(atMillis, mission, source, priority, text, boats, keyword, map, Manipulation.FREE);
+    }
+
+    /** The same, of an event whose markup limits what it may do to the list. */
+    public OperatorMessage limited(String event, Set<ManipulationLimit> limits) {
+        return new OperatorMessage(
+                atMillis, mission, source, priority, text, boats, keyword, map, new Manipulation(event, limits));
     }
 
     /** A message that shows nothing on the map. */

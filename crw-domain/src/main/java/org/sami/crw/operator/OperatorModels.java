@@ -97,7 +97,7 @@ public final class OperatorModels implements HostListener, MessageSink {
         decisions = new DecisionQueue(inbox::post);
         log = new OperatorLog(inbox::post, nowMillis);
         logged = new OperatorSteps(log);
-        messages = new MessageList(MESSAGES_KEPT, inbox::post, log);
+        messages = new MessageList(MESSAGES_KEPT, inbox::post, log, nowMillis);
         alarms = new AlarmModel(inbox::post, commands, log);
         map = new MapModel(inbox::post, commands, variables, computing, nowMillis);
         fleet = new FleetModel(inbox::post, new FleetModel.Listener() {
@@ -436,6 +436,7 @@ public final class OperatorModels implements HostListener, MessageSink {
             inbox.post(() -> {
                 ticking.set(false);
                 map.tick(now);
+                messages.tick(now);
                 alarms.tick(now);
             });
         }

@@ -82,7 +82,7 @@ class DecisionModelsTest {
 
     @Test
     void aNewMessageOfLittleWeightDoesNotDisplaceAnOlderCriticalOne() {
-        MessageList list = new MessageList(3, Runnable::run, new OperatorLog(Runnable::run, () -> 0));
+        MessageList list = new MessageList(3, Runnable::run, new OperatorLog(Runnable::run, () -> 0), () -> 0);
 
         list.add(message("a", Priority.CRITICAL, ""));
         list.add(message("b", Priority.LOW, ""));
@@ -96,7 +96,7 @@ class DecisionModelsTest {
 
     @Test
     void aMessageReplacesTheOneWithItsKeyword() {
-        MessageList list = new MessageList(10, Runnable::run, new OperatorLog(Runnable::run, () -> 0));
+        MessageList list = new MessageList(10, Runnable::run, new OperatorLog(Runnable::run, () -> 0), () -> 0);
 
         list.add(message("boat 1 critical", Priority.CRITICAL, "comm-1"));
         list.add(message("boat 2 critical", Priority.CRITICAL, "comm-2"));
@@ -112,7 +112,7 @@ class DecisionModelsTest {
 
     @Test
     void aMessageOfOneBoatDoesNotReplaceThatOfAnotherWithItsKeyword() {
-        MessageList list = new MessageList(10, Runnable::run, new OperatorLog(Runnable::run, () -> 0));
+        MessageList list = new MessageList(10, Runnable::run, new OperatorLog(Runnable::run, () -> 0), () -> 0);
 
         list.add(about("anna", "lost", Priority.CRITICAL));
         list.add(about("bert", "lost", Priority.CRITICAL));
@@ -139,7 +139,7 @@ class DecisionModelsTest {
 
     @Test
     void aMessageIsAcknowledgedAndItsKeywordMutedForThoseThatCome() {
-        MessageList list = new MessageList(10, Runnable::run, new OperatorLog(Runnable::run, () -> 0));
+        MessageList list = new MessageList(10, Runnable::run, new OperatorLog(Runnable::run, () -> 0), () -> 0);
         List<List<MessageEntry>> heard = new ArrayList<>();
         list.addListener(heard::add);
         list.add(message("boat 1 critical", Priority.CRITICAL, "comm-1"));
@@ -166,7 +166,7 @@ class DecisionModelsTest {
 
     @Test
     void aListThatKeepsNothingIsRefused() {
-        assertThatThrownBy(() -> new MessageList(0, Runnable::run, new OperatorLog(Runnable::run, () -> 0)))
+        assertThatThrownBy(() -> new MessageList(0, Runnable::run, new OperatorLog(Runnable::run, () -> 0), () -> 0))
                 .hasMessageContaining("0");
     }
 

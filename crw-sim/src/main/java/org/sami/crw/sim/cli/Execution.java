@@ -366,11 +366,13 @@ final class Execution {
         RunReport report;
         boolean told;
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
-            report = mission.run(new RunObserver(progress, stop), line -> {
+            Consumer<String> lines = line -> {
                 progress.end();
                 err.println(line);
                 err.flush();
-            });
+            };
+            RunObserver.News news = new RunObserver.News(lines, ErrorMessages.wantsTrace());
+            report = mission.run(new RunObserver(progress, stop, news), lines);
             progress.end();
             boolean stopped = Thread.interrupted(); // files could not be written otherwise
             report = record.start()

@@ -49,7 +49,7 @@ final class ConsoleNews implements AutoCloseable {
 
                     @Override
                     public void held(PendingDecision decision) {
-                        out.accept("[" + decision.decision().id() + "] is held: autonomy does not answer it");
+                        out.accept("[" + decision.decision().id() + "] waits for you: autonomy does not answer it");
                     }
                 }),
                 models.messages().addListener(this::messages),

@@ -43,13 +43,21 @@ final class OperatorCommands {
     /** A decision in words, how it can be answered included. */
     static void describe(PendingDecision pending, long nowMillis, AnswerText answers, Consumer<String> out) {
         DecisionPresentation shown = pending.presentation();
-        String where = pending.plan().isEmpty()
-                ? ""
-                : " (" + pending.plan() + (pending.place().isEmpty() ? "" : ", " + pending.place()) + ")";
         String rank = shown.priority().name().toLowerCase(Locale.ROOT);
-        out.accept("[" + shown.id() + "] " + shown.title() + where + ", " + rank + autonomy(pending, nowMillis));
+        out.accept(
+                "[" + shown.id() + "] " + shown.title() + where(pending) + ", " + rank + autonomy(pending, nowMillis));
         shown.description().forEach(line -> out.accept("    " + line));
         answers.form(shown).forEach(line -> out.accept("    " + line));
+    }
+
+    /** The plan that asks, and the place where the title does not say it. */
+    private static String where(PendingDecision pending) {
+        if (pending.plan().isEmpty()) {
+            return "";
+        }
+        boolean placeIsSaid =
+                pending.place().isEmpty() || pending.presentation().isNamedByItsPlace();
+        return " (" + pending.plan() + (placeIsSaid ? "" : ", " + pending.place()) + ")";
     }
 
     /** When autonomy answers, what, and how that is stopped. */
@@ -116,8 +124,7 @@ final class OperatorCommands {
     private void hold(Arguments arguments, Consumer<String> out) {
         long id = arguments.number("number");
         arguments.end();
-        context.await(context.session().hold(id));
-        out.accept("[" + id + "] waits for you: autonomy does not answer it");
+        context.await(context.session().hold(id)); // the news says it
     }
 
     /** The decision that is named; where its number is left out, the first, if there is one. */

@@ -66,6 +66,8 @@ public final class ReportJson {
         json.set("tasks", tasks(report));
         json.set("decisions", decisions(report));
         json.set("notes", notes(report));
+        json.set("phases", phases(report));
+        json.set("operator", operator(report));
         json.set("readings", readings(report));
         if (result.resumedFrom().isPresent()) {
             json.put("resumedFrom", result.resumedFrom().getAsLong());
@@ -220,6 +222,37 @@ public final class ReportJson {
                     .put("kind", note.kind())
                     .put("mission", note.mission())
                     .put("message", note.message());
+        }
+        return array;
+    }
+
+    private static ArrayNode phases(RunReport report) {
+        ArrayNode array = NODES.arrayNode();
+        for (PhaseResult action : report.log().phases()) {
+            array.addObject()
+                    .put("mission", action.mission())
+                    .put("plan", action.plan())
+                    .put("phase", action.phase())
+                    .put("actor", action.actor())
+                    .put("action", action.label())
+                    .put("status", action.status())
+                    .put("executions", action.executions());
+        }
+        return array;
+    }
+
+    private static ArrayNode operator(RunReport report) {
+        ArrayNode array = NODES.arrayNode();
+        for (OperatorAction action : report.log().operator()) {
+            ObjectNode node = array.addObject()
+                    .put("number", action.number())
+                    .put("at", seconds(action.atMillis()))
+                    .put("kind", action.kind())
+                    .put("text", action.text())
+                    .put("mission", action.mission());
+            action.boats().forEach(node.putArray("boats")::add);
+            action.latDeg().ifPresent(lat -> node.put("latDeg", decimal(lat, 7)));
+            action.lonDeg().ifPresent(lon -> node.put("lonDeg", decimal(lon, 7)));
         }
         return array;
     }

@@ -111,12 +111,28 @@ public final class InProcessRun {
      */
     public RunReport run(Pacer pacer, RunObserver observer) {
         long wallStart = System.nanoTime();
-        begin(observer);
-        RunOutcome outcome = loop(pacer, observer);
-        double wallSeconds = (System.nanoTime() - wallStart) / 1e9;
-        executor.drain(); // what the models are still to show
+        RunObserver.News news = observer.news();
+        RunObserver.News whenNew = new RunObserver.News(line -> tellIfNew(line, news), news.isDetailed());
+        RunOutcome outcome;
+        double wallSeconds;
+        RunNews told = new RunNews(session.models(), clock::nowMs, whenNew);
+        try {
+            begin(observer);
+            outcome = loop(pacer, observer);
+            wallSeconds = (System.nanoTime() - wallStart) / 1e9;
+            executor.drain(); // what the models are still to show
+        } finally {
+            told.close();
+        }
         ReportBuilder.End end = new ReportBuilder.End(outcome, lifecycle.fault().orElse(""), now(), wallSeconds);
         return records.report(end, water.boats(), this::link, journal.resumedFrom());
+    }
+
+    /** What happened before the process died was told then. */
+    private void tellIfNew(String line, RunObserver.News news) {
+        if (!catchingUp) {
+            news.lines().accept(line);
+        }
     }
 
     private BoatProxy proxy(String boat) {

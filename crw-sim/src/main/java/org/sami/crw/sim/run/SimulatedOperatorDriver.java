@@ -23,7 +23,7 @@ import org.sami.spn.protocol.Decision;
  * For the engine's thread.
  */
 public final class SimulatedOperatorDriver implements SessionOperator {
-    private static final String NAME = "simulated operator";
+    static final String NAME = "simulated operator";
 
     /** A decision that is asked and not shown yet is shown within this. */
     private static final long NOT_SHOWN_MILLIS = 20;
@@ -94,7 +94,7 @@ public final class SimulatedOperatorDriver implements SessionOperator {
                 clock.after(NOT_SHOWN_MILLIS, () -> answerIfShown(asked));
             } else {
                 thinkingOf.remove(decision);
-                answer(shown.get().decision(), shown.get().plan());
+                answer(asked.decision(), shown.get().plan()); // it knows its own quay and area, whatever is proposed
             }
         }
     }

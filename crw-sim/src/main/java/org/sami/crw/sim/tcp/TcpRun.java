@@ -21,6 +21,7 @@ import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.resume.ConnectedJournal;
 import org.sami.crw.sim.run.Parameters;
+import org.sami.crw.sim.run.RunNews;
 import org.sami.crw.sim.run.RunNotes;
 import org.sami.crw.sim.run.RunObserver;
 import org.sami.crw.sim.run.RunPlan;
@@ -114,10 +115,19 @@ public final class TcpRun {
                     watch.catchUp(earlier);
                 }
             }
-            RunOutcome outcome = ready ? watched(watch, observer) : RunOutcome.RUNNING;
-            long endMillis = watch.endMillis();
-            toShow.addAll(session.leave());
-            watch.noteEnd(endMillis);
+            RunObserver.News news =
+                    new RunObserver.News(toShow::add, observer.news().isDetailed());
+            RunOutcome outcome;
+            long endMillis;
+            RunNews told = new RunNews(session.models(), session.scheduler()::nowMs, news);
+            try {
+                outcome = ready ? watched(watch, observer) : RunOutcome.RUNNING;
+                endMillis = watch.endMillis();
+                toShow.addAll(session.leave());
+                watch.noteEnd(endMillis);
+            } finally {
+                told.close();
+            }
             show();
             double wallSeconds = (System.nanoTime() - wallStart) / 1e9;
             return watch.report(outcome, endMillis, wallSeconds);

@@ -1,0 +1,131 @@
+package org.sami.crw.sim.run;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.LongSupplier;
+import org.sami.crw.decision.MixedInitiative;
+import org.sami.crw.operator.DecisionListener;
+import org.sami.crw.operator.EngineText;
+import org.sami.crw.operator.MessageEntry;
+import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.operator.PendingDecision;
+import org.sami.spn.host.Registration;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Answerer;
+
+/**
+ * Tells, line by line, what the operator of a run is asked and told: decisions as they open, who answers them and what, messages. Told on
+ * the models' thread.
+ */
+public final class RunNews implements AutoCloseable {
+    private static final long REPEATED_MILLIS = 60_000;
+    private static final int LONGEST_ANSWER = 100;
+
+    private final RunObserver.News news;
+    private final LongSupplier nowMillis;
+    private final List<Registration> registrations;
+    private final Map<String, Long> lastToldAt = new HashMap<>(); // by the text of a message
+    private long lastMessage;
+
+    /**
+     * Begins with what is new from now on.
+     *
+     * @param nowMillis the session's clock
+     */
+    public RunNews(OperatorModels models, LongSupplier nowMillis, RunObserver.News news) {
+        this.news = news;
+        this.nowMillis = nowMillis;
+        lastMessage = latest(models.messages().snapshot());
+        registrations = List.of(
+                models.decisions().addListener(new DecisionListener() {
+                    @Override
+                    public void opened(PendingDecision decision) {
+                        asked(decision);
+                    }
+
+                    @Override
+                    public void closed(PendingDecision decision, Optional<Answer> answer, Optional<Answerer> by) {
+                        settled(decision, answer, by);
+                    }
+                }),
+                models.messages().addListener(this::messages));
+    }
+
+    private void asked(PendingDecision pending) {
+        String where = pending.plan().isEmpty() ? "" : " (" + pending.plan() + ")";
+        tell(
+                pending.openedAtMillis(),
+                "asked [" + pending.decision().id() + "] "
+                        + pending.presentation().title() + where + ", "
+                        + pending.presentation().priority().name().toLowerCase(Locale.ROOT) + autonomy(pending));
+        if (news.isDetailed()) {
+            pending.presentation().description().forEach(line -> news.lines().accept("            " + line));
+        }
+    }
+
+    private static String autonomy(PendingDecision pending) {
+        MixedInitiative autonomy = pending.presentation().autonomy();
+        if (!autonomy.counts()) {
+            return "";
+        }
+        double seconds = autonomy.remainingMillis(pending.openedAtMillis()).orElse(0) / 1000.0;
+        return autonomy.words().isEmpty()
+                ? ", autonomy has no answer"
+                : String.format(Locale.ROOT, ", autonomy answers %s in %.0f s", autonomy.words(), seconds);
+    }
+
+    private void settled(PendingDecision pending, Optional<Answer> answer, Optional<Answerer> by) {
+        String decision = "[" + pending.decision().id() + "]";
+        if (answer.isEmpty()) {
+            tell(nowMillis.getAsLong(), "asked no longer " + decision);
+            return;
+        }
+        boolean byAutonomy = by.equals(Optional.of(Answerer.AUTONOMY));
+        String words = EngineText.answer(answer.get());
+        tell(
+                nowMillis.getAsLong(),
+                "answered " + decision + " by " + (byAutonomy ? "autonomy" : "the " + SimulatedOperatorDriver.NAME)
+                        + (words.isEmpty() ? "" : ": " + shortened(words)));
+    }
+
+    private String shortened(String words) {
+        return news.isDetailed() || words.length() <= LONGEST_ANSWER
+                ? words
+                : words.substring(0, LONGEST_ANSWER) + " ...";
+    }
+
+    private void messages(List<MessageEntry> entries) {
+        long before = lastMessage;
+        lastMessage = Math.max(before, latest(entries));
+        entries.stream()
+                .filter(entry -> entry.number() > before)
+                .sorted((one, other) -> Long.compare(one.number(), other.number()))
+                .forEach(this::message);
+    }
+
+    private void message(MessageEntry entry) {
+        String text = entry.message().text();
+        long atMillis = entry.message().atMillis();
+        Long told = lastToldAt.get(text);
+        if (news.isDetailed() || told == null || atMillis - told >= REPEATED_MILLIS) {
+            lastToldAt.put(text, atMillis);
+            tell(atMillis, "message: " + text);
+        }
+    }
+
+    private static long latest(List<MessageEntry> entries) {
+        return entries.stream().mapToLong(MessageEntry::number).max().orElse(0);
+    }
+
+    private void tell(long atMillis, String text) {
+        news.lines().accept(String.format(Locale.ROOT, "%8.1f s  %s", atMillis / 1000.0, text));
+    }
+
+    @Override
+    public void close() {
+        registrations.forEach(Registration::close);
+    }
+}
