@@ -94,7 +94,7 @@ final class MissionTreeView extends JTree {
         setModel(new DefaultTreeModel(node(root)));
         for (TreePath path : paths()) {
             TreeItem item = item(path).orElseThrow();
-            if (expanded.contains(item.key()) || item.kind() == Kind.FOLDER && expanded.size() == 1) {
+            if (expanded.contains(item.key()) || (item.kind() == Kind.FOLDER && expanded.size() == 1)) {
                 expandPath(path);
             }
             if (selected.equals(Optional.of(item.key()))) {
