@@ -169,7 +169,7 @@ abstract class RequirementRows<R> extends Form {
         return context.additions().library().requirementHelp().getOrDefault(id, "");
     }
 
-    static <T> void choice(JPanel panel, JComponent box, String name, String tip) {
+    static void choice(JPanel panel, JComponent box, String name, String tip) {
         panel.add(named(box, name, tip), "hmin " + Spacing.HIT_TARGET);
     }
 
