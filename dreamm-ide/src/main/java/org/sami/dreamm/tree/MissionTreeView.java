@@ -1,5 +1,6 @@
 package org.sami.dreamm.tree;
 
+import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
@@ -39,7 +40,7 @@ final class MissionTreeView extends JTree {
         setShowsRootHandles(true);
         ToolTipManager.sharedInstance().registerComponent(this);
         setToggleClickCount(0);
-        setDragEnabled(context.profile().allows("plan-move"));
+        setDragEnabled(!GraphicsEnvironment.isHeadless() && context.profile().allows("plan-move"));
         setDropMode(DropMode.ON_OR_INSERT);
         setTransferHandler(new TreeDrop((moved, parent, index) ->
                 context.apply(PlanTree.move(context.document().project(), moved, parent, index))));

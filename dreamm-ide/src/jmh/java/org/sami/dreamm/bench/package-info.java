@@ -1,0 +1,2 @@
+/** Measures DREAMM. */
+package org.sami.dreamm.bench;
