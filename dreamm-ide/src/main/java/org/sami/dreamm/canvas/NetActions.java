@@ -46,7 +46,7 @@ final class NetActions {
         this.context = context;
         this.view = view;
         this.net = net;
-        this.edits = new NetEdits(net);
+        this.edits = new NetEdits(net, context.domain().authoring());
         this.writing = new WriteInPlace(view);
     }
 

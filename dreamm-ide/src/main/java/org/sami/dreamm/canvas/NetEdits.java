@@ -18,17 +18,19 @@ import org.sami.spn.edit.EditSequence;
 import org.sami.spn.edit.Fragment;
 import org.sami.spn.edit.NoteEdit;
 import org.sami.spn.edit.Paste;
-import org.sami.spn.edit.RemoveElements;
 import org.sami.spn.edit.VertexEdit;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.Note;
 import org.sami.spn.model.Plan;
+import org.sami.spn.wizard.AuthoringLibrary;
+import org.sami.spn.wizard.RemoveWithRequirements;
 import org.sami.ui.net.NetScene;
 
 /** What gestures and keys on the net mean as edits. Coordinates are those of the drawing. Knows no window. */
 final class NetEdits {
     private final ShownNet net;
+    private final AuthoringLibrary library;
 
     /**
      * An edit with what it makes.
@@ -37,8 +39,9 @@ final class NetEdits {
      */
     record Made(Edit edit, Set<String> made) {}
 
-    NetEdits(ShownNet net) {
+    NetEdits(ShownNet net, AuthoringLibrary library) {
         this.net = net;
+        this.library = library;
     }
 
     private Plan plan() {
@@ -145,14 +148,14 @@ final class NetEdits {
         return joined ? Optional.of("An edge leads there already") : Optional.empty();
     }
 
-    /** Deletes what is selected; empty where nothing of it is there. */
+    /** Deletes what is selected, and the requirements that only it needed (thesis 5.1.1); empty where nothing of it is there. */
     Optional<Edit> delete(Set<String> selection) {
         Set<String> elements = new LinkedHashSet<>(selection);
         elements.retainAll(ids());
         Set<Integer> notes = notes(selection);
         List<Edit> edits = new ArrayList<>();
         if (!elements.isEmpty()) {
-            edits.add(new RemoveElements(plan().id(), elements));
+            edits.add(new RemoveWithRequirements(plan().id(), elements, library));
         }
         if (!notes.isEmpty()) {
             edits.add(new NoteEdit.RemoveNotes(plan().id(), notes));

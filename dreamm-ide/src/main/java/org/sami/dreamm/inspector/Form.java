@@ -133,7 +133,9 @@ class Form extends JPanel {
         button.setName(name);
         button.setToolTipText(tip);
         button.getAccessibleContext().setAccessibleName(tip);
-        button.putClientProperty("JButton.buttonType", "toolBarButton");
+        if (text.length() == 1) {
+            button.putClientProperty("JButton.buttonType", "toolBarButton");
+        }
         button.addActionListener(e -> pressed.run());
         return button;
     }

@@ -117,8 +117,8 @@ public final class InspectorPanel extends JPanel {
             column.add(new PlanSection(context, plan));
             return;
         }
-        title.setText(selected.title());
-        title.setToolTipText(selected.title());
+        title.setText(selected.title(plan));
+        title.setToolTipText(selected.title(plan));
         Set<String> ids = new LinkedHashSet<>(selected.elements());
         selected.places().forEach(p -> {
             p.outputs().forEach(o -> ids.add(o.id()));

@@ -72,7 +72,7 @@ record Selected(
     }
 
     /** A title in words. */
-    String title() {
+    String title(Plan plan) {
         if (vertices() == 1 && edges() == 0) {
             return places.isEmpty()
                     ? "Transition "
@@ -81,12 +81,23 @@ record Selected(
         }
         if (vertices() == 0 && edges() == 1) {
             return inEdges.isEmpty()
-                    ? outEdges.get(0).transition() + " → " + outEdges.get(0).place()
-                    : inEdges.get(0).place() + " → " + inEdges.get(0).transition();
+                    ? called(plan, outEdges.get(0).transition()) + " → "
+                            + called(plan, outEdges.get(0).place())
+                    : called(plan, inEdges.get(0).place()) + " → "
+                            + called(plan, inEdges.get(0).transition());
         }
         return (vertices() > 0 ? count(vertices(), "vertex", "vertices") : "")
                 + (vertices() > 0 && edges() > 0 ? ", " : "")
                 + (edges() > 0 ? count(edges(), "edge", "edges") : "");
+    }
+
+    private static String called(Plan plan, String vertex) {
+        return name(
+                plan.place(vertex)
+                        .map(Place::name)
+                        .or(() -> plan.transition(vertex).map(Transition::name))
+                        .orElse(""),
+                vertex);
     }
 
     private static String name(String name, String id) {

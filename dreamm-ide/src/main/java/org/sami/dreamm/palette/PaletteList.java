@@ -25,6 +25,7 @@ import javax.swing.TransferHandler;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
+import org.sami.dreamm.canvas.NetDropTransfer;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
@@ -117,7 +118,7 @@ public final class PaletteList extends JPanel {
             @Override
             protected Transferable createTransferable(JComponent c) {
                 return selected()
-                        .map(item -> new PaletteDrop(context, item).transferable())
+                        .map(item -> new NetDropTransfer(new PaletteDrop(context, item)))
                         .orElse(null);
             }
         });

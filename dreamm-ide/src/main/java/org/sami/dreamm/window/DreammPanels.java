@@ -6,6 +6,7 @@ import org.sami.dreamm.canvas.ModelView;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.inspector.InspectorPanel;
 import org.sami.dreamm.palette.PalettePanel;
+import org.sami.dreamm.palette.PaletteSteps;
 import org.sami.dreamm.tree.MissionTreePanel;
 import org.sami.ui.dock.Arrangement;
 import org.sami.ui.dock.DockPanel;
@@ -23,9 +24,11 @@ final class DreammPanels {
     private final List<DockPanel> all;
 
     DreammPanels(DreammContext context) {
+        ModelView net = new ModelView(context);
+        net.setNextSteps(new PaletteSteps(context));
         all = List.of(
                         new DockPanel("mission-tree", "Mission tree", "layers", new MissionTreePanel(context)),
-                        new DockPanel("model-view", "Model view", "net", new ModelView(context)),
+                        new DockPanel("model-view", "Model view", "net", net),
                         new DockPanel("palette", "Palette", "plus", new PalettePanel(context)),
                         new DockPanel("inspector", "Inspector", "edit", new InspectorPanel(context)),
                         new DockPanel(

@@ -34,6 +34,7 @@ public final class Additions {
     private final Function<Edit, EditResult> apply;
     private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
     private Optional<AddEvent> last = Optional.empty();
+    private Optional<AddEvent> noted = Optional.empty();
     private Project after;
 
     /**
@@ -48,7 +49,14 @@ public final class Additions {
         this.library = Objects.requireNonNull(library, "library");
         this.apply = Objects.requireNonNull(apply, "apply");
         this.after = document.project();
-        document.addListener(change -> listeners.forEach(Runnable::run));
+        document.addListener(change -> {
+            if (noted.map(AddEvent::label).equals(document.undoLabel()) && !change.isOpened()) {
+                last = noted;
+                after = document.project();
+            }
+            noted = Optional.empty();
+            listeners.forEach(Runnable::run);
+        });
     }
 
     /** The groups and sequences of the domain. */
@@ -65,7 +73,7 @@ public final class Additions {
     public EventTarget target(boolean ontoPlaces) {
         Optional<String> vertex = selectedVertex();
         if (vertex.isEmpty()) {
-            return new EventTarget.Free(Optional.of(freePoint()));
+            return new EventTarget.Free(freePoint());
         }
         boolean place = editor.plan().flatMap(p -> p.place(vertex.get())).isPresent();
         return place == ontoPlaces ? new EventTarget.OnVertex(vertex.get()) : new EventTarget.Behind(vertex.get());
@@ -82,12 +90,20 @@ public final class Additions {
                         .filter(id -> selection.size() == 1));
     }
 
-    private LayoutPoint freePoint() {
-        return editor.plan()
-                .flatMap(plan ->
-                        plan.layout().values().stream().map(LayoutPoint::y).max(Double::compare))
-                .map(y -> new LayoutPoint(FIRST.x(), y + BELOW))
-                .orElse(FIRST);
+    /** Below what is drawn; none where the layout is automatic, else a first point would move all the others. */
+    private Optional<LayoutPoint> freePoint() {
+        return editor.plan().flatMap(plan -> {
+            int vertices = plan.places().size() + plan.transitions().size();
+            if (vertices == 0) {
+                return Optional.of(FIRST);
+            }
+            return plan.layout().size() < vertices
+                    ? Optional.empty()
+                    : plan.layout().values().stream()
+                            .map(LayoutPoint::y)
+                            .max(Double::compare)
+                            .map(y -> new LayoutPoint(FIRST.x(), y + BELOW));
+        });
     }
 
     /** What an edit would make of the open plan, or why it would be refused. */
@@ -143,6 +159,12 @@ public final class Additions {
                 .toList();
         List<String> first = input || places.isEmpty() ? transitions : places;
         first.stream().findFirst().ifPresent(id -> editor.select(List.of(id)));
+    }
+
+    /** Notes an edit that somebody else is about to make: an event that it adds can be exchanged as well. */
+    public Edit noted(Edit edit) {
+        noted = edit instanceof AddEvent event ? Optional.of(event) : Optional.empty();
+        return edit;
     }
 
     /** The event that was added last, as long as nothing was done since. */

@@ -68,8 +68,11 @@ public final class SequenceStrip extends JPanel {
                 && (edit.isEmpty()
                         || (edit.get() instanceof AddEvent marked
                                 && marked.event().equals(last.get().event())));
-        title.setText(label.isEmpty() ? "Mark an item to see what it does" : label);
-        help.setText(label.isEmpty() ? "Drag it onto the net, or press Enter to add it to what is selected." : text);
+        title.setText(label.isEmpty() ? "Nothing is marked" : label);
+        help.setText(
+                label.isEmpty()
+                        ? "Mark an item to see what it does; drag it onto the net, or press Enter to add it to what is selected."
+                        : text);
         choices.removeAll();
         Optional<AddEvent> of =
                 added ? last : edit.filter(AddEvent.class::isInstance).map(AddEvent.class::cast);

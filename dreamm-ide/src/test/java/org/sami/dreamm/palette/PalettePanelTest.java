@@ -2,23 +2,23 @@ package org.sami.dreamm.palette;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.event.KeyEvent;
+import java.awt.event.KeyListener;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import javax.swing.JList;
-import javax.swing.JMenuItem;
-import javax.swing.JPopupMenu;
 import javax.swing.JRadioButton;
 import javax.swing.JTextField;
-import javax.swing.MenuElement;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.sami.dreamm.OnEventThread;
+import org.sami.dreamm.canvas.NextSteps;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
+import org.sami.spn.edit.EditResult;
 import org.sami.spn.edit.PlanBuilder;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.InEdge;
@@ -76,8 +76,11 @@ class PalettePanelTest {
     }
 
     private PaletteDrop drag(String label) {
-        return PaletteDrop.of(new PaletteDrop(context, item(label)).transferable())
-                .orElseThrow();
+        return new PaletteDrop(context, item(label));
+    }
+
+    private void dropFree(String label, double x, double y) {
+        context.apply(drag(label).at(plan(), new LayoutPoint(x, y), Mode.NOMINAL));
     }
 
     @Test
@@ -94,27 +97,26 @@ class PalettePanelTest {
 
     @Test
     void eventDroppedOntoFreeSpaceMakesThePlaceAndWhatFollows() {
-        drag("Start System Timer").drop(Optional.empty(), new LayoutPoint(100, 100));
+        dropFree("Start System Timer", 100, 100);
 
         assertThat(plan().places()).hasSize(2);
         assertThat(plan().transitions()).hasSize(1);
         assertThat(plan().layout()).containsEntry("start-system-timer", new LayoutPoint(100, 100));
-        assertThat(context.editor().selection()).containsExactly("start-system-timer");
         context.undo();
         assertThat(plan().places()).isEmpty();
     }
 
     @Test
     void itemThatCannotStandOnAVertexSaysWhyAndChangesNothing() {
-        drag("Blank place").drop(Optional.empty(), new LayoutPoint(0, 0));
+        dropFree("Blank place", 0, 0);
         Plan before = plan();
 
-        PaletteDrop answer = drag("Timer Expired");
-        answer.drop(Optional.of("place"), new LayoutPoint(0, 0));
+        EditResult result = context.apply(drag("Timer Expired").onto(before, "place", Mode.NOMINAL));
 
-        assertThat(answer.refusal(Optional.of("place")))
+        assertThat(result).isInstanceOf(EditResult.Refused.class);
+        assertThat(drag("Timer Expired").whyNotOnto(before, "place"))
                 .contains("Timer Expired is an input event: it stands on transitions, and place is a place");
-        assertThat(drag("Blank transition").refusal(Optional.of("place"))).isPresent();
+        assertThat(drag("Blank transition").whyNotOnto(before, "place")).isPresent();
         assertThat(plan()).isEqualTo(before);
     }
 
@@ -122,7 +124,7 @@ class PalettePanelTest {
     void whatIsMadeInRecoveryModeIsARecoveryPart() {
         context.editor().setMode(NetMode.RECOVERY);
 
-        drag("Start System Timer").drop(Optional.empty(), new LayoutPoint(100, 100));
+        dropFree("Start System Timer", 100, 100);
 
         assertThat(plan().places()).extracting(Place::mode).containsOnly(Mode.RECOVERY);
         assertThat(plan().inEdges()).extracting(InEdge::mode).containsOnly(Mode.RECOVERY);
@@ -132,7 +134,7 @@ class PalettePanelTest {
     void roleBecomesATaskOfThePlan() {
         String of = BOATS.vocabulary().taskClasses().keySet().iterator().next();
 
-        drag("Task: " + of).drop(Optional.empty(), new LayoutPoint(0, 0));
+        dropFree("Task: " + of, 0, 0);
 
         assertThat(plan().tasks()).extracting(t -> t.taskClass()).containsExactly(of);
     }
@@ -141,7 +143,7 @@ class PalettePanelTest {
     void anotherSequenceTakesThePlaceOfTheOneThatCameAndIsOneStepToUndo() {
         PalettePanel panel = new PalettePanel(context);
         search(panel).setText("execute path");
-        drag("Proxy Execute Path").drop(Optional.empty(), new LayoutPoint(100, 100));
+        dropFree("Proxy Execute Path", 100, 100);
         assertThat(plan().inEdges()).extracting(InEdge::locked).containsOnly(false);
 
         Layout.find(panel, "wizard-sequence-go-on-when-the-last-is-there", JRadioButton.class)
@@ -154,26 +156,39 @@ class PalettePanelTest {
     }
 
     @Test
-    void menuOfAVertexOffersWhatItsEventsCanCause() {
-        drag("Operator Approve").drop(Optional.empty(), new LayoutPoint(100, 100));
-        String place = context.editor().selection().iterator().next();
-        context.editor().select(Set.of());
+    void whatCanComeNextAtAVertexIsWhatItsEventsCanCause() {
+        dropFree("Operator Approve", 100, 100);
+        String place = plan().places().get(0).id();
 
-        JPopupMenu menu = new AppendMenu(context).at(place);
+        List<NextSteps.NextStep> steps = new PaletteSteps(context).after(plan(), place);
 
-        assertThat(List.of(menu.getSubElements()).subList(0, 3))
-                .extracting(MenuElement::getComponent)
-                .extracting(c -> c.getName())
-                .containsExactly(
-                        "append-palette-event-yes-option",
-                        "append-palette-event-no-option",
-                        "append-palette-blank-transition");
-        ((JMenuItem) menu.getSubElements()[2].getComponent()).doClick();
+        assertThat(steps)
+                .extracting(NextSteps.NextStep::label)
+                .containsExactly("Yes Option  (drawn already)", "No Option  (drawn already)");
+        context.apply(steps.get(0).edit(plan(), place, new LayoutPoint(0, 0), Mode.NOMINAL));
         assertThat(plan().transitions()).hasSize(3);
         assertThat(plan().inEdges()).last().satisfies(e -> {
             assertThat(e.place()).isEqualTo(place);
             assertThat(e.requirements()).isNotEmpty();
         });
+    }
+
+    @Test
+    void enterAddsWhatIsMarkedToWhatIsSelected() {
+        PalettePanel panel = new PalettePanel(context);
+        dropFree("Blank place", 100, 100);
+        context.editor().select(List.of("place"));
+        search(panel).setText("start system timer");
+
+        for (KeyListener keys : search(panel).getKeyListeners()) {
+            keys.keyPressed(new KeyEvent(
+                    search(panel), KeyEvent.KEY_PRESSED, 0, 0, KeyEvent.VK_ENTER, KeyEvent.CHAR_UNDEFINED));
+        }
+
+        assertThat(plan().place("place").orElseThrow().outputs())
+                .extracting(o -> o.type())
+                .containsExactly("StartSystemTimer");
+        assertThat(context.editor().selection()).containsExactly("place");
     }
 
     @Test
