@@ -3,12 +3,15 @@ package org.sami.domain;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.tuple;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.drawing.RequirementWords;
 import org.sami.spn.edit.EdgeEdit;
@@ -19,6 +22,8 @@ import org.sami.spn.edit.PlanBuilder;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.AuthoringReader;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.ProjectReader;
+import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.json.Reading;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
@@ -321,6 +326,59 @@ class EventWizardTest {
                                         : List.of("E-FIELD-MISSING", "E-NO-CAUSE", "E-NO-SUB-MISSION"));
             }
         }
+    }
+
+    /** Random additions and deletions, as a wild author makes them: all can be saved and undone, and no locked edge is changed. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
+    void whateverIsAddedAndDeletedIsSavedReadEqualAndUndone(long seed) {
+        Random random = new Random(seed);
+        Project start = BOATS.projectOf("station-keep").orElseThrow();
+        String id = start.plans().get(0).id();
+        EditHistory wild = new EditHistory(start, BOATS.vocabulary(), 1000);
+        List<EventType> events = List.copyOf(BOATS.vocabulary().events().values());
+        int undo = 0;
+        for (int i = 0; i < 60; i++) {
+            Plan before = wild.project().plan(id).orElseThrow();
+            List<String> vertices = new ArrayList<>();
+            before.places().forEach(p -> vertices.add(p.id()));
+            before.transitions().forEach(t -> vertices.add(t.id()));
+            String vertex = vertices.isEmpty() ? "none" : vertices.get(random.nextInt(vertices.size()));
+            EventType event = events.get(random.nextInt(events.size()));
+            List<EventTarget> targets = List.of(
+                    new EventTarget.OnVertex(vertex),
+                    new EventTarget.Behind(vertex),
+                    new EventTarget.Free(Optional.of(new LayoutPoint(random.nextInt(900), random.nextInt(900)))));
+            AddEvent addition = AddEvent.usual(id, event.name(), targets.get(random.nextInt(3)), Mode.NOMINAL, LIBRARY);
+            List<Sequence> sequences = LIBRARY.of(event.name());
+            Edit edit = random.nextInt(3) == 0
+                    ? new RemoveWithRequirements(id, Set.of(vertex), LIBRARY)
+                    : random.nextInt(3) == 0 || sequences.isEmpty()
+                            ? addition.withSequence(Sequence.ALONE)
+                            : addition.withSequence(sequences
+                                    .get(random.nextInt(sequences.size()))
+                                    .id());
+            Project was = wild.project();
+            wild.apply(edit);
+            undo += wild.project().equals(was) ? 0 : 1;
+            Plan after = wild.project().plan(id).orElseThrow();
+            assertThat(after.inEdges())
+                    .as("%s", edit)
+                    .containsAll(before.inEdges().stream()
+                            .filter(e -> e.locked() && after.place(e.place()).isPresent())
+                            .filter(e -> after.transition(e.transition()).isPresent())
+                            .toList());
+        }
+        ProjectWriter writer = new ProjectWriter(BOATS.vocabulary());
+        assertThat(undo).isGreaterThan(20);
+        assertThat(new ProjectReader(BOATS.vocabulary())
+                        .read(writer.text(wild.project()))
+                        .orThrow())
+                .isEqualTo(wild.project());
+        for (int i = 0; i < undo; i++) {
+            wild.undo();
+        }
+        assertThat(wild.project()).isEqualTo(start);
     }
 
     @Test

@@ -25,7 +25,7 @@ import org.sami.ui.value.WrappedText;
 /** Rows of labelled fields. A field gives what it holds when it is left or Enter is pressed; a choice at once. */
 class Form extends JPanel {
     Form() {
-        super(new MigLayout("insets 0, gap 8 4, fillx, wrap 2, hidemode 3", "[80!, left][grow, fill]"));
+        super(new MigLayout("insets 0, gap 8 4, fillx, wrap 2, hidemode 3", "[64:80:80, left][grow, fill]"));
         setOpaque(false);
     }
 
@@ -87,8 +87,7 @@ class Form extends JPanel {
         box.setToolTipText(tip);
         box.setOpaque(false);
         box.addActionListener(e -> given.accept(box.isSelected()));
-        add(new JLabel(), "wmin 0");
-        add(box, "wmin 0");
+        add(box, "span 2, growx, wmin 0");
         return box;
     }
 

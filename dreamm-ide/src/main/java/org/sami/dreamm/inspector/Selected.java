@@ -101,7 +101,7 @@ record Selected(
     }
 
     private static String name(String name, String id) {
-        return name.isBlank() ? id : name;
+        return name.isBlank() ? "(" + id + ")" : name;
     }
 
     private static String count(int n, String one, String many) {
