@@ -3,6 +3,7 @@ package org.sami.crw.gui;
 import static java.awt.event.KeyEvent.VK_A;
 import static java.awt.event.KeyEvent.VK_CONTROL;
 import static java.awt.event.KeyEvent.VK_ENTER;
+import static java.awt.event.KeyEvent.VK_ESCAPE;
 import static java.awt.event.KeyEvent.VK_F12;
 import static java.awt.event.KeyEvent.VK_G;
 import static java.awt.event.KeyEvent.VK_P;
@@ -16,9 +17,14 @@ import java.awt.GraphicsEnvironment;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import javax.swing.JFileChooser;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -27,12 +33,18 @@ import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.TestInstance.Lifecycle;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.server.testing.Await;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.BoatSnapshot;
 import org.sami.crw.operator.MissionSnapshot;
+import org.sami.crw.proxy.LinkState;
+import org.sami.spn.host.Registration;
+import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Outcome;
+import org.sami.ui.EventThread;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
@@ -41,6 +53,8 @@ import org.sami.ui.look.Theme;
 @Tag("window")
 @TestInstance(Lifecycle.PER_CLASS)
 class OperatorWindowTest {
+    private static final int REPORTS = 42; // at ten a second; a link is lost after 3.5 s
+
     private Path folder;
 
     private final CompletableFuture<Integer> ended = new CompletableFuture<>();
@@ -72,12 +86,14 @@ class OperatorWindowTest {
     }
 
     @Test
-    void oneClickStartsAMissionAndAKeyAbortsIt() {
+    void oneClickStartsAMissionAndTwoKeysAbortIt() {
         robot.click("mission-start");
         robot.untilSaid("mission-state", "runs since");
         assertThat(missions()).hasSize(1);
 
         robot.press(VK_A, VK_CONTROL, VK_SHIFT);
+        robot.untilShown("mission-ending");
+        robot.press(VK_ENTER);
 
         robot.untilSaid("mission-state", "aborted");
         assertThat(missions().get(0).outcome()).contains(Outcome.ABORTED);
@@ -128,6 +144,66 @@ class OperatorWindowTest {
         assertThat(catchThrowable(() -> DataDirectory.open(folder)))
                 .hasMessageContaining(folder.resolve("lock").toString());
         assertThat(Files.exists(folder.resolve("open-session"))).isTrue();
+    }
+
+    @Test
+    void engineAndLinksGoOnWhileTheEventThreadIsBlocked() throws Exception {
+        AtomicInteger steps = new AtomicInteger();
+        Map<String, Integer> heard = new ConcurrentHashMap<>();
+        CountDownLatch unblocked = new CountDownLatch(1);
+        try (Registration engine = window.session().addListener((index, atMillis, input, effects, view) -> {
+                    if (input instanceof Input.StartMission) {
+                        steps.incrementAndGet();
+                    }
+                });
+                Registration fleet = window.session().subscribe(Runnable::run, event -> {
+                    if (event instanceof FleetEvent.StatusReported) {
+                        heard.merge(event.boat(), 1, Integer::sum);
+                    }
+                })) {
+            EventThread.later(() -> awaitOrGiveUp(unblocked));
+
+            window.session().start("communications-monitoring", "monitoring", Map.of());
+
+            Await.until("the engine starts the mission", 10, () -> steps.get() == 1);
+            Await.until(
+                    "boats report for longer than a link is silent before it is lost",
+                    20,
+                    () -> heard.size() == 5 && heard.values().stream().allMatch(times -> times >= REPORTS));
+        } finally {
+            unblocked.countDown();
+        }
+        robot.untilSaid("missions-count", "1 mission");
+        assertThat(boats()).extracting(BoatSnapshot::link).containsOnly(LinkState.LINKED);
+        robot.untilSaid("links-count", "links fresh");
+        window.session().abortAll();
+        robot.untilSaid("missions-count", "0 missions");
+    }
+
+    private static void awaitOrGiveUp(CountDownLatch unblocked) {
+        try {
+            assertThat(unblocked.await(60, TimeUnit.SECONDS)).isTrue();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Test
+    void missionsBeginAndEndWhileADialogIsOpen() {
+        robot.press(VK_P, VK_CONTROL, VK_SHIFT);
+        robot.find(Component.class, "command-search-text");
+        robot.type("base map");
+        robot.press(VK_ENTER);
+        JFileChooser dialog = robot.find(JFileChooser.class, component -> true);
+
+        window.session().start("communications-monitoring", "monitoring", Map.of());
+        robot.untilSaid("missions-count", "1 mission");
+        window.session().abortAll();
+        robot.untilSaid("missions-count", "0 missions");
+        robot.untilSaid("links-count", "links fresh");
+
+        robot.press(VK_ESCAPE);
+        robot.until("the dialog is gone", () -> !dialog.isShowing());
     }
 
     private List<BoatSnapshot> boats() {

@@ -8,12 +8,15 @@ import io.github.andrewauclair.moderndocking.app.RootDockingPanel;
 import io.github.andrewauclair.moderndocking.exception.DockingLayoutException;
 import io.github.andrewauclair.moderndocking.settings.Settings;
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
+import javax.swing.LayoutFocusTraversalPolicy;
 
 /**
  * Where the panels of a window lie. The arrangement is kept in a file as it changes; a file that cannot be used gives the first one.
@@ -22,6 +25,8 @@ import javax.swing.JPanel;
  */
 public final class DockArea extends JPanel implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(DockArea.class.getName());
+
+    private static final LayoutFocusTraversalPolicy FIRST_IN = new LayoutFocusTraversalPolicy();
 
     private final Map<String, DockPanel> panels = new LinkedHashMap<>();
     private final Arrangement first;
@@ -68,9 +73,11 @@ public final class DockArea extends JPanel implements AutoCloseable {
         DockingState.restoreApplicationLayout(first.layout());
     }
 
-    /** Brings a panel to the front, back into the window if it was closed. */
+    /** Brings a panel to the front, back into the window if it was closed, and the keyboard's focus to the first thing in it. */
     public void show(String panel) {
-        Docking.display(panels.get(panel));
+        DockPanel shown = panels.get(panel);
+        Docking.display(shown);
+        Optional.ofNullable(FIRST_IN.getFirstComponent(shown)).ifPresent(Component::requestFocusInWindow);
     }
 
     /** The panels, in order. */

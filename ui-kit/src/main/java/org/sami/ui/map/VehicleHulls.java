@@ -12,7 +12,7 @@ import org.sami.ui.map.Sprites.Sprite;
 /** Paints the hulls of vehicles, turned to their headings, with lines to where they will be in ten seconds. */
 final class VehicleHulls {
     private static final double HALF_PX = 13; // from the middle to the bow
-    private static final double RING_PX = 5; // between a hull and the ring around one that is chosen
+    static final double RING_PX = 5; // between a hull and the ring around one that is chosen
     private static final double AHEAD_S = 10;
     private static final double LEAST_VECTOR_PX = 4;
     private static final int HEADINGS = 120; // three degrees apart

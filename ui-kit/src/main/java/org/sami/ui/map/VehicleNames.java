@@ -52,7 +52,7 @@ final class VehicleNames {
         double y = paint.frame().py(vehicle.at());
         double w = plate.width();
         double h = plate.height();
-        double apart = VehicleHulls.halfPx() + 3;
+        double apart = VehicleHulls.halfPx() + (vehicle.selected() ? VehicleHulls.RING_PX + 3 : 3);
         double[] corners = {
             x + apart,
             y - h / 2,

@@ -1,5 +1,8 @@
 package org.sami.ui.value;
 
+import java.awt.Rectangle;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -54,6 +57,12 @@ final class TextEditor extends ValueEditor {
         }
         panel.add(message, "growx, spanx");
         text.getDocument().addDocumentListener(new TextChanges(this::changed));
+        text.addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusGained(FocusEvent event) { // by Tab, from something above it
+                panel.scrollRectToVisible(new Rectangle(panel.getSize()));
+            }
+        });
         refresh();
     }
 

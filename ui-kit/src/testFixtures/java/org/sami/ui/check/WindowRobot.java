@@ -90,12 +90,20 @@ public final class WindowRobot {
         return find(type, name, component -> true);
     }
 
-    private <C extends Component> C find(Class<C> type, String name, Predicate<C> fit) {
-        until("a component " + name, () -> look(type, name, fit).isPresent());
-        return ask(() -> look(type, name, fit).orElseThrow());
+    /** The component of a kind that is on the screen and has no name of ours, such as of a dialog of Swing's; waits for it. */
+    public <C extends Component> C find(Class<C> type, Predicate<C> fit) {
+        until(
+                "a " + type.getSimpleName(),
+                () -> look(type, Optional.empty(), fit).isPresent());
+        return ask(() -> look(type, Optional.empty(), fit).orElseThrow());
     }
 
-    private static <C extends Component> Optional<C> look(Class<C> type, String name, Predicate<C> fit) {
+    private <C extends Component> C find(Class<C> type, String name, Predicate<C> fit) {
+        until("a component " + name, () -> look(type, Optional.of(name), fit).isPresent());
+        return ask(() -> look(type, Optional.of(name), fit).orElseThrow());
+    }
+
+    private static <C extends Component> Optional<C> look(Class<C> type, Optional<String> name, Predicate<C> fit) {
         for (Window window : Window.getWindows()) {
             if (window.isShowing()) {
                 Optional<C> found = below(window, type, name, fit);
@@ -107,8 +115,12 @@ public final class WindowRobot {
         return Optional.empty();
     }
 
-    private static <C extends Component> Optional<C> below(Component at, Class<C> type, String name, Predicate<C> fit) {
-        if (name.equals(at.getName()) && type.isInstance(at) && at.isShowing() && fit.test(type.cast(at))) {
+    private static <C extends Component> Optional<C> below(
+            Component at, Class<C> type, Optional<String> name, Predicate<C> fit) {
+        if (name.map(wanted -> wanted.equals(at.getName())).orElse(true)
+                && type.isInstance(at)
+                && at.isShowing()
+                && fit.test(type.cast(at))) {
             return Optional.of(type.cast(at));
         }
         if (at instanceof Container container) {
@@ -120,6 +132,16 @@ public final class WindowRobot {
             }
         }
         return Optional.empty();
+    }
+
+    /** Waits until a component is on the screen. */
+    public void untilShown(String name) {
+        find(Component.class, name);
+    }
+
+    /** Waits until a component has the keyboard's focus. */
+    public void untilFocused(String name) {
+        find(Component.class, name, Component::isFocusOwner);
     }
 
     /** Waits until a label says something. */

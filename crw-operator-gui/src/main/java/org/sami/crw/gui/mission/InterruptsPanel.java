@@ -1,8 +1,10 @@
 package org.sami.crw.gui.mission;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Rectangle;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.BorderFactory;
@@ -23,6 +25,7 @@ import org.sami.ui.value.WrappedText;
 public final class InterruptsPanel extends JPanel {
     private final OperatorContext context;
     private final JPanel column = new Column();
+    private Optional<Shown> shown = Optional.empty();
 
     /** The interrupts of the session. */
     public InterruptsPanel(OperatorContext context) {
@@ -38,7 +41,20 @@ public final class InterruptsPanel extends JPanel {
         show(context.models().interrupts().snapshot());
     }
 
+    /** What the buttons say and do. */
+    private record Shown(List<InterruptChoice> choices, List<String> boats) {}
+
+    /** Nothing happens where all is as it was: a button that is rebuilt has no focus any longer, and no finger on it. */
     private void show(List<InterruptChoice> choices) {
+        Shown now = new Shown(choices, context.boats().boats());
+        if (shown.equals(Optional.of(now))) {
+            return;
+        }
+        shown = Optional.of(now);
+        Optional<String> focused = Arrays.stream(column.getComponents())
+                .filter(Component::isFocusOwner)
+                .map(Component::getName)
+                .findFirst();
         column.removeAll();
         for (InterruptChoice choice : choices) {
             column.add(button(choice), "growx, hmin 40, wmin 0");
@@ -50,6 +66,9 @@ public final class InterruptsPanel extends JPanel {
         }
         column.revalidate();
         column.repaint();
+        focused.ifPresent(name -> Arrays.stream(column.getComponents())
+                .filter(component -> name.equals(component.getName()))
+                .forEach(Component::requestFocusInWindow));
     }
 
     private JButton button(InterruptChoice choice) {

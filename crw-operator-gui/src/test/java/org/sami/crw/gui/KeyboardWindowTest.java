@@ -1,0 +1,150 @@
+package org.sami.crw.gui;
+
+import static java.awt.event.KeyEvent.VK_3;
+import static java.awt.event.KeyEvent.VK_8;
+import static java.awt.event.KeyEvent.VK_ALT;
+import static java.awt.event.KeyEvent.VK_C;
+import static java.awt.event.KeyEvent.VK_CONTROL;
+import static java.awt.event.KeyEvent.VK_D;
+import static java.awt.event.KeyEvent.VK_E;
+import static java.awt.event.KeyEvent.VK_ENTER;
+import static java.awt.event.KeyEvent.VK_SHIFT;
+import static java.awt.event.KeyEvent.VK_SPACE;
+import static java.awt.event.KeyEvent.VK_TAB;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.GraphicsEnvironment;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.gui.start.StartOptions;
+import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.operator.MissionSnapshot;
+import org.sami.crw.proxy.LinkState;
+import org.sami.spn.protocol.Outcome;
+import org.sami.ui.check.WindowRobot;
+import org.sami.ui.look.Theme;
+
+/** A mission with boats that are processes, by keys alone: drawn, interrupted, with a boat's server killed and started again, completed. */
+@Tag("window")
+class KeyboardWindowTest {
+    private static final long LOST_WITHIN_MILLIS = 4000;
+    private static final List<String> CORNERS =
+            List.of("25.3596, 51.5272", "25.3599, 51.5272", "25.3599, 51.5275", "25.3596, 51.5275");
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void aMissionIsRunByKeysAloneWhileABoatsServerIsKilledAndComesBack() throws Exception {
+        assumeFalse(
+                GraphicsEnvironment.isHeadless(),
+                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        try (BoatServer anna = new BoatServer("anna", "25.3597,51.5268", folder);
+                BoatServer bert = new BoatServer("bert", "25.3595,51.5268", folder);
+                BoatServer carl = new BoatServer("carl", "25.3593,51.5268", folder)) {
+            CompletableFuture<Integer> ended = new CompletableFuture<>();
+            StartOptions options = new StartOptions(
+                    List.of(anna.address(), bert.address(), carl.address()),
+                    Optional.empty(),
+                    Optional.of(Theme.LIGHT),
+                    Optional.of(100),
+                    Optional.of(false));
+            OperatorWindow window =
+                    WindowStart.open(options, DataDirectory.open(folder.resolve("data")), ended::complete);
+            try {
+                WindowRobot robot = new WindowRobot();
+                robot.untilSaid("boats-count", "3 of 3");
+                explore(robot, window);
+                loseAndFind(robot, window, carl);
+                robot.press(VK_C, VK_CONTROL, VK_SHIFT);
+                robot.untilShown("mission-ending");
+                robot.press(VK_E, VK_CONTROL, VK_SHIFT);
+                robot.untilSaid("mission-state", "completed");
+                assertThat(missions(window))
+                        .first()
+                        .extracting(MissionSnapshot::outcome)
+                        .isEqualTo(Optional.of(Outcome.COMPLETED));
+            } finally {
+                WindowRobot.ask(() -> {
+                    window.end();
+                    return null;
+                });
+                ended.get(30, TimeUnit.SECONDS);
+            }
+            for (BoatServer boat : List.of(anna, bert)) {
+                assertThat(boat.log())
+                        .containsSubsequence(
+                                "\"type\":\"upload\"", // its share of the area
+                                "m1-",
+                                "\"type\":\"upload\"", // the way to the safe place, of the sub-mission that the
+                                // interrupt began
+                                "m2-",
+                                "\"type\":\"stop\"");
+            }
+            assertThat(carl.log()).doesNotContain("upload").doesNotContain("start");
+        }
+    }
+
+    private static void explore(WindowRobot robot, OperatorWindow window) {
+        robot.press(VK_ENTER, VK_CONTROL);
+        robot.untilShown("value-area-canvas");
+        robot.press(VK_D, VK_CONTROL);
+        robot.untilFocused("value-area-canvas");
+        robot.press(VK_TAB);
+        robot.untilFocused("value-area-text");
+        for (String corner : CORNERS) {
+            robot.type(corner);
+            robot.press(VK_ENTER);
+        }
+        robot.press(VK_ENTER, VK_ALT);
+
+        robot.untilShown("value-decision-option-3");
+        robot.press(VK_D, VK_CONTROL);
+        robot.press(VK_3); // all are proposed
+        robot.untilSaid("value-decision-count", "2 of 3");
+        robot.press(VK_ENTER, VK_ALT);
+        robot.until(
+                "two boats are under way",
+                () -> boats(window).stream().filter(boat -> boat.points() > 0).count() == 2);
+
+        robot.press(VK_8, VK_ALT);
+        robot.untilFocused("interrupt-team-avoid-boat");
+        robot.press(VK_SPACE);
+        robot.untilSaid("decisions-count", "1 decision");
+        robot.press(VK_ENTER, VK_ALT);
+        robot.until("the vessel is avoided", () -> missions(window).size() == 2);
+    }
+
+    /** A boat that is told nothing by the mission: its server is killed, is lost, and comes back. */
+    private static void loseAndFind(WindowRobot robot, OperatorWindow window, BoatServer carl) throws Exception {
+        carl.kill();
+        robot.untilSaid("links-count", "1 link lost");
+        long heard = boat(window, "carl").heardAtMillis().orElseThrow();
+        assertThat(window.session().scheduler().nowMs() - heard).isLessThanOrEqualTo(LOST_WITHIN_MILLIS);
+
+        carl.start();
+        robot.untilSaid("boats-count", "3 of 3");
+        assertThat(boat(window, "carl").link()).isEqualTo(LinkState.LINKED);
+    }
+
+    private static List<BoatSnapshot> boats(OperatorWindow window) {
+        return window.session().models().fleet().snapshot();
+    }
+
+    private static BoatSnapshot boat(OperatorWindow window, String name) {
+        return window.session().models().fleet().boat(name).orElseThrow();
+    }
+
+    private static List<MissionSnapshot> missions(OperatorWindow window) {
+        return window.session().models().missions().snapshot().missions();
+    }
+}

@@ -1,0 +1,75 @@
+package org.sami.crw.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.GraphicsEnvironment;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.crw.operator.MissionSnapshot;
+import org.sami.ui.check.WindowRobot;
+
+/** The window dies in the middle of a mission, and another one goes on with what it left. */
+@Tag("window")
+class KilledWindowTest {
+    @TempDir
+    private Path folder;
+
+    @Test
+    void aWindowThatWasKilledIsGoneOnWithInAnother() throws Exception {
+        assumeFalse(
+                GraphicsEnvironment.isHeadless(),
+                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        killOneInAMission();
+        CompletableFuture<Integer> ended = new CompletableFuture<>();
+
+        OperatorWindow window =
+                WindowStart.open(KilledWindow.options(true), DataDirectory.open(folder), ended::complete);
+
+        try {
+            WindowRobot robot = new WindowRobot();
+            robot.untilSaid("boats-count", "5 of 5");
+            robot.untilSaid("mission-state", "runs since");
+            robot.untilSaid(
+                    "decisions-count",
+                    "6 decisions"); // the mission's, and of each boat that started anew whether it may move
+            robot.untilShown("value-decision-yes");
+            assertThat(window.session().models().missions().snapshot().missions())
+                    .singleElement()
+                    .matches(mission -> !mission.hasEnded())
+                    .extracting(MissionSnapshot::title)
+                    .asString()
+                    .contains("Explore Area");
+        } finally {
+            WindowRobot.ask(() -> {
+                window.end();
+                return null;
+            });
+            ended.get(30, TimeUnit.SECONDS);
+        }
+    }
+
+    private void killOneInAMission() throws Exception {
+        Process process = new ProcessBuilder(List.of(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-XX:TieredStopAtLevel=1",
+                        "-XX:+UseSerialGC",
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        KilledWindow.class.getName(),
+                        folder.toString()))
+                .redirectError(ProcessBuilder.Redirect.INHERIT)
+                .start();
+        String said = process.inputReader(StandardCharsets.UTF_8).readLine();
+        process.destroyForcibly().waitFor();
+        assertThat(said).isEqualTo("runs");
+    }
+}
