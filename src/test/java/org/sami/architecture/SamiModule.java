@@ -39,12 +39,18 @@ enum SamiModule {
                     "org.sami.crw.session..",
                     "org.sami.crw.task.."),
             List.of(SPN_CORE, BOAT_LINK)),
+    /** Pictures of nets, for the command and the editor. */
+    NET_PICTURE("net-picture", 5, List.of("org.sami.picture.."), List.of(SPN_CORE)),
     /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */
-    CRW_SIM("crw-sim", 290, List.of("org.sami.crw.sim.."), List.of(CRW_DOMAIN, BOAT_SERVER, BOAT_LINK, SPN_CORE)),
+    CRW_SIM(
+            "crw-sim",
+            290,
+            List.of("org.sami.crw.sim.."),
+            List.of(CRW_DOMAIN, BOAT_SERVER, BOAT_LINK, NET_PICTURE, SPN_CORE)),
     /** What both windows share: looks, actions, the drawing of nets and maps, value components. */
     UI_KIT("ui-kit", 190, List.of("org.sami.ui.."), List.of(SPN_CORE)),
     /** The plan editor: what it says of events, tasks and markups it has from the domain's files alone. */
-    DREAMM_IDE("dreamm-ide", 130, List.of("org.sami.dreamm.."), List.of(UI_KIT, SPN_CORE)),
+    DREAMM_IDE("dreamm-ide", 130, List.of("org.sami.dreamm.."), List.of(UI_KIT, NET_PICTURE, SPN_CORE)),
     /** The operator's window; it knows the simulator for its built-in fleet only, and the link for words of snapshots such as modes. */
     OPERATOR_WINDOW(
             "crw-operator-gui",

@@ -3,6 +3,7 @@ package org.sami.dreamm.window;
 import java.util.List;
 import javax.swing.JComponent;
 import org.sami.dreamm.canvas.ModelView;
+import org.sami.dreamm.compare.ComparisonPanel;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.inspector.InspectorPanel;
 import org.sami.dreamm.palette.PalettePanel;
@@ -19,7 +20,8 @@ final class DreammPanels {
             .left("mission-tree", "model-view", 0.22)
             .below("inspector", "palette", 0.55)
             .below("issues", "model-view", 0.24)
-            .behind("try-out", "issues");
+            .behind("try-out", "issues")
+            .behind("comparison", "issues");
 
     private final List<DockPanel> all;
 
@@ -44,7 +46,8 @@ final class DreammPanels {
                                 "play",
                                 empty(
                                         "Try it",
-                                        "Runs the open plan here, step by step, with robots that are not real.")))
+                                        "Runs the open plan here, step by step, with robots that are not real.")),
+                        new DockPanel("comparison", "Comparison", "compare", new ComparisonPanel(context)))
                 .stream()
                 .filter(panel -> context.profile().shows("panel-" + panel.getPersistentID()))
                 .toList();

@@ -11,6 +11,7 @@ import org.sami.dreamm.document.DocumentChange;
 import org.sami.dreamm.document.DocumentListener;
 import org.sami.dreamm.document.EditorListener;
 import org.sami.dreamm.document.ProjectDocument;
+import org.sami.dreamm.export.ExportCommands;
 import org.sami.dreamm.file.FileCommands;
 import org.sami.dreamm.file.RecentProjects;
 import org.sami.dreamm.file.RecoveryFolder;
@@ -48,6 +49,7 @@ public final class DreammWindow {
         this.ended = ended;
         files = new FileCommands(context, frame, new RecentProjects(settings), recovery);
         EditCommands.addTo(context);
+        ExportCommands.addTo(context);
         DreammPanels panels = new DreammPanels(context);
         dock = new DockArea(frame, panels.all(), DreammPanels.FIRST, data.arrangement(context.profile()));
         ViewCommands view = new ViewCommands(context.commands(), frame, settings);

@@ -6,7 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
-import org.sami.crw.sim.drawing.NetPicture;
+import org.sami.picture.NetPicture;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.Reading;
 import org.sami.spn.model.Plan;

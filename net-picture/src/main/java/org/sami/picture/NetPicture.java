@@ -1,4 +1,4 @@
-package org.sami.crw.sim.drawing;
+package org.sami.picture;
 
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
@@ -23,7 +23,8 @@ public final class NetPicture {
     private final NetDrawing drawing;
     private final NetPainter painter;
 
-    private NetPicture(NetDrawing drawing) {
+    /** The picture of a drawing; its texts were measured by {@link NetFonts#width}. */
+    public NetPicture(NetDrawing drawing) {
         this.drawing = drawing;
         painter = new NetPainter(drawing);
     }
@@ -39,6 +40,21 @@ public final class NetPicture {
                 anew
                         ? NetLayout.layered(plan, vocabulary, NetFonts::width)
                         : NetLayout.given(plan, vocabulary, NetFonts::width));
+    }
+
+    /** Its width, in pixels at scale 1. */
+    public double width() {
+        return painter.width();
+    }
+
+    /** Its height. */
+    public double height() {
+        return painter.height();
+    }
+
+    /** Paints it. */
+    public void paint(Canvas canvas) {
+        painter.paint(canvas);
     }
 
     /** Where everything lies. */

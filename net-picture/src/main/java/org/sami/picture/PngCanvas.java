@@ -1,4 +1,4 @@
-package org.sami.crw.sim.drawing;
+package org.sami.picture;
 
 import java.awt.BasicStroke;
 import java.awt.Color;

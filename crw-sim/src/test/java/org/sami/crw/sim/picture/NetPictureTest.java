@@ -1,4 +1,4 @@
-package org.sami.crw.sim.drawing;
+package org.sami.crw.sim.picture;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;

@@ -1,4 +1,4 @@
-package org.sami.crw.sim.drawing;
+package org.sami.picture;
 
 import java.awt.Color;
 import java.awt.geom.Point2D;
@@ -6,8 +6,8 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 import org.sami.spn.drawing.TextBlock;
 
-/** What a picture of a net is painted on. */
-interface Canvas {
+/** What a picture of a net is painted on, in pixels at scale 1. */
+public interface Canvas {
     /** A circle with its rim. */
     void circle(Point2D centre, double radius, Color fill, Color rim, double rimWidth);
 

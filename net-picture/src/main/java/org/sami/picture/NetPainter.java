@@ -1,4 +1,4 @@
-package org.sami.crw.sim.drawing;
+package org.sami.picture;
 
 import java.awt.Color;
 import java.awt.geom.Point2D;
@@ -9,6 +9,7 @@ import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetDrawing.Edge;
 import org.sami.spn.drawing.NetDrawing.Kind;
 import org.sami.spn.drawing.NetDrawing.Label;
+import org.sami.spn.drawing.NetDrawing.NoteBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.drawing.TextBlock;
 import org.sami.spn.drawing.TextStyle;
@@ -26,6 +27,8 @@ final class NetPainter {
     private static final Color LINE = new Color(0x52606D);
     private static final Color RECOVERY = new Color(0x98A2AD);
     private static final Color PLACE = new Color(0xF5F7FA);
+    private static final Color NOTE = new Color(0xFFF9E3);
+    private static final Color NOTE_RIM = new Color(0xC9B36A);
     private static final Color START = new Color(0xBFE8C7);
     private static final Color START_RIM = new Color(0x1B7F3B);
     private static final Color END = new Color(0xF7C5C0);
@@ -68,12 +71,26 @@ final class NetPainter {
         canvas.box(new Rectangle2D.Double(0, 0, width(), height()), PAPER);
         write(canvas, title, MARGIN, MARGIN - 8);
         write(canvas, key, MARGIN, MARGIN - 8 + title.height() + 2);
+        drawing.notes().forEach(note -> note(canvas, note));
         drawing.edges().forEach(edge -> edge(canvas, edge));
         drawing.labels()
                 .forEach(label -> clear(canvas, label)); // a line that crosses a text is not to be read through it
         drawing.edges().forEach(edge -> arrow(canvas, edge));
         drawing.vertices().forEach(vertex -> vertex(canvas, vertex));
         drawing.labels().forEach(label -> label(canvas, label));
+    }
+
+    private void note(Canvas canvas, NoteBox note) {
+        Rectangle2D sheet = rectangle(note.box());
+        canvas.box(sheet, NOTE_RIM);
+        canvas.box(
+                new Rectangle2D.Double(sheet.getX() + 1, sheet.getY() + 1, sheet.getWidth() - 2, sheet.getHeight() - 2),
+                NOTE);
+        double top = sheet.getY() + note.inset();
+        for (TextBlock.Line line : note.text().lines()) {
+            canvas.text(line, sheet.getX() + note.inset(), top + line.style().size() * ASCENT);
+            top += line.height();
+        }
     }
 
     private void edge(Canvas canvas, Edge edge) {

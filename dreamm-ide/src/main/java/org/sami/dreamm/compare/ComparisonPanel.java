@@ -1,0 +1,134 @@
+package org.sami.dreamm.compare;
+
+import java.awt.BorderLayout;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import javax.swing.DefaultListModel;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.spn.drawing.NetDetail;
+import org.sami.spn.drawing.NetLayout;
+import org.sami.spn.model.Plan;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.command.CommandRow;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.IdentityMarks;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.net.NetMode;
+import org.sami.ui.net.NetView;
+
+/** Two versions of the open plan on one net, with a list of what differs; a chosen line is shown on the net. */
+public final class ComparisonPanel extends JPanel {
+    private static final String NOTHING =
+            "Compares the open plan with another version of it: as it was saved, or from another file";
+
+    private final transient DreammContext context;
+    private final NetView view = new NetView(new IdentityMarks());
+    private final JLabel title = new JLabel(NOTHING);
+    private final DefaultListModel<Difference> rows = new DefaultListModel<>();
+    private final JList<Difference> list = new JList<>(rows);
+    private transient Optional<Compared> compared = Optional.empty();
+
+    /** With which version of which plan the open one is compared. */
+    private record Compared(Plan before, String name) {}
+
+    /** The panel of a window, which registers its commands. */
+    public ComparisonPanel(DreammContext context) {
+        super(new BorderLayout());
+        this.context = context;
+        setName("comparison");
+        CompareCommands commands = new CompareCommands(context, this::compare);
+        CommandRow row = new CommandRow();
+        row.setName("comparison-tools");
+        title.setName("comparison-title");
+        row.left(title);
+        row.right(new CommandButton(commands.saved()));
+        row.right(new CommandButton(commands.file()));
+        list.setName("comparison-differences");
+        list.getAccessibleContext().setAccessibleName("What differs");
+        list.addListSelectionListener(e -> view.highlight(Optional.ofNullable(list.getSelectedValue())
+                .map(Difference::elements)
+                .orElse(Set.of())));
+        view.setName("comparison-net");
+        view.setMode(NetMode.ALL);
+        JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, view, new JScrollPane(list));
+        split.setResizeWeight(0.7);
+        split.setBorder(null);
+        add(row, BorderLayout.NORTH);
+        add(split);
+        context.document().addListener(change -> refresh());
+        style();
+    }
+
+    /** Compares the open plan with a version of it. */
+    void compare(Plan before, String name) {
+        compared = Optional.of(new Compared(before, name));
+        showDifferences(true);
+    }
+
+    private void refresh() {
+        if (isShowing()) {
+            showDifferences(false);
+        }
+    }
+
+    private void showDifferences(boolean anew) {
+        Optional<Plan> after =
+                compared.flatMap(c -> context.document().plan(c.before().id()));
+        if (after.isEmpty()) {
+            title.setText(NOTHING);
+            rows.clear();
+            return;
+        }
+        PlanComparison comparison = PlanComparison.of(compared.get().before(), after.get(), context.vocabulary());
+        view.show(
+                comparison.both(),
+                context.vocabulary(),
+                NetLayout.edited(
+                        comparison.both(),
+                        context.vocabulary(),
+                        NetView::textWidth,
+                        NetDetail.READER,
+                        anew
+                                ? OptionalDouble.empty()
+                                : OptionalDouble.of(view.drawing().scale())));
+        view.setChanges(comparison.changes());
+        if (anew) {
+            view.fit();
+        }
+        rows.clear();
+        rows.addAll(comparison.differences());
+        int count = comparison.differences().size();
+        String differs = count == 0
+                ? "is equal to"
+                : (count == 1 ? "has one difference" : "has " + count + " differences") + " from";
+        title.setText("\"" + after.get().title() + "\" " + differs + " "
+                + compared.get().name());
+    }
+
+    /** What differs, in words. */
+    List<Difference> differences() {
+        return Collections.list(rows.elements());
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (title != null) {
+            style();
+        }
+    }
+
+    private void style() {
+        setBackground(SemanticColor.SURFACE.get());
+        title.setFont(Fonts.text());
+        list.setFont(Fonts.text());
+    }
+}

@@ -1,0 +1,4 @@
+/**
+ * Two versions of a plan: what differs, in words and on the net. {@link org.sami.dreamm.compare.PlanComparison} knows no window.
+ */
+package org.sami.dreamm.compare;

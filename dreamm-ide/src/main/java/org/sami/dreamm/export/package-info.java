@@ -1,0 +1,2 @@
+/** The picture of a plan as a file: PNG, SVG or PDF. What it looks like is that of {@code org.sami.picture}. */
+package org.sami.dreamm.export;
