@@ -79,6 +79,7 @@ public final class RepaintBenchmarkMain {
         measure("net.whole", new TreeMap<>(Map.of("vertices", 500)), net, () -> {});
         net.press(NetKey.ACTUAL_SIZE);
         measure("net.part", new TreeMap<>(Map.of("vertices", 500)), net, () -> {});
+        new NetEditingFigures(times, WIDTH, HEIGHT, this::figure).run();
         write(Path.of(System.getProperty("benchmarks.file", "build/benchmarks.json")));
     }
 

@@ -8,6 +8,7 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -372,8 +373,10 @@ public final class NetView extends JPanel {
     }
 
     private void step(int by) {
-        List<Vertex> vertices = new ArrayList<>(scene.vertices());
-        vertices.addAll(scene.silhouettes());
+        Set<Vertex> shown = new HashSet<>(scene.vertices());
+        shown.addAll(scene.silhouettes());
+        List<Vertex> vertices = new ArrayList<>(content.drawing().vertices());
+        vertices.retainAll(shown);
         if (vertices.isEmpty()) {
             return;
         }
@@ -412,7 +415,7 @@ public final class NetView extends JPanel {
 
     /** Whether all of the net is seen, so that an overview would only hide some of it; a small view has none either. */
     private boolean shownWhole() {
-        DrawingBox all = content.drawing().bounds();
+        DrawingBox all = scene.shownBounds();
         Rectangle2D shown = viewport.shown();
         boolean small = getWidth() < 3 * overview.getWidth() || getHeight() < 3 * overview.getHeight();
         return small || shown.contains(all.x(), all.y(), Math.max(1e-9, all.width()), Math.max(1e-9, all.height()));

@@ -11,6 +11,7 @@ import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -178,6 +179,18 @@ class NetViewTest {
     }
 
     @Test
+    void keysGoThroughAllVerticesInRecoveryModeToo() {
+        view.setMode(NetMode.RECOVERY);
+        Set<String> seen = new HashSet<>();
+        for (int i = 0; i < view.drawing().vertices().size(); i++) {
+            view.press(NetKey.NEXT);
+            seen.addAll(view.selected());
+        }
+
+        assertThat(seen).hasSameSizeAs(view.drawing().vertices());
+    }
+
+    @Test
     void theWheelZoomsAroundThePointer() {
         Vertex vertex = vertex(plan.places().get(2).id());
         Point2D before = view.pixel(vertex.centre().x(), vertex.centre().y());
@@ -312,7 +325,7 @@ class NetViewTest {
 
     private Set<Color> coloursAround(Vertex place) {
         BufferedImage image = NetScenes.paint(view);
-        Set<Color> colours = new java.util.HashSet<>();
+        Set<Color> colours = new HashSet<>();
         for (int dx = -15; dx <= 15; dx++) {
             for (int dy = -15; dy <= 15; dy++) {
                 colours.add(new Color(image.getRGB(x(place) + dx, y(place) + dy)));
