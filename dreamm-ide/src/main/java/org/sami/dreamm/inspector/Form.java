@@ -73,6 +73,7 @@ class Form extends JPanel {
             }
         };
         field.addActionListener(e -> give.run());
+        field.putClientProperty(Pending.KEY, give);
         field.addFocusListener(new FocusAdapter() {
             @Override
             public void focusLost(FocusEvent e) {

@@ -44,7 +44,9 @@ public final class InspectorPanel extends JPanel {
     private final Column column = new Column();
     private final JScrollPane scrolled =
             new JScrollPane(column, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+    private final JPanel found = new JPanel(new MigLayout("insets 0, wrap 1, fillx", "[grow, fill]"));
     private transient List<Finding> findings = List.of();
+    private boolean giving;
 
     /** The inspector of a window. */
     public InspectorPanel(DreammContext context) {
@@ -52,6 +54,7 @@ public final class InspectorPanel extends JPanel {
         this.context = context;
         setName("inspector-panel");
         title.setName("inspector-title");
+        found.setOpaque(false);
         scrolled.setBorder(null);
         scrolled.getViewport().setOpaque(false);
         scrolled.setOpaque(false);
@@ -67,6 +70,7 @@ public final class InspectorPanel extends JPanel {
 
             @Override
             public void selectionChanged() {
+                giveWhatIsTyped();
                 rebuild();
             }
         });
@@ -86,16 +90,26 @@ public final class InspectorPanel extends JPanel {
         rebuild();
         Project project = context.document().project();
         context.background().run("Checking the plan", () -> PlanChecks.check(project, context.vocabulary()), found -> {
-            boolean other = !found.equals(findings);
             findings = found;
-            if (other) {
-                rebuild();
-            }
+            showFindings();
         });
     }
 
-    /** Shows what is selected now. What was being typed stays in the fields that are still there. */
+    /** Another vertex was selected before the field was left: what stands in it is taken first. */
+    private void giveWhatIsTyped() {
+        giving = true;
+        try {
+            Pending.give(column);
+        } finally {
+            giving = false;
+        }
+    }
+
+    /** Shows what is selected now; the focus stays in the field of the same name. */
     private void rebuild() {
+        if (giving) {
+            return;
+        }
         Optional<String> focus = Optional.ofNullable(
                         KeyboardFocusManager.getCurrentKeyboardFocusManager().getPermanentFocusOwner())
                 .filter(owner -> SwingUtilities.isDescendingFrom(owner, this))
@@ -119,13 +133,8 @@ public final class InspectorPanel extends JPanel {
         }
         title.setText(selected.title(plan));
         title.setToolTipText(selected.title(plan));
-        Set<String> ids = new LinkedHashSet<>(selected.elements());
-        selected.places().forEach(p -> {
-            p.outputs().forEach(o -> ids.add(o.id()));
-            p.subMissions().forEach(s -> ids.add(s.id()));
-        });
-        selected.transitions().forEach(t -> t.inputs().forEach(i -> ids.add(i.id())));
-        column.add(new FindingRows(context, findings, plan.id(), ids));
+        column.add(found);
+        showFindings();
         if (selected.vertices() > 0) {
             column.add(new VertexSection(context, plan, selected));
         }
@@ -140,6 +149,23 @@ public final class InspectorPanel extends JPanel {
             selected.inEdges().forEach(e -> column.add(new InRequirementRows(context, plan, e)));
             selected.outEdges().forEach(e -> column.add(new OutRequirementRows(context, plan, e)));
         }
+    }
+
+    /** The findings about what is selected; the fields below are left alone, for somebody may be typing. */
+    private void showFindings() {
+        found.removeAll();
+        context.editor().plan().ifPresent(plan -> {
+            Selected selected = Selected.of(plan, context.editor().selection());
+            Set<String> ids = new LinkedHashSet<>(selected.elements());
+            selected.places().forEach(p -> {
+                p.outputs().forEach(o -> ids.add(o.id()));
+                p.subMissions().forEach(s -> ids.add(s.id()));
+            });
+            selected.transitions().forEach(t -> t.inputs().forEach(i -> ids.add(i.id())));
+            found.add(new FindingRows(context, findings, plan.id(), ids), "wmin 0");
+        });
+        found.revalidate();
+        found.repaint();
     }
 
     private JComponent lock(Plan plan, Selected selected) {

@@ -37,6 +37,7 @@ final class ValueRow extends JPanel {
         setOpaque(false);
         value.ifPresentOrElse(editor::show, editor::clear);
         add(editor.component());
+        putClientProperty(Pending.KEY, (Runnable) this::give);
         getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
                 .put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), "give");
         getActionMap().put("give", new AbstractAction() {

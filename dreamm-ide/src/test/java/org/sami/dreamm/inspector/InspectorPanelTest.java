@@ -88,6 +88,18 @@ class InspectorPanelTest {
     }
 
     @Test
+    void whatIsTypedIsTakenWhenAnotherVertexIsSelected() {
+        open("crw", "station-keep", "assemble");
+        find("inspector-name", JTextField.class).setText("Meet");
+
+        context.editor().select(Set.of("go"));
+
+        assertThat(plan().place("assemble").orElseThrow().name()).isEqualTo("Meet");
+        assertThat(find("inspector-name", JTextField.class).getText())
+                .isEqualTo(plan().place("go").orElseThrow().name());
+    }
+
+    @Test
     void severalSelectedShowWhatTheyHaveInCommon() {
         open("crw", "clv", "execute", "visited", "execute.visited");
 
