@@ -24,6 +24,7 @@ import org.sami.crw.operator.map.ShownBoat;
 import org.sami.crw.operator.map.ShownLayer;
 import org.sami.crw.operator.map.ShownPath;
 import org.sami.crw.operator.map.ShownPlace;
+import org.sami.crw.operator.map.ShownTrack;
 import org.sami.crw.proxy.BatteryState;
 import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatPose;
@@ -142,7 +143,7 @@ public final class MapModel extends Model<MapSnapshot> {
 
     void seen(BoatSnapshot boat) {
         boolean isNew = boats.put(boat.boat(), boat) == null;
-        boat.pose().ifPresent(pose -> tracks.at(boat.boat(), pose, boat.poseAtMillis()));
+        boat.pose().ifPresent(pose -> tracks.at(boat.boat(), pose.position(), boat.poseAtMillis()));
         if (isNew) {
             changed();
         } else {
@@ -204,6 +205,16 @@ public final class MapModel extends Model<MapSnapshot> {
                 .flatMap(boat -> Optional.ofNullable(boats.get(boat)).flatMap(BoatSnapshot::pose).stream())
                 .map(BoatPose::position)
                 .toList();
+    }
+
+    /** Takes up where boats were, and what they measured, in earlier processes of the session. From any thread, before boats are seen. */
+    public void restoreHistory(List<ShownTrack> earlier, List<FleetEvent.Measured> readings) {
+        readings.forEach(this::measured);
+        inbox.accept(() -> {
+            earlier.forEach(track ->
+                    track.points().forEach(point -> tracks.at(track.boat(), point.position(), point.atMillis())));
+            changed();
+        });
     }
 
     /** A boat has measured. From any thread. */

@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.sami.crw.operator.map.ShownTrack;
-import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.service.Geodesy;
+import org.sami.spn.value.GeoPoint;
 
 /** Where boats were: a bounded number of points each, the older the farther apart. For the owner's thread. */
 final class MapTracks {
@@ -22,13 +22,13 @@ final class MapTracks {
     }
 
     /** A boat is somewhere. Gives whether its track has changed. */
-    boolean at(String boat, BoatPose pose, long atMillis) {
+    boolean at(String boat, GeoPoint position, long atMillis) {
         Track track = tracks.computeIfAbsent(boat, id -> new Track());
-        boolean still = !track.points.isEmpty() && Geodesy.distanceM(last(track).position(), pose.position()) < STEP_M;
+        boolean still = !track.points.isEmpty() && Geodesy.distanceM(last(track).position(), position) < STEP_M;
         if (still) {
             return false;
         }
-        track.points.add(new ShownTrack.Point(pose.position(), atMillis));
+        track.points.add(new ShownTrack.Point(position, atMillis));
         track.snapshot = Optional.empty();
         if (track.points.size() > MOST_POINTS) {
             thin(track.points);

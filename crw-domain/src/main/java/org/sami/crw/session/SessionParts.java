@@ -2,6 +2,7 @@ package org.sami.crw.session;
 
 import java.io.IOException;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -22,6 +23,7 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
+import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -125,7 +127,9 @@ final class SessionParts {
         events.subscribe(settings::happened);
         connector.open(boats);
         if (loop.isPresent()) { // a run in process is resumed by running its world again, with all that was done in it
-            models.log().restore(OperatorLogRows.read(journal.earlier()));
+            List<TelemetryRow> earlier = journal.earlier();
+            models.log().restore(OperatorLogRows.read(earlier));
+            MapHistory.restore(earlier, models.map());
             models.log()
                     .keepWith(entry -> connector
                             .executor()

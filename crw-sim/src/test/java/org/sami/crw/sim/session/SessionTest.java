@@ -3,6 +3,7 @@ package org.sami.crw.sim.session;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -21,6 +22,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.server.testing.Await;
+import org.sami.crw.operator.map.ShownTrack;
 import org.sami.crw.proxy.BoatStatus;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.service.Geodesy;
@@ -35,6 +37,7 @@ import org.sami.crw.session.SessionTelemetry;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.MissionView;
+import org.sami.spn.journal.JournalReader;
 import org.sami.spn.json.GlobalsFile;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.model.Project;
@@ -291,6 +294,38 @@ class SessionTest {
         Decision asked = TestSession.decision(again, "OperatorApprove");
         TestSession.get(again.answer(asked.id(), new Answer.YesNo(true), "window"));
         assertThat(missions(again)).containsExactly(second);
+    }
+
+    private static boolean hasPose(Path journal) {
+        try (JournalReader reader = JournalReader.open(journal)) {
+            return reader.telemetry().rows().stream()
+                    .anyMatch(row -> row.kind().equals("pose") && row.proxy().equals("anna"));
+        } catch (IOException notYet) {
+            return false;
+        }
+    }
+
+    @Test
+    void tracksAreOnTheMapAgainAfterAResume() throws Exception {
+        Path journal = folder.resolve("tracks.journal");
+        Session session = world.opened(TestSession.library("clv"), journal);
+        session.begin();
+        TestSession.get(session.fleet().connect(TestSession.address(world.boat("anna"))));
+        Await.until("anna's pose is in the journal", TestSession.WITHIN_S, () -> hasPose(journal));
+        session.close();
+
+        Session again = world.resumed(journal);
+        again.begin();
+        Await.until(
+                "the track is back, without the boat",
+                TestSession.WITHIN_S,
+                () -> !again.models().map().snapshot().tracks().isEmpty());
+
+        ShownTrack track = again.models().map().snapshot().tracks().get(0);
+        assertThat(track.boat()).isEqualTo("anna");
+        assertThat(Geodesy.distanceM(track.points().get(0).position(), TestSession.PIER))
+                .isLessThan(5);
+        assertThat(TestSession.get(again.fleet().boats())).isEmpty();
     }
 
     @Test

@@ -1,0 +1,43 @@
+package org.sami.crw.session;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.operator.MapModel;
+import org.sami.crw.operator.map.ShownTrack;
+import org.sami.crw.proxy.BoatReading;
+import org.sami.spn.journal.TelemetryRow;
+
+/** Where boats were and what they measured in earlier processes, read from telemetry, for the map of a session that goes on. */
+final class MapHistory implements SessionTelemetry.Reader {
+    private final Map<String, List<ShownTrack.Point>> tracks = new LinkedHashMap<>();
+    private final List<FleetEvent.Measured> readings = new ArrayList<>();
+
+    private MapHistory() {}
+
+    /** Has the map show again what the rows tell; a row that makes no sense is left out. */
+    static void restore(List<TelemetryRow> rows, MapModel map) {
+        MapHistory history = new MapHistory();
+        SessionTelemetry.read(rows, history);
+        List<ShownTrack> earlier = new ArrayList<>();
+        history.tracks.forEach((boat, points) -> earlier.add(new ShownTrack(boat, points)));
+        map.restoreHistory(earlier, history.readings);
+    }
+
+    @Override
+    public void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {
+        tracks.computeIfAbsent(boat, id -> new ArrayList<>()).add(new ShownTrack.Point(told.position(), atMillis));
+    }
+
+    @Override
+    public void reading(SensorValue value) {
+        if (!value.values().isEmpty()) {
+            readings.add(new FleetEvent.Measured(
+                    value.boat(),
+                    new BoatReading(
+                            value.sensor(), value.channel(), value.values(), value.unit(), value.position(), 0)));
+        }
+    }
+}
