@@ -3,12 +3,14 @@ package org.sami.dreamm.canvas;
 import java.awt.BorderLayout;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.context.NetOverlay;
 import org.sami.dreamm.document.DocumentChange;
 import org.sami.dreamm.document.EditorListener;
 import org.sami.spn.drawing.NetDetail;
@@ -126,6 +128,17 @@ public final class ModelView extends JPanel implements NetDropTarget {
                 view.highlight(context.editor().highlight());
             }
         });
+        context.overlay().addListener(new NetOverlay.Listener() {
+            @Override
+            public void changed() {
+                showOverlay();
+            }
+
+            @Override
+            public void fired(List<String> transitions) {
+                transitions.forEach(view::fired);
+            }
+        });
         view.addNetListener(new NetListener() {
             @Override
             public void selected(Set<String> ids) {
@@ -143,6 +156,12 @@ public final class ModelView extends JPanel implements NetDropTarget {
         if (change.isOpened() || change.plans().contains(net.plan().id())) {
             showPlan();
         }
+    }
+
+    private void showOverlay() {
+        showMarking(context.overlay().shown().marking());
+        view.setBadges(context.overlay().shown().badges());
+        view.setExplanation(context.overlay().shown().why());
     }
 
     private void showPlan() {

@@ -28,6 +28,7 @@ public final class DreammContext implements AutoCloseable {
     private final CommandRegistry commands;
     private final Notices notices = new Notices();
     private final Questions questions = new Questions();
+    private final NetOverlay overlay = new NetOverlay();
     private final BackgroundWork background = new BackgroundWork(notices::refused);
     private final ValueEditors values;
     private final Additions additions;
@@ -73,6 +74,11 @@ public final class DreammContext implements AutoCloseable {
     /** What of the window the author is given. */
     public Profile profile() {
         return profile;
+    }
+
+    /** What lies over the net while a plan is tried. */
+    public NetOverlay overlay() {
+        return overlay;
     }
 
     /** The status line: what was done, and why something was not. */

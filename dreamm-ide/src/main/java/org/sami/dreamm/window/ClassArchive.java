@@ -32,7 +32,8 @@ public final class ClassArchive {
             ProjectDocument document =
                     new ProjectDocument(domain.vocabulary(), LibraryProject.of(domain), Optional.empty());
             DreammContext context = new DreammContext(domain, document, Profile.ALL);
-            for (DockPanel panel : new DreammPanels(context).all()) {
+            RunParts run = new RunParts(context);
+            for (DockPanel panel : new DreammPanels(context, run).all()) {
                 panel.setSize(WIDTH, HEIGHT);
                 panel.doLayout();
                 Graphics2D g = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB).createGraphics();

@@ -91,6 +91,37 @@ final class DreammMenus {
                 "net-show-markups",
                 "net-show-requirements",
                 "net-show-tokens"));
+        bar.add(menus.menu(
+                "Try",
+                'T',
+                "try-start",
+                "try-start-at",
+                "try-restart",
+                "try-stop",
+                "",
+                "try-step",
+                "try-run",
+                "try-back",
+                "try-breakpoint",
+                "try-why",
+                "",
+                "try-cases",
+                "try-coverage",
+                "",
+                "replay-open",
+                "replay-close"));
+        bar.add(menus.menu(
+                "Issues",
+                'I',
+                "issue-next",
+                "issue-previous",
+                "issue-show",
+                "issue-fix",
+                "issue-play",
+                "",
+                "deep-stuck-states",
+                "deep-never-reached",
+                "deep-stop"));
         bar.add(menus.view(panels));
         bar.add(menus.help());
         return bar;

@@ -1,7 +1,6 @@
 package org.sami.dreamm.window;
 
 import java.util.List;
-import javax.swing.JComponent;
 import org.sami.dreamm.canvas.ModelView;
 import org.sami.dreamm.compare.ComparisonPanel;
 import org.sami.dreamm.context.DreammContext;
@@ -19,13 +18,14 @@ final class DreammPanels {
             .right("palette", "model-view", 0.22)
             .left("mission-tree", "model-view", 0.22)
             .below("inspector", "palette", 0.55)
-            .below("issues", "model-view", 0.24)
+            .below("issues", "model-view", 0.36)
             .behind("try-out", "issues")
+            .behind("replay", "issues")
             .behind("comparison", "issues");
 
     private final List<DockPanel> all;
 
-    DreammPanels(DreammContext context) {
+    DreammPanels(DreammContext context, RunParts run) {
         ModelView net = new ModelView(context);
         net.setNextSteps(new PaletteSteps(context));
         all = List.of(
@@ -33,28 +33,13 @@ final class DreammPanels {
                         new DockPanel("model-view", "Model view", "net", net),
                         new DockPanel("palette", "Palette", "plus", new PalettePanel(context)),
                         new DockPanel("inspector", "Inspector", "edit", new InspectorPanel(context)),
-                        new DockPanel(
-                                "issues",
-                                "Issues",
-                                "alarm",
-                                empty(
-                                        "Mission issues",
-                                        "What keeps the plan from being run, and what may not be meant so, with what to do.")),
-                        new DockPanel(
-                                "try-out",
-                                "Try it",
-                                "play",
-                                empty(
-                                        "Try it",
-                                        "Runs the open plan here, step by step, with robots that are not real.")),
+                        new DockPanel("issues", "Issues", "alarm", run.issues()),
+                        new DockPanel("try-out", "Try it", "play", run.tryOut()),
+                        new DockPanel("replay", "Journal", "clock", run.replay()),
                         new DockPanel("comparison", "Comparison", "compare", new ComparisonPanel(context)))
                 .stream()
                 .filter(panel -> context.profile().shows("panel-" + panel.getPersistentID()))
                 .toList();
-    }
-
-    private static JComponent empty(String title, String text) {
-        return new EmptyPanel(title, text);
     }
 
     /** All of them, in order. */

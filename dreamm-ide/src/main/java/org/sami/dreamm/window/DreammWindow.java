@@ -28,6 +28,7 @@ public final class DreammWindow {
     private final DreammContext context;
     private final IntConsumer ended;
     private final JFrame frame = new JFrame("DREAMM");
+    private final RunParts run;
     private final DockArea dock;
     private final StatusLine status;
     private final FileCommands files;
@@ -50,7 +51,8 @@ public final class DreammWindow {
         files = new FileCommands(context, frame, new RecentProjects(settings), recovery);
         EditCommands.addTo(context);
         ExportCommands.addTo(context);
-        DreammPanels panels = new DreammPanels(context);
+        run = new RunParts(context);
+        DreammPanels panels = new DreammPanels(context, run);
         dock = new DockArea(frame, panels.all(), DreammPanels.FIRST, data.arrangement(context.profile()));
         ViewCommands view = new ViewCommands(context.commands(), frame, settings);
         view.addPanels(dock);
@@ -58,7 +60,7 @@ public final class DreammWindow {
                 .add(new Command("end", "Close DREAMM", this::leave)
                         .withKey("ctrl Q")
                         .withIcon("close"));
-        status = new StatusLine(context);
+        status = new StatusLine(context, run.counters());
         frame.setName("dreamm-window");
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
         frame.setJMenuBar(DreammMenus.bar(context.commands(), files, panels.all()));
@@ -151,6 +153,7 @@ public final class DreammWindow {
         files.close();
         keys.close();
         dock.close();
+        run.close();
         context.close();
         frame.dispose();
         ended.accept(0);

@@ -2,6 +2,7 @@ package org.sami.dreamm.window;
 
 import java.util.Optional;
 import javax.swing.BorderFactory;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
@@ -18,13 +19,19 @@ final class StatusLine extends JPanel {
     private final JLabel file = new JLabel();
     private Optional<Notice> last = Optional.empty();
 
-    StatusLine(DreammContext context) {
-        super(new MigLayout("insets 4 12 4 12, gap 16", "[grow, fill][]", "[]"));
+    /**
+     * The line of a window.
+     *
+     * @param corner stands at its right end
+     */
+    StatusLine(DreammContext context, JComponent corner) {
+        super(new MigLayout("insets 4 12 4 12, gap 16", "[grow, fill][][]", "[]"));
         setName("status-line");
         notice.setName("notice");
         file.setName("project-file");
         add(notice, "wmin 0, h 20!");
         add(file, "wmax 45%");
+        add(corner);
         context.notices().addListener(this::show);
         style();
     }

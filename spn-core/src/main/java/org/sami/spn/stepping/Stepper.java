@@ -402,6 +402,11 @@ public final class Stepper {
         whyNotATestCase().ifPresent(reason -> {
             throw new IllegalStateException(reason);
         });
+        return asTried(name);
+    }
+
+    /** The steps taken, as near as a test case can say them; those that it cannot say may mean others when they are taken again. */
+    public TestCase asTried(String name) {
         return new TestCase(
                 name, proxies, from, past.stream().map(Past::recorded).toList());
     }

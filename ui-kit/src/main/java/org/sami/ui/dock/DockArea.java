@@ -17,6 +17,8 @@ import java.util.Optional;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.LayoutFocusTraversalPolicy;
+import javax.swing.UIManager;
+import javax.swing.plaf.InputMapUIResource;
 
 /**
  * Where the panels of a window lie. The arrangement is kept in a file as it changes; a file that cannot be used gives the first one.
@@ -40,6 +42,8 @@ public final class DockArea extends JPanel implements AutoCloseable {
     public DockArea(JFrame frame, List<DockPanel> panels, Arrangement first, Path remembered) {
         super(new BorderLayout());
         setName("dock-area");
+        // function keys are the window's commands': split panes of Swing's would take F6 and F8
+        UIManager.put("SplitPane.ancestorInputMap", new InputMapUIResource());
         Settings.setDefaultTabPreference(DockableTabPreference.TOP);
         Settings.setActiveHighlighterEnabled(false);
         Docking.initialize(frame);

@@ -57,6 +57,7 @@ public final class NetView extends JPanel {
     private final transient List<NetListener> listeners = new CopyOnWriteArrayList<>();
     private transient NetContent content = NetContent.NONE;
     private transient NetMarking marking = NetMarking.EMPTY;
+    private transient NetBadges badges = NetBadges.NONE;
     private transient NetMode mode = NetMode.NOMINAL;
     private transient Set<String> selected = Set.of();
     private transient Set<String> highlighted = Set.of();
@@ -118,6 +119,7 @@ public final class NetView extends JPanel {
         viewer.setGraphLayout(NetGraph.layout(plan, drawing));
         if (another) {
             marking = NetMarking.EMPTY;
+            badges = NetBadges.NONE;
             selected = Set.of();
             highlighted = Set.of();
         }
@@ -157,6 +159,12 @@ public final class NetView extends JPanel {
         reveal(changed);
         viewer.repaint();
         overview.repaint();
+    }
+
+    /** Shows signs at vertices. */
+    public void setBadges(NetBadges badges) {
+        this.badges = badges;
+        viewer.repaint();
     }
 
     /** What stands where. */
@@ -391,6 +399,7 @@ public final class NetView extends JPanel {
 
     private void paintNet(Graphics2D g, double scale) {
         painter.paint(g, scale, scene, marking, new NetLight(selected, highlighted, pulse::of, changes));
+        BadgePainter.paint(g, scene, badges);
         tool.paint(g);
     }
 

@@ -25,7 +25,7 @@ final class NeverReached implements DeepCheck {
 
     @Override
     public String title() {
-        return "Places and transitions out of reach";
+        return "Out of reach";
     }
 
     @Override

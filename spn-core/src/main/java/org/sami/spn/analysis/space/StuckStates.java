@@ -29,7 +29,7 @@ final class StuckStates implements DeepCheck {
 
     @Override
     public String title() {
-        return "States without an end";
+        return "Stuck states";
     }
 
     @Override

@@ -1,0 +1,281 @@
+package org.sami.dreamm.issues;
+
+import java.awt.BorderLayout;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import javax.swing.Icon;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextArea;
+import javax.swing.JTextField;
+import javax.swing.JToggleButton;
+import javax.swing.KeyStroke;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import net.miginfocom.swing.MigLayout;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.spn.edit.Fix;
+import org.sami.spn.finding.Severity;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Icons;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.table.RowColumn;
+import org.sami.ui.table.RowTable;
+
+/**
+ * The issues as a table (thesis 5.1): a click shows where, below it stands what to do and what the program can do, above it what is shown.
+ * Deep checks begin and stop here.
+ */
+public final class IssuesPanel extends JPanel {
+    private final transient DreammContext context;
+    private final transient IssueList issues;
+    private final RowTable<Issue> table;
+    private final JToggleButton[] severities = new JToggleButton[Severity.values().length];
+    private final JCheckBox onlyOpen = new JCheckBox("Open plan only");
+    private final JTextField text = new JTextField(12);
+    private final JTextArea message = new JTextArea();
+    private final JPanel fixes = new JPanel(new MigLayout("insets 0, gap 8", "[][][][]push[]", "[]"));
+    private final DeepChecksBar deep;
+
+    /**
+     * A view of issues.
+     *
+     * @param commands those that act on the list
+     */
+    public IssuesPanel(DreammContext context, IssueList issues, IssueCommands commands) {
+        super(new BorderLayout());
+        this.context = context;
+        this.issues = issues;
+        setName("issues-panel");
+        table = new RowTable<>(
+                "issues-table",
+                "No issues. What keeps a plan from being run, or may not be meant so, appears here as you draw.",
+                Issue::key,
+                List.of(
+                        RowColumn.<Issue>words(
+                                        "Code", 190, issue -> issue.finding().code())
+                                .withIcon(IssuesPanel::icon)
+                                .colored(issue -> color(issue.finding().severity())),
+                        RowColumn.<Issue>words(
+                                        "Plan", 120, issue -> issue.finding().plan())
+                                .colored(issue -> SemanticColor.MUTED),
+                        RowColumn.words(
+                                "What is wrong, and what to do",
+                                0,
+                                issue -> issue.finding().message()),
+                        RowColumn.<Issue>words("Fix", 190, IssuesPanel::offer).colored(issue -> SemanticColor.ACCENT)));
+        deep = new DeepChecksBar(commands);
+        bindTable();
+        add(top(), BorderLayout.NORTH);
+        add(table);
+        add(bottom(), BorderLayout.SOUTH);
+        issues.addListener(this::refresh);
+        commands.deep().addListener(this::refresh);
+        style();
+        refresh();
+    }
+
+    private static String offer(Issue issue) {
+        return issue.fixes().stream()
+                .findFirst()
+                .map(Fix::label)
+                .orElse(issue.witness().isPresent() ? "Play the run" : "");
+    }
+
+    private static SemanticColor color(Severity severity) {
+        return switch (severity) {
+            case ERROR -> SemanticColor.CRITICAL;
+            case WARNING -> SemanticColor.WARNING;
+            case NOTE -> SemanticColor.MUTED;
+        };
+    }
+
+    static Icon icon(Severity severity) {
+        String name = switch (severity) {
+            case ERROR -> "stop";
+            case WARNING -> "alarm";
+            case NOTE -> "message";
+        };
+        return Icons.of(name, Look.px(16), color(severity));
+    }
+
+    private static Optional<Icon> icon(Issue issue) {
+        return Optional.of(icon(issue.finding().severity()));
+    }
+
+    private void bindTable() {
+        table.table().getAccessibleContext().setAccessibleName("Issues");
+        table.addSelectionListener(() -> table.selected().ifPresent(issues::lookAt));
+        table.table()
+                .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+                .put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), "issue-show");
+        table.table().getActionMap().put("issue-show", context.commands().get("issue-show"));
+    }
+
+    private JPanel top() {
+        JPanel bar = new JPanel(new MigLayout("insets 4 8 4 8, gap 8", "[][][]16[][grow][]", "[]"));
+        bar.setOpaque(false);
+        for (Severity severity : Severity.values()) {
+            String word = severity.name().toLowerCase(Locale.ROOT);
+            JToggleButton button = new JToggleButton();
+            button.setName("issues-show-" + word);
+            button.setSelected(true);
+            button.setToolTipText("Show " + word + "s, or hide them");
+            button.addActionListener(e -> issues.setFilter(issues.filter().with(severity, button.isSelected())));
+            severities[severity.ordinal()] = button;
+            bar.add(button, "hmin 32");
+        }
+        onlyOpen.setName("issues-only-open");
+        onlyOpen.setOpaque(false);
+        onlyOpen.setMnemonic('O');
+        onlyOpen.setToolTipText("Show the issues of the plan that is open, or of all plans");
+        onlyOpen.addActionListener(e -> issues.setOnlyOpenPlan(onlyOpen.isSelected()));
+        bar.add(onlyOpen);
+        text.setName("issues-filter");
+        text.putClientProperty("JTextField.placeholderText", "Filter by code, plan or word");
+        text.getAccessibleContext().setAccessibleName("Filter of the issues");
+        text.getDocument().addDocumentListener(new DocumentListener() {
+            @Override
+            public void insertUpdate(DocumentEvent e) {
+                issues.setFilter(issues.filter().containing(text.getText()));
+            }
+
+            @Override
+            public void removeUpdate(DocumentEvent e) {
+                insertUpdate(e);
+            }
+
+            @Override
+            public void changedUpdate(DocumentEvent e) {
+                // styles only
+            }
+        });
+        bar.add(text, "growx, wmin 80, wmax 320, hmin 32");
+        bar.add(deep, "wmin 0");
+        return bar;
+    }
+
+    private JPanel bottom() {
+        JPanel panel = new JPanel(new MigLayout("insets 4 12 6 12, gap 4, wrap, hidemode 3", "[grow, fill]", "[][]"));
+        panel.setOpaque(false);
+        message.setName("issue-message");
+        message.setEditable(false);
+        message.setFocusable(false);
+        message.setLineWrap(true);
+        message.setWrapStyleWord(true);
+        message.setOpaque(false);
+        fixes.setName("issue-fixes");
+        fixes.setOpaque(false);
+        panel.add(message, "wmin 0");
+        panel.add(fixes, "wmin 0");
+        return panel;
+    }
+
+    private void refresh() {
+        table.show(issues.shown());
+        table.selectKeys(issues.current().map(issue -> Set.of(issue.key())).orElse(Set.of()));
+        IssueCounts counts = issues.counts();
+        label(Severity.ERROR, counts.errors());
+        label(Severity.WARNING, counts.warnings());
+        label(Severity.NOTE, counts.notes());
+        showCurrent();
+        deep.refresh();
+        context.commands().refresh();
+    }
+
+    private void label(Severity severity, int count) {
+        JToggleButton button = severities[severity.ordinal()];
+        button.setText(String.valueOf(count));
+        String word = severity.name().toLowerCase(Locale.ROOT);
+        button.getAccessibleContext().setAccessibleName(count + " " + word + "s");
+    }
+
+    private void showCurrent() {
+        message.setText(issues.current().map(IssuesPanel::words).orElse(""));
+        message.setVisible(issues.current().isPresent());
+        fixes.removeAll();
+        issues.current().ifPresent(issue -> {
+            for (int i = 0; i < issue.fixes().size(); i++) {
+                fixes.add(button(issue.fixes().get(i), i), "hmin 32");
+            }
+            issue.witness()
+                    .ifPresent(run ->
+                            fixes.add(new CommandButton(context.commands().get("issue-play")), "hmin 32"));
+        });
+        fixes.setVisible(fixes.getComponentCount() > 0);
+        fixes.revalidate();
+    }
+
+    private static String words(Issue issue) {
+        String nothing = issue.fixes().isEmpty() && issue.witness().isEmpty()
+                ? "  To be mended by hand: what it is about is marked on the net."
+                : "";
+        return issue.finding().message() + "." + nothing;
+    }
+
+    private JButton button(Fix fix, int index) {
+        JButton button = new JButton(fix.label());
+        button.setName("issue-fix-" + (index + 1));
+        button.setToolTipText(index == 0 ? fix.label() + " (Alt+Enter)" : fix.label());
+        button.setEnabled(context.profile().allows("issue-fix"));
+        button.addActionListener(e -> context.apply(fix.edit()));
+        return button;
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (table != null) {
+            style();
+            refresh();
+        }
+    }
+
+    private void style() {
+        setBackground(SemanticColor.SURFACE.get());
+        message.setFont(Fonts.text());
+        message.setForeground(SemanticColor.TEXT.get());
+        for (Severity severity : Severity.values()) {
+            severities[severity.ordinal()].setIcon(icon(severity));
+        }
+    }
+
+    /** What deep checks there are, how the one that runs is doing, and a way to stop it. */
+    private static final class DeepChecksBar extends JPanel {
+        private final transient IssueCommands commands;
+        private final JLabel status = new JLabel();
+        private final JPanel buttons = new JPanel(new MigLayout("insets 0, gap 8, hidemode 3", "", "[]"));
+        private final CommandButton stop;
+
+        DeepChecksBar(IssueCommands commands) {
+            super(new MigLayout("insets 0, gap 8", "[grow, right][]", "[]"));
+            this.commands = commands;
+            setOpaque(false);
+            buttons.setOpaque(false);
+            status.setName("deep-check-status");
+            add(status, "wmin 0");
+            commands.deepCommands().forEach(command -> buttons.add(new CommandButton(command), "hmin 32"));
+            stop = new CommandButton(commands.stop());
+            buttons.add(stop, "hmin 32");
+            add(buttons);
+        }
+
+        void refresh() {
+            boolean runs = commands.deep().isRunning();
+            status.setText(commands.deep().status());
+            status.setToolTipText(commands.deep().status());
+            status.setForeground(SemanticColor.MUTED.get());
+            for (int i = 0; i < buttons.getComponentCount(); i++) {
+                buttons.getComponent(i).setVisible(buttons.getComponent(i) == stop ? runs : !runs);
+            }
+        }
+    }
+}

@@ -1,0 +1,105 @@
+package org.sami.dreamm.tryout;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import org.sami.spn.engine.InterruptButton;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.stepping.Possible;
+import org.sami.spn.stepping.Stepper;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.vocabulary.EventType;
+
+/**
+ * One thing that can happen to the tried plan now.
+ *
+ * @param key what it is about: equal for the same thing at two moments
+ * @param who who does it: Operator, Answer, News, Button, Time, Robot
+ */
+record Happening(String key, String who, String what, What of) {
+    /** What happens. */
+    sealed interface What {
+        /** The operator answers. */
+        record Decide(Decision decision) implements What {}
+
+        /** Robots or services answer an activation. */
+        record Respond(Activation asked, EventType type) implements What {}
+
+        /** Something arrives that nobody asked for. */
+        record News(EventType type) implements What {}
+
+        /** An interrupt is pressed. */
+        record Press(InterruptButton button) implements What {}
+
+        /** Time passes, until the next timer where one runs. */
+        record Wait(long nextTimerMillis) implements What {}
+
+        /** A robot joins, or is dropped. */
+        record Robot(String name, boolean joins) implements What {}
+    }
+
+    Happening {
+        Objects.requireNonNull(key, "key");
+        Objects.requireNonNull(who, "who");
+        Objects.requireNonNull(what, "what");
+        Objects.requireNonNull(of, "of");
+    }
+
+    /** All that can happen now: what waits for somebody first, then time, news and robots. */
+    static List<Happening> of(Stepper stepper) {
+        List<Happening> all = new ArrayList<>();
+        Possible possible = stepper.possible();
+        for (Decision d : possible.decisions()) {
+            String asking = stepper.eventAsking(d);
+            all.add(new Happening(
+                    "decision-" + d.id(),
+                    "Operator",
+                    d.prompt() + (asking.isEmpty() ? "" : " (" + asking + ")"),
+                    new What.Decide(d)));
+        }
+        for (Possible.OpenActivation open : possible.activations()) {
+            Activation asked = open.activation();
+            for (EventType type : open.answers()) {
+                all.add(new Happening(
+                        "answer-" + asked.id() + "-" + type.name(),
+                        "Answer",
+                        type.label() + " to " + asked.event() + whom(asked),
+                        new What.Respond(asked, type)));
+            }
+        }
+        for (InterruptButton button : possible.interrupts()) {
+            all.add(new Happening(
+                    "press-" + button.mission() + "-" + button.name(),
+                    "Button",
+                    button.name(),
+                    new What.Press(button)));
+        }
+        long next = possible.nextDueMillis().isEmpty()
+                ? -1
+                : Math.max(0, possible.nextDueMillis().getAsLong() - stepper.nowMillis());
+        all.add(new Happening(
+                "time", "Time", next < 0 ? "passes; no timer runs" : "passes; the next timer", new What.Wait(next)));
+        for (EventType type : possible.news()) {
+            all.add(new Happening("news-" + type.name(), "News", type.label(), new What.News(type)));
+        }
+        List<String> known = stepper.view().proxies();
+        String another = "robot-" + (known.size() + 1);
+        all.add(new Happening("join", "Robot", another + " joins", new What.Robot(another, true)));
+        known.forEach(robot ->
+                all.add(new Happening("drop-" + robot, "Robot", robot + " is dropped", new What.Robot(robot, false))));
+        return all;
+    }
+
+    private static String whom(Activation asked) {
+        List<String> named = new ArrayList<>(asked.proxies());
+        asked.tasks().stream().map(TaskId::name).forEach(named::add);
+        return named.isEmpty() ? "" : ", of " + String.join(", ", named);
+    }
+
+    /** The activation that is answered; empty where none is. */
+    Optional<Activation> asked() {
+        return of instanceof What.Respond respond ? Optional.of(respond.asked()) : Optional.empty();
+    }
+}

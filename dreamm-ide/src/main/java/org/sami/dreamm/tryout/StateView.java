@@ -1,0 +1,66 @@
+package org.sami.dreamm.tryout;
+
+import java.awt.BorderLayout;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JPanel;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.spn.engine.MissionView;
+import org.sami.spn.model.Plan;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.stepping.Stepper;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.table.RowColumn;
+import org.sami.ui.table.RowTable;
+import org.sami.ui.value.ValueSummary;
+
+/** What stands where in all missions of the run, and what its variables hold. */
+final class StateView extends JPanel {
+    private final transient DreammContext context;
+    private final transient TryOut tryOut;
+    private final RowTable<Row> table;
+
+    private record Row(String key, String where, String what, String holds) {}
+
+    StateView(DreammContext context, TryOut tryOut) {
+        super(new BorderLayout());
+        this.context = context;
+        this.tryOut = tryOut;
+        table = new RowTable<>(
+                "try-state",
+                "Nothing is tried: no tokens, no values.",
+                Row::key,
+                List.of(
+                        RowColumn.<Row>words("Plan", 110, Row::where).colored(row -> SemanticColor.MUTED),
+                        RowColumn.words("Place or variable", 150, Row::what),
+                        RowColumn.words("Tokens or value", 0, Row::holds)));
+        add(table);
+        tryOut.addListener(this::refresh);
+        refresh();
+    }
+
+    private void refresh() {
+        List<Row> rows = new ArrayList<>();
+        tryOut.stepper().ifPresent(stepper -> stepper.view().missions().forEach(m -> rows(stepper, m, rows)));
+        table.show(rows);
+    }
+
+    private void rows(Stepper stepper, MissionView mission, List<Row> rows) {
+        String key = mission.id() + " ";
+        mission.marking()
+                .forEach((place, tokens) ->
+                        rows.add(new Row(key + place, mission.plan(), place, StepWords.tokens(tokens))));
+        List<VariableSpec> variables = new ArrayList<>(
+                stepper.view().planOf(mission.id()).map(Plan::variables).orElse(List.of()));
+        if (mission.id() == stepper.mission()) {
+            variables.addAll(context.document().project().globals());
+        }
+        for (VariableSpec variable : variables) {
+            String value = stepper.view()
+                    .variable(mission.id(), variable.name())
+                    .map(ValueSummary::of)
+                    .orElse("no value yet");
+            rows.add(new Row(key + variable.name(), mission.plan(), variable.name(), value));
+        }
+    }
+}

@@ -1,0 +1,368 @@
+package org.sami.dreamm.tryout;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Function;
+import java.util.stream.IntStream;
+import org.sami.dreamm.document.DocumentChange;
+import org.sami.dreamm.document.ProjectDocument;
+import org.sami.spn.analysis.PlanChecks;
+import org.sami.spn.engine.Engine;
+import org.sami.spn.engine.MissionView;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.model.TestCase;
+import org.sami.spn.model.TestStart;
+import org.sami.spn.model.TestStep;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.stepping.NextStep;
+import org.sami.spn.stepping.NextSteps;
+import org.sami.spn.stepping.Stepper;
+import org.sami.spn.stepping.TakenStep;
+
+/**
+ * A run of one plan of the document, with robots that are not real. Its steps are taken by hand or, one at a time, by what robots, services
+ * and an operator are expected to do; they stop at breakpoints and can be taken back. A run goes on with the plan as it was when it began;
+ * where the plan has changed it says so. On the document's thread.
+ */
+public final class TryOut {
+    /** The least and the greatest number of robots. */
+    public static final int MOST_ROBOTS = 25;
+
+    private final ProjectDocument document;
+    private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
+    private final Set<Breakpoint> breakpoints = new LinkedHashSet<>();
+    private int robots = 3;
+    private boolean mockOperator = true;
+    private boolean mockRobots = true;
+    private Optional<Run> run = Optional.empty();
+    private String message = "";
+
+    /** A vertex at which a run stops. */
+    public record Breakpoint(String plan, String vertex) {
+        public Breakpoint {
+            Objects.requireNonNull(plan, "plan");
+            Objects.requireNonNull(vertex, "vertex");
+        }
+    }
+
+    /** A step that was taken: its number, what was done, and what came of it. */
+    public record Line(int number, String done, String came) {}
+
+    private static final class Run {
+        final String plan;
+        final Stepper stepper;
+        final List<Line> lines = new ArrayList<>();
+        List<Effect> last = List.of();
+        boolean outdated;
+
+        Run(String plan, Stepper stepper) {
+            this.plan = plan;
+            this.stepper = stepper;
+        }
+    }
+
+    /** A place where nothing is tried yet. */
+    public TryOut(ProjectDocument document) {
+        this.document = Objects.requireNonNull(document, "document");
+        document.addListener(this::follow);
+    }
+
+    private void follow(DocumentChange change) {
+        if (change.isOpened()) {
+            breakpoints.clear();
+            stop();
+        } else if (run.isPresent() && NetChanges.in(change)) {
+            run.get().outdated = true;
+            message = "The plan has changed since this run began; Restart takes its steps again on the new plan";
+            tell();
+        }
+    }
+
+    // ---- Beginning and ending
+
+    /** Names of the robots that a run begins with. */
+    public List<String> robotNames() {
+        return IntStream.rangeClosed(1, robots).mapToObj(i -> "robot-" + i).toList();
+    }
+
+    /** With how many robots the next run begins. */
+    public int robots() {
+        return robots;
+    }
+
+    /** Begins the next run with so many robots. */
+    public void setRobots(int count) {
+        robots = Math.max(0, Math.min(MOST_ROBOTS, count));
+        tell();
+    }
+
+    /** Begins a plan at its start place. */
+    public boolean start(String plan) {
+        return begin(plan, new TestCase(plan, robotNames(), List.of()));
+    }
+
+    /** Begins a plan at a marking. */
+    public boolean startAt(String plan, TestStart start) {
+        return begin(plan, new TestCase(plan, robotNames(), List.of()).withStart(Optional.of(start)));
+    }
+
+    /** Begins a plan as a test case does and takes all of its steps, as far as they can be taken. */
+    public boolean play(String plan, TestCase test) {
+        return begin(plan, test)
+                && test.steps().stream().allMatch(step -> take(step).refusal().isEmpty());
+    }
+
+    private boolean begin(String plan, TestCase as) {
+        List<String> errors = PlanChecks.check(document.project(), document.vocabulary(), plan).stream()
+                .filter(Finding::isError)
+                .map(Finding::message)
+                .toList();
+        if (document.plan(plan).isEmpty() || !errors.isEmpty()) {
+            message = errors.isEmpty()
+                    ? "There is no plan " + plan
+                    : "A plan with an error is not started: " + errors.get(0);
+            tell();
+            return false;
+        }
+        try {
+            Engine engine = new Engine(document.vocabulary(), document.project());
+            Run begun = new Run(plan, Stepper.startAs(engine, plan, as));
+            begun.last = begun.stepper.startEffects();
+            run = Optional.of(begun);
+            message = "Started with " + as.proxies().size() + " robots";
+        } catch (IllegalArgumentException refused) {
+            message = refused.getMessage();
+            tell();
+            return false;
+        }
+        tell();
+        return true;
+    }
+
+    /** Begins anew with the plan as it is now, and takes the same steps as far as they can be taken. */
+    public void restart(boolean withSteps) {
+        run.ifPresent(was -> {
+            String plan = was.plan;
+            TestCase so = was.stepper.asTried(plan);
+            if (withSteps) {
+                int wanted = so.steps().size();
+                if (!play(plan, so) && run.filter(is -> is != was).isPresent()) {
+                    message = "Taken again up to step " + steps() + " of " + wanted + ": " + message;
+                    tell();
+                }
+            } else {
+                begin(plan, so.withSteps(List.of()));
+            }
+        });
+    }
+
+    /** Ends the run; breakpoints stay. */
+    public void stop() {
+        run = Optional.empty();
+        message = "";
+        tell();
+    }
+
+    // ---- Steps
+
+    /** Takes a step by hand. */
+    public TakenStep take(TestStep step) {
+        return done(StepWords.of(step), stepper -> stepper.take(step));
+    }
+
+    /** Takes a step that a stepper knows, such as an answer to one of several open questions. */
+    public TakenStep done(String words, Function<Stepper, TakenStep> step) {
+        Run now = run.orElseThrow(() -> new IllegalStateException("nothing is tried"));
+        TakenStep taken = step.apply(now.stepper);
+        if (taken.refusal().isPresent()) {
+            message = words + ": " + taken.refusal().get();
+        } else {
+            now.last = taken.effects();
+            now.lines.add(new Line(taken.number(), words, StepWords.of(taken.effects())));
+            message = now.lines.get(now.lines.size() - 1).came();
+        }
+        tell();
+        return taken;
+    }
+
+    /**
+     * Takes the next step that robots, services and operator are expected to take, of those that are played. One that changes nothing is not
+     * taken.
+     *
+     * @return whether one was taken; where none was, the message says what is waited for
+     */
+    public boolean stepOn() {
+        Run now = run.orElseThrow(() -> new IllegalStateException("nothing is tried"));
+        for (NextStep next : NextSteps.of(now.stepper)) {
+            if (isPlayed(next.kind())) {
+                Stepper tried = now.stepper.fork();
+                boolean changes = tried.take(next.step()).refusal().isEmpty()
+                        && !tried.key().equals(now.stepper.key());
+                if (changes || next.kind() == NextStep.Kind.TIME) {
+                    return take(next.step()).refusal().isEmpty();
+                }
+            }
+        }
+        message = isOver() ? "The mission is over" : "Nothing goes on by itself: do one of what can happen by hand";
+        tell();
+        return false;
+    }
+
+    private boolean isPlayed(NextStep.Kind kind) {
+        return switch (kind) {
+            case DECISION -> mockOperator;
+            case ANSWER -> mockRobots;
+            case TIME -> true;
+            case FAILURE, INTERRUPT, NEWS -> false;
+        };
+    }
+
+    /** Takes so many steps back. */
+    public void back(int steps) {
+        run.ifPresent(now -> {
+            int count = Math.min(steps, now.lines.size());
+            now.stepper.back(count);
+            now.lines.subList(now.lines.size() - count, now.lines.size()).clear();
+            now.last = List.of();
+            message = count == 0 ? "This is the start" : "Back at step " + now.lines.size();
+            tell();
+        });
+    }
+
+    /** The vertex with a breakpoint that the last step entered or fired; empty where it met none. */
+    public Optional<Breakpoint> met() {
+        return run.flatMap(now -> now.last.stream()
+                .map(effect -> vertex(now, effect))
+                .flatMap(Optional::stream)
+                .filter(breakpoints::contains)
+                .findFirst());
+    }
+
+    private static Optional<Breakpoint> vertex(Run now, Effect effect) {
+        if (effect instanceof Effect.Entered e) {
+            return planOf(now, e.mission()).map(plan -> new Breakpoint(plan, e.place()));
+        }
+        return effect instanceof Effect.Fired e
+                ? planOf(now, e.mission()).map(plan -> new Breakpoint(plan, e.transition()))
+                : Optional.empty();
+    }
+
+    private static Optional<String> planOf(Run now, long mission) {
+        return mission == now.stepper.mission()
+                ? Optional.of(now.plan)
+                : now.stepper.view().mission(mission).map(MissionView::plan);
+    }
+
+    // ---- Breakpoints
+
+    /** Where runs stop. */
+    public Set<Breakpoint> breakpoints() {
+        return Set.copyOf(breakpoints);
+    }
+
+    /** Sets a breakpoint where there is none, else removes it. */
+    public void toggle(Breakpoint at) {
+        if (!breakpoints.remove(at)) {
+            breakpoints.add(at);
+        }
+        tell();
+    }
+
+    // ---- Who plays
+
+    /** Whether the operator answers by itself while the plan is run on. */
+    public boolean isMockOperator() {
+        return mockOperator;
+    }
+
+    /** Has the operator answer by itself, or has the author answer. */
+    public void setMockOperator(boolean on) {
+        mockOperator = on;
+        tell();
+    }
+
+    /** Whether robots and services answer by themselves while the plan is run on. */
+    public boolean isMockRobots() {
+        return mockRobots;
+    }
+
+    /** Has robots and services answer by themselves, or has the author put in what they tell. */
+    public void setMockRobots(boolean on) {
+        mockRobots = on;
+        tell();
+    }
+
+    // ---- Questions
+
+    /** The run's stepper, for questions; empty where nothing is tried. */
+    public Optional<Stepper> stepper() {
+        return run.map(now -> now.stepper);
+    }
+
+    /** The plan that is tried; empty where none is. */
+    public Optional<String> plan() {
+        return run.map(now -> now.plan);
+    }
+
+    /** The steps that were taken, in order. */
+    public List<Line> lines() {
+        return run.map(now -> List.copyOf(now.lines)).orElse(List.of());
+    }
+
+    /** How many steps were taken. */
+    public int steps() {
+        return run.map(now -> now.lines.size()).orElse(0);
+    }
+
+    /** What the last step, or the start, did. */
+    public List<Effect> lastEffects() {
+        return run.map(now -> now.last).orElse(List.of());
+    }
+
+    /** Whether the mission has ended. */
+    public boolean isOver() {
+        return run.flatMap(now -> now.stepper.outcome()).isPresent();
+    }
+
+    /** Whether the plan has changed since the run began. */
+    public boolean isOutdated() {
+        return run.filter(now -> now.outdated).isPresent();
+    }
+
+    /** What came of the last thing that was done, in one sentence; empty text where nothing was. */
+    public String message() {
+        return message;
+    }
+
+    /** The mission of a plan in the run, such as that of a sub-mission which is looked at: the newest; empty where none runs. */
+    public Optional<MissionView> mission(String planId) {
+        return run.flatMap(now -> now.stepper.view().missions().stream()
+                .filter(mission -> mission.plan().equals(planId))
+                .reduce((older, newer) -> newer));
+    }
+
+    /** Why a transition of a plan in the run cannot fire, in one line; empty where that plan does not run or the transition can. */
+    public Optional<String> whyNot(String planId, String transition) {
+        return mission(planId)
+                .filter(mission -> document.plan(planId)
+                        .filter(plan -> plan.transition(transition).isPresent())
+                        .isPresent())
+                .map(mission -> stepper().orElseThrow().whyNot(mission.id(), transition))
+                .filter(answer -> !answer.yes())
+                .map(answer -> String.join(" ", answer.reasons()));
+    }
+
+    /** Tells somebody when something has changed. */
+    public void addListener(Runnable listener) {
+        listeners.add(Objects.requireNonNull(listener, "listener"));
+    }
+
+    private void tell() {
+        listeners.forEach(Runnable::run);
+    }
+}

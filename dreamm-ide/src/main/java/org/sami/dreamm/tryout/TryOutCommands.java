@@ -1,0 +1,197 @@
+package org.sami.dreamm.tryout;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Supplier;
+import javax.swing.Timer;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.document.EditorListener;
+import org.sami.spn.model.Plan;
+import org.sami.ui.command.Command;
+
+/** What can be done with a plan that is tried, and the timer that runs it on. On the event thread. */
+public final class TryOutCommands {
+    private static final int STEP_MS = 350;
+
+    private final DreammContext context;
+    private final TryOut tryOut;
+    private final StartMarkingSetup setup;
+    private final SavedCases cases;
+    private final TryOutOverlay overlay;
+    private final Timer timer = new Timer(STEP_MS, e -> tick());
+
+    /** Adds the commands to a window's. */
+    public TryOutCommands(
+            DreammContext context, TryOut tryOut, StartMarkingSetup setup, SavedCases cases, TryOutOverlay overlay) {
+        this.context = context;
+        this.tryOut = tryOut;
+        this.setup = setup;
+        this.cases = cases;
+        this.overlay = overlay;
+        add("try-start", "Start", "F5", "play", this::start, this::whyNoPlan);
+        add(
+                "try-restart",
+                "Restart with the same steps",
+                "ctrl F5",
+                "resend",
+                () -> tryOut.restart(true),
+                this::whyIdle);
+        add("try-stop", "End the run", "shift F5", "stop", this::stop, this::whyIdle);
+        add("try-step", "Step", "F6", "right", this::step, this::whyNoStep);
+        add("try-run", "Run on, or pause", "F9", "play", this::toggle, this::whyNoStep);
+        add("try-back", "One step back", "F7", "left", this::back, this::whyNoBack);
+        add("try-breakpoint", "Breakpoint at the selection", "ctrl F9", "stop", this::breakpoint, this::whyNoVertex);
+        add("try-why", "Why is it not enabled?", "ctrl F6", "help", this::why, this::whyNoTransition);
+        add("try-start-at", "Start from the marking", "", "go-to", this::startAt, this::whyNoMarking);
+        add("try-cases", "Run all saved cases", "ctrl F11", "check", cases::runAll, cases::whyNotRun);
+        add(
+                "try-coverage",
+                "Show what no case visits",
+                "",
+                "layers",
+                () -> overlay.setCoverage(!overlay.isCoverage()),
+                () -> cases.coverage().isPresent() ? Optional.empty() : Optional.of("run the saved cases first"));
+        for (Runnable refreshed : List.of((Runnable) this::refresh)) {
+            tryOut.addListener(refreshed);
+            setup.addListener(refreshed);
+            cases.addListener(refreshed);
+        }
+        context.editor().addListener(new EditorListener() {
+            @Override
+            public void planOpened() {
+                context.editor().planId().ifPresent(setup::of);
+            }
+        });
+        context.document().addListener(change -> context.editor().plan().ifPresent(setup::keep));
+        context.editor().planId().ifPresent(setup::of);
+    }
+
+    private void add(
+            String id, String title, String key, String icon, Runnable run, Supplier<Optional<String>> whyNot) {
+        Command command = new Command(id, title, run).withIcon(icon).unless(whyNot);
+        context.commands().add(key.isEmpty() ? command : command.withKey(key));
+    }
+
+    private void refresh() {
+        if (timer.isRunning() && (tryOut.stepper().isEmpty() || tryOut.isOver())) {
+            timer.stop();
+        }
+        context.commands().refresh();
+    }
+
+    /** Whether the run goes on by itself. */
+    boolean isRunning() {
+        return timer.isRunning();
+    }
+
+    private Optional<String> whyNoPlan() {
+        return context.editor().plan().isPresent() ? Optional.empty() : Optional.of("no plan is open");
+    }
+
+    private Optional<String> whyIdle() {
+        return tryOut.stepper().isPresent() ? Optional.empty() : Optional.of("nothing is tried yet: Start (F5) begins");
+    }
+
+    private Optional<String> whyNoStep() {
+        return tryOut.isOver()
+                ? Optional.of("the mission is over: Start begins anew, Back takes steps back")
+                : whyIdle();
+    }
+
+    private Optional<String> whyNoBack() {
+        return tryOut.stepper().isPresent() && tryOut.steps() == 0 ? Optional.of("this is the start") : whyIdle();
+    }
+
+    private Optional<String> whyNoVertex() {
+        return selected(false).isEmpty() ? Optional.of("select a place or a transition on the net") : Optional.empty();
+    }
+
+    private Optional<String> whyNoTransition() {
+        return tryOut.stepper().isPresent() && selected(true).isEmpty()
+                ? Optional.of("select a transition on the net")
+                : whyIdle();
+    }
+
+    private Optional<String> whyNoMarking() {
+        return setup.start().isEmpty()
+                ? Optional.of("put tokens into places first: select a place, then the tab Start marking")
+                : whyNoPlan();
+    }
+
+    private List<String> selected(boolean onlyTransitions) {
+        Set<String> selection = context.editor().selection();
+        return context.editor()
+                .plan()
+                .map((Plan plan) -> selection.stream()
+                        .filter(id -> plan.transition(id).isPresent()
+                                || !onlyTransitions && plan.place(id).isPresent())
+                        .toList())
+                .orElse(List.of());
+    }
+
+    private void start() {
+        timer.stop();
+        context.editor().planId().ifPresent(tryOut::start);
+    }
+
+    private void startAt() {
+        timer.stop();
+        setup.start().ifPresent(start -> context.editor().planId().ifPresent(plan -> tryOut.startAt(plan, start)));
+    }
+
+    private void stop() {
+        timer.stop();
+        tryOut.stop();
+    }
+
+    private void step() {
+        timer.stop();
+        tryOut.stepOn();
+    }
+
+    private void back() {
+        timer.stop();
+        tryOut.back(1);
+    }
+
+    private void toggle() {
+        if (timer.isRunning()) {
+            timer.stop();
+            context.commands().refresh();
+        } else {
+            timer.start();
+            tick();
+        }
+    }
+
+    private void tick() {
+        if (!tryOut.stepOn()) {
+            timer.stop();
+        }
+        tryOut.met().ifPresent(at -> {
+            timer.stop();
+            context.editor().open(at.plan());
+            context.editor().highlight(Set.of(at.vertex()));
+            context.notices().told("Stopped at the breakpoint " + at.vertex());
+        });
+        context.commands().refresh();
+    }
+
+    private void breakpoint() {
+        String plan = context.editor().planId().orElseThrow();
+        selected(false).forEach(vertex -> tryOut.toggle(new TryOut.Breakpoint(plan, vertex)));
+    }
+
+    private void why() {
+        String plan = context.editor().planId().orElseThrow();
+        String transition = selected(true).get(0);
+        context.notices()
+                .told(transition + ": "
+                        + tryOut.whyNot(plan, transition)
+                                .orElse(
+                                        tryOut.mission(plan).isPresent()
+                                                ? "it can fire when it is looked at next"
+                                                : "no mission of the plan " + plan + " runs in what is tried"));
+    }
+}

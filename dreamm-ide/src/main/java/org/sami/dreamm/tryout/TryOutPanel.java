@@ -1,0 +1,279 @@
+package org.sami.dreamm.tryout;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Rectangle;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import javax.swing.AbstractAction;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JSpinner;
+import javax.swing.JTabbedPane;
+import javax.swing.KeyStroke;
+import javax.swing.Scrollable;
+import javax.swing.SpinnerNumberModel;
+import net.miginfocom.swing.MigLayout;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.spn.stepping.Stepper;
+import org.sami.ui.EventThread;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.replay.SessionClock;
+import org.sami.ui.table.RowColumn;
+import org.sami.ui.table.RowTable;
+
+/**
+ * Tries the open plan: what can happen now, what one of it needs, and what was done. The tokens are on the net. On the event thread.
+ */
+public final class TryOutPanel extends JPanel {
+    private final transient DreammContext context;
+    private final transient TryOut tryOut;
+    private final transient TryOutCommands commands;
+    private final RowTable<Happening> happenings;
+    private final JPanel editorPlace = new Column();
+    private final JButton happen = new JButton("Let it happen");
+    private final JButton reject = new JButton("None of them");
+    private final JLabel message = new JLabel();
+    private final JLabel where = new JLabel();
+    private final JSpinner robots;
+    private final JCheckBox operator = new JCheckBox("Operator answers");
+    private final JCheckBox answering = new JCheckBox("Robots answer");
+    private final JTabbedPane tabs = new JTabbedPane();
+    private final transient CommandButton run;
+    private transient Optional<HappeningEditor> editor = Optional.empty();
+    private int shownSteps = -1;
+
+    /** The panel of a window. */
+    public TryOutPanel(
+            DreammContext context, TryOut tryOut, TryOutCommands commands, StartMarkingSetup setup, SavedCases cases) {
+        super(new BorderLayout());
+        this.context = context;
+        this.tryOut = tryOut;
+        this.commands = commands;
+        setName("try-out-panel");
+        happenings = new RowTable<>(
+                "try-happenings",
+                "Nothing is tried yet. Start (F5) begins the open plan with robots that are not real; what can happen then stands here.",
+                Happening::key,
+                List.of(
+                        RowColumn.<Happening>words("Who", 84, Happening::who).colored(row -> SemanticColor.MUTED),
+                        RowColumn.words("What can happen now", 0, Happening::what)));
+        robots = new JSpinner(new SpinnerNumberModel(tryOut.robots(), 0, TryOut.MOST_ROBOTS, 1));
+        run = new CommandButton(context.commands().get("try-run"));
+        tabs.setName("try-tabs");
+        tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
+        tabs.putClientProperty("JTabbedPane.tabHeight", 30);
+        tabs.addTab("Steps", new StepsView(tryOut));
+        tabs.addTab("State", new StateView(context, tryOut));
+        tabs.addTab("Marking", new StartMarkingView(context, tryOut, setup));
+        tabs.addTab("Cases", new SavedCasesView(context, tryOut, cases));
+        add(toolbar(), BorderLayout.NORTH);
+        add(middle());
+        add(foot(), BorderLayout.SOUTH);
+        bind();
+        tryOut.addListener(this::refresh);
+        style();
+        refresh();
+    }
+
+    private JPanel toolbar() {
+        JPanel bar = new JPanel(new MigLayout("insets 4 8 4 8, gap 6", "[][][][][][]12[][]12[][]push", "[]"));
+        bar.setOpaque(false);
+        for (String id : List.of("try-start", "try-step")) {
+            bar.add(new CommandButton(context.commands().get(id)), "hmin 32");
+        }
+        bar.add(run, "hmin 32");
+        for (String id : List.of("try-back", "try-restart", "try-stop")) {
+            bar.add(CommandButton.iconOnly(context.commands().get(id)), "hmin 32");
+        }
+        JLabel label = new JLabel("Robots");
+        label.setLabelFor(robots);
+        label.setDisplayedMnemonic('b');
+        robots.setName("try-robots");
+        robots.setToolTipText("With how many robots the next run begins");
+        robots.addChangeListener(e -> tryOut.setRobots((Integer) robots.getValue()));
+        bar.add(label);
+        bar.add(robots, "hmin 32");
+        operator.setName("try-operator-answers");
+        operator.setToolTipText(
+                "Step and Run let an operator answer that says yes, chooses all and takes what is proposed");
+        operator.addActionListener(e -> tryOut.setMockOperator(operator.isSelected()));
+        answering.setName("try-robots-answer");
+        answering.setToolTipText("Step and Run let robots and services answer that all went well, with sample values");
+        answering.addActionListener(e -> tryOut.setMockRobots(answering.isSelected()));
+        operator.setOpaque(false);
+        answering.setOpaque(false);
+        bar.add(operator);
+        bar.add(answering);
+        return bar;
+    }
+
+    private JPanel middle() {
+        editorPlace.setOpaque(false);
+        happen.setName("try-happen");
+        happen.setToolTipText("Lets the selected thing happen (Enter in the list)");
+        happen.addActionListener(e -> happen(false));
+        reject.setName("try-reject");
+        reject.addActionListener(e -> happen(true));
+        JPanel one = new JPanel(new BorderLayout());
+        one.setOpaque(false);
+        JScrollPane scroll = new JScrollPane(
+                editorPlace, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        scroll.setBorder(null);
+        scroll.getViewport().setOpaque(false);
+        scroll.setOpaque(false);
+        JPanel buttons = new JPanel(new MigLayout("insets 4 8 4 8, gap 8, hidemode 3", "push[][]", "[]"));
+        buttons.setOpaque(false);
+        buttons.add(reject, "hmin 32");
+        buttons.add(happen, "hmin 32");
+        one.add(scroll);
+        one.add(buttons, BorderLayout.SOUTH);
+        JPanel all = new JPanel(new MigLayout(
+                "insets 0, gap 1, fill", "[26%, grow, fill][360:38%, grow, fill][36%, grow, fill]", "[grow, fill]"));
+        all.setOpaque(false);
+        all.add(happenings, "wmin 0, hmin 0");
+        all.add(one, "wmin 0, hmin 0");
+        all.add(tabs, "wmin 0, hmin 0");
+        return all;
+    }
+
+    private JPanel foot() {
+        JPanel foot = new JPanel(new MigLayout("insets 2 12 4 12, gap 16", "[grow, fill][]", "[]"));
+        foot.setOpaque(false);
+        message.setName("try-message");
+        foot.add(message, "wmin 0, h 20!");
+        where.setName("try-where");
+        foot.add(where, "wmin 0");
+        return foot;
+    }
+
+    private void bind() {
+        happenings.addSelectionListener(() -> showEditor(true));
+        happenings
+                .table()
+                .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+                .put(KeyStroke.getKeyStroke("ENTER"), "try-happen");
+        happenings.table().getActionMap().put("try-happen", new AbstractAction() {
+            @Override
+            public void actionPerformed(java.awt.event.ActionEvent e) {
+                happen(false);
+            }
+        });
+    }
+
+    private void happen(boolean none) {
+        editor.ifPresent(now -> {
+            Optional<String> refused = none ? now.reject() : now.happen();
+            refused.ifPresent(why -> message.setText("▲ " + why));
+        });
+    }
+
+    private void refresh() {
+        Optional<Stepper> stepper = tryOut.stepper();
+        List<Happening> now =
+                stepper.filter(s -> !tryOut.isOver()).map(Happening::of).orElse(List.of());
+        happenings.show(now);
+        if (happenings.selected().isEmpty() && !now.isEmpty()) {
+            happenings.selectKeys(Set.of(now.get(0).key()));
+        }
+        showEditor(tryOut.steps() != shownSteps);
+        shownSteps = tryOut.steps();
+        message.setText((tryOut.isOutdated() ? "▲ " : "") + tryOut.message());
+        message.setToolTipText(tryOut.message().isEmpty() ? null : tryOut.message());
+        message.setForeground((tryOut.isOutdated() ? SemanticColor.WARNING : SemanticColor.MUTED).get());
+        where.setText(stepper.map(this::words).orElse(""));
+        operator.setSelected(tryOut.isMockOperator());
+        answering.setSelected(tryOut.isMockRobots());
+        run.setText(commands.isRunning() ? "Pause" : "Run");
+    }
+
+    private String words(Stepper stepper) {
+        String over = stepper.outcome()
+                .map(outcome -> " · over: " + outcome.name().toLowerCase(Locale.ROOT))
+                .orElse("");
+        return tryOut.plan().orElse("") + " · step " + tryOut.steps() + " · " + SessionClock.text(stepper.nowMillis())
+                + over;
+    }
+
+    /** Shows what the selected happening needs; what the author is filling in stays until another is selected or a step was taken. */
+    private void showEditor(boolean anew) {
+        Optional<Happening> selected =
+                happenings.selected().filter(row -> tryOut.stepper().isPresent());
+        boolean same = editor.map(HappeningEditor::happening).equals(selected);
+        if (same && !anew && editor.filter(HappeningEditor::isTouched).isPresent()) {
+            return;
+        }
+        if (!same || anew) {
+            editor = selected.map(row ->
+                    new HappeningEditor(context, tryOut, row, tryOut.stepper().orElseThrow()));
+            editorPlace.removeAll();
+            editor.ifPresent(shown -> editorPlace.add(shown.component(), BorderLayout.NORTH));
+            editorPlace.revalidate();
+            editorPlace.repaint();
+            EventThread.later(() -> editorPlace.scrollRectToVisible(new Rectangle(0, 0, 1, 1)));
+        }
+        happen.setEnabled(editor.isPresent());
+        reject.setVisible(editor.filter(HappeningEditor::canReject).isPresent());
+    }
+
+    /** Shows a tab by its title. */
+    void showTab(String title) {
+        tabs.setSelectedIndex(tabs.indexOfTab(title));
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (tabs != null) {
+            style();
+        }
+    }
+
+    private void style() {
+        setBackground(SemanticColor.SURFACE.get());
+        message.setFont(Fonts.text());
+        where.setFont(Fonts.text());
+        where.setForeground(SemanticColor.MUTED.get());
+    }
+
+    /** As wide as the view on it, so that only its height is scrolled. */
+    private static final class Column extends JPanel implements Scrollable {
+        Column() {
+            super(new BorderLayout());
+        }
+
+        @Override
+        public Dimension getPreferredScrollableViewportSize() {
+            return getPreferredSize();
+        }
+
+        @Override
+        public int getScrollableUnitIncrement(Rectangle shown, int orientation, int direction) {
+            return Look.px(24);
+        }
+
+        @Override
+        public int getScrollableBlockIncrement(Rectangle shown, int orientation, int direction) {
+            return Math.max(1, shown.height - Look.px(24));
+        }
+
+        @Override
+        public boolean getScrollableTracksViewportWidth() {
+            return true;
+        }
+
+        @Override
+        public boolean getScrollableTracksViewportHeight() {
+            return getParent() != null && getParent().getHeight() > getPreferredSize().height;
+        }
+    }
+}

@@ -1,0 +1,95 @@
+package org.sami.dreamm.window;
+
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import javax.swing.JComponent;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.issues.DeepSearch;
+import org.sami.dreamm.issues.IssueCommands;
+import org.sami.dreamm.issues.IssueCounters;
+import org.sami.dreamm.issues.IssueList;
+import org.sami.dreamm.issues.IssuesPanel;
+import org.sami.dreamm.issues.LiveFindings;
+import org.sami.dreamm.replay.ReplayPanel;
+import org.sami.dreamm.tryout.SavedCases;
+import org.sami.dreamm.tryout.StartMarkingSetup;
+import org.sami.dreamm.tryout.TryOut;
+import org.sami.dreamm.tryout.TryOutCommands;
+import org.sami.dreamm.tryout.TryOutOverlay;
+import org.sami.dreamm.tryout.TryOutPanel;
+import org.sami.ui.EventThread;
+
+/** What checks and runs the plan that is written, for the panels of one window: models, commands, and threads of their own. */
+final class RunParts implements AutoCloseable {
+    private final ExecutorService checking = worker("dreamm-checks");
+    private final ExecutorService searching = worker("dreamm-search");
+    private final ExecutorService replaying = worker("dreamm-replay");
+    private final DreammContext context;
+    private final IssueList issues;
+    private final IssueCommands issueCommands;
+    private final TryOut tryOut;
+    private final StartMarkingSetup setup = new StartMarkingSetup();
+    private final SavedCases cases;
+    private final TryOutOverlay overlay;
+    private final TryOutCommands tryOutCommands;
+
+    /**
+     * Parts of a window, whose commands are added to its context.
+     *
+     * @param context of the window
+     */
+    RunParts(DreammContext context) {
+        this.context = context;
+        LiveFindings live = new LiveFindings(context.document(), checking, EventThread.executor(), System::nanoTime);
+        DeepSearch deep = new DeepSearch(searching, EventThread.executor());
+        issues = new IssueList(context.document(), context.editor(), live, deep);
+        tryOut = new TryOut(context.document());
+        cases = new SavedCases(context.document(), context.editor(), searching, EventThread.executor());
+        overlay = new TryOutOverlay(context, tryOut, setup, cases);
+        tryOutCommands = new TryOutCommands(context, tryOut, setup, cases, overlay);
+        issueCommands = new IssueCommands(context, issues, deep, tryOut::robotNames, run -> {
+            context.editor().planId().ifPresent(plan -> tryOut.play(plan, run));
+            show("panel-try-out");
+        });
+    }
+
+    private static ExecutorService worker(String name) {
+        return Executors.newSingleThreadExecutor(work -> {
+            Thread thread = new Thread(work, name);
+            thread.setDaemon(true);
+            return thread;
+        });
+    }
+
+    private void show(String panel) {
+        context.commands().find(panel).ifPresent(command -> command.run());
+    }
+
+    IssueList issueList() {
+        return issues;
+    }
+
+    JComponent issues() {
+        return new IssuesPanel(context, issues, issueCommands);
+    }
+
+    JComponent tryOut() {
+        return new TryOutPanel(context, tryOut, tryOutCommands, setup, cases);
+    }
+
+    ReplayPanel replay() {
+        return new ReplayPanel(context, tryOut, overlay, replaying);
+    }
+
+    /** How many issues there are, for a corner of the window. */
+    JComponent counters() {
+        return new IssueCounters(issues, () -> show("panel-issues"));
+    }
+
+    @Override
+    public void close() {
+        checking.shutdownNow();
+        searching.shutdownNow();
+        replaying.shutdownNow();
+    }
+}

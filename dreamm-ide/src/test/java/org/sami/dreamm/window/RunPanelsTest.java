@@ -1,0 +1,182 @@
+package org.sami.dreamm.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Dimension;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import javax.swing.AbstractButton;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JTable;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.sami.dreamm.canvas.ModelView;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.document.ProjectDocument;
+import org.sami.dreamm.profile.Profile;
+import org.sami.spn.edit.RemoveElements;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.model.Plan;
+import org.sami.ui.check.Layout;
+import org.sami.ui.check.TextFit;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.Theme;
+
+/** The panels that check and run a plan, without a window: they are laid out, painted and used by their names. */
+class RunPanelsTest {
+    private static final DomainLibrary LIBRARY =
+            DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
+    private static final Dimension SIZE = new Dimension(1000, 320);
+
+    private DreammContext context;
+    private RunParts parts;
+
+    private void onEventThread(Runnable work) throws Exception {
+        SwingUtilities.invokeAndWait(work);
+    }
+
+    private void open() {
+        context = new DreammContext(
+                LIBRARY,
+                new ProjectDocument(
+                        LIBRARY.vocabulary(), LIBRARY.projectOf("clv").orElseThrow(), Optional.empty()),
+                Profile.ALL);
+        parts = new RunParts(context);
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        onEventThread(() -> {
+            if (parts != null) {
+                parts.close();
+                context.close();
+            }
+        });
+    }
+
+    private static void layOut(JComponent panel) {
+        Layout.layOut(panel, SIZE.width, SIZE.height);
+    }
+
+    /** Rows of tables end with an ellipsis and say all in their tooltips. */
+    private static List<String> faults(JComponent panel) {
+        return TextFit.faults(panel).stream()
+                .filter(fault -> !fault.contains(" cuts row "))
+                .toList();
+    }
+
+    private static JTable table(JComponent panel, String name) {
+        return Layout.find(panel, name, JTable.class).orElseThrow();
+    }
+
+    @ParameterizedTest
+    @EnumSource(Theme.class)
+    void noTextIsCutWhileAPlanIsTried(Theme theme) throws Exception {
+        onEventThread(() -> {
+            Look.apply(theme, 100);
+            open();
+            JComponent panel = parts.tryOut();
+            context.commands().get("try-start").run();
+            context.commands().get("try-step").run();
+            layOut(panel);
+
+            assertThat(faults(panel)).isEmpty();
+            assertThat(Layout.paint(panel)).isNotNull();
+            assertThat(table(panel, "try-happenings").getRowCount()).isPositive();
+            assertThat(table(panel, "try-steps").getRowCount()).isEqualTo(1);
+        });
+    }
+
+    @Test
+    void whatCanHappenIsLetHappenByItsButton() throws Exception {
+        onEventThread(() -> {
+            Look.apply(Theme.LIGHT, 100);
+            open();
+            JComponent panel = parts.tryOut();
+            context.commands().get("try-start").run();
+            layOut(panel);
+
+            Layout.find(panel, "try-happen", AbstractButton.class).orElseThrow().doClick();
+
+            assertThat(table(panel, "try-steps").getRowCount()).isEqualTo(1);
+            assertThat(table(panel, "try-steps").getValueAt(0, 1).toString()).startsWith("operator: ");
+            assertThat(context.overlay().shown().marking().tokens()).isNotEmpty();
+            context.commands().get("try-back").run();
+            assertThat(table(panel, "try-steps").getRowCount()).isZero();
+        });
+    }
+
+    @Test
+    void tokensAndBreakpointsOfWhatIsTriedLieOverTheNet() throws Exception {
+        onEventThread(() -> {
+            Look.apply(Theme.LIGHT, 100);
+            open();
+            JPanel net = new ModelView(context);
+            layOut(net);
+            BufferedImage before = Layout.paint(net);
+            Plan plan = context.editor().plan().orElseThrow();
+            context.editor().select(Set.of(plan.places().get(0).id()));
+            context.editor().select(Set.of());
+            parts.tryOut();
+
+            context.commands().get("try-start").run();
+
+            assertThat(context.overlay().shown().marking().tokens())
+                    .containsKey(plan.places().get(0).id());
+            BufferedImage after = Layout.paint(net);
+            assertThat(equal(before, after)).as("the net looks as before").isFalse();
+        });
+    }
+
+    private static boolean equal(BufferedImage a, BufferedImage b) {
+        for (int y = 0; y < a.getHeight(); y++) {
+            for (int x = 0; x < a.getWidth(); x++) {
+                if (a.getRGB(x, y) != b.getRGB(x, y)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    @Test
+    void issueIsFoundShownAndMendedByKeys() throws Exception {
+        CountDownLatch checked = new CountDownLatch(1);
+        JComponent[] panel = new JComponent[1];
+        onEventThread(() -> {
+            Look.apply(Theme.LIGHT, 100);
+            open();
+            panel[0] = parts.issues();
+            Plan plan = context.editor().plan().orElseThrow();
+            context.apply(new RemoveElements(
+                    plan.id(), Set.of(plan.startPlace().orElseThrow().id())));
+            parts.issueList().addListener(() -> {
+                if (parts.issueList().counts().errors() > 0) {
+                    checked.countDown();
+                }
+            });
+        });
+        assertThat(checked.await(20, TimeUnit.SECONDS)).isTrue();
+        onEventThread(() -> {
+            layOut(panel[0]);
+            JTable table = table(panel[0], "issues-table");
+            assertThat(table.getRowCount()).isPositive();
+            context.commands().get("issue-next").run();
+            layOut(panel[0]);
+            assertThat(table.getSelectedRow()).isZero();
+            assertThat(Layout.find(panel[0], "issue-message", JComponent.class)
+                            .orElseThrow()
+                            .isVisible())
+                    .isTrue();
+            assertThat(faults(panel[0])).isEmpty();
+        });
+    }
+}
