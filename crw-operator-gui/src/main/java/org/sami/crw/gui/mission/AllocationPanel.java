@@ -1,25 +1,48 @@
 package org.sami.crw.gui.mission;
 
 import java.awt.BorderLayout;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.TreeSet;
+import javax.swing.DropMode;
 import javax.swing.Icon;
+import javax.swing.JMenuItem;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.JTable;
+import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.AllocationSnapshot;
+import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.operator.TaskGift;
 import org.sami.spn.value.TaskId;
+import org.sami.ui.command.Command;
+import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.MarkIcon;
+import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
+import org.sami.ui.value.WrappedText;
 
-/** Who has which tasks, in the order in which they are done, and which nobody has. */
+/**
+ * Who has which tasks, in the order in which they are done, and which nobody has. A task is dragged to a row of another boat, or given by a
+ * menu; what that changes stands below while it is dragged, and in the menu.
+ */
 public final class AllocationPanel extends JPanel {
+    private static final String HINT = "Drag a task to another boat, or give it by the button.";
+
     private final OperatorContext context;
     private final RowTable<Row> table;
+    private final WrappedText effect = new WrappedText(HINT);
+    private final Command give;
+    private List<Row> rows = List.of();
 
-    /** A task and whose it is; empty text where nobody has it. */
-    private record Row(String boat, int place, TaskId task) {}
+    /** A task and whose it is (empty text where nobody has it), or a boat without a task. */
+    private record Row(String boat, int place, Optional<TaskId> task) {}
 
     /** The tasks of the session. */
     public AllocationPanel(OperatorContext context) {
@@ -28,19 +51,40 @@ public final class AllocationPanel extends JPanel {
         table = new RowTable<>(
                 "allocation-table",
                 "No task. Plans of tasks divide them here among the boats, each with its own queue.",
-                Row::task,
+                row -> row.task().<Object>map(task -> task).orElse(row.boat()),
                 List.of(
                         RowColumn.<Row>words("Boat", 96, row -> row.boat().isEmpty() ? "nobody" : row.boat())
                                 .withIcon(this::mark),
-                        RowColumn.number("Turn", 56, row -> row.boat().isEmpty() ? "–" : row.place() + "."),
-                        RowColumn.words(
-                                "Task",
-                                0,
-                                row -> row.task().name() + " (mission "
-                                        + row.task().mission() + ")")));
+                        RowColumn.number("Turn", 56, row -> row.place() == 0 ? "–" : row.place() + "."),
+                        RowColumn.<Row>words("Task", 0, AllocationPanel::words)
+                                .colored(row -> row.task().isPresent() ? SemanticColor.TEXT : SemanticColor.MUTED)));
+        give = context.commands()
+                .add(new Command("allocation-give", "Give the task to…", this::openMenu)
+                        .withKey("ctrl K")
+                        .withIcon("allocation")
+                        .unless(() -> chosen().isPresent()
+                                ? Optional.empty()
+                                : Optional.of("select a task in the table of tasks first")));
+        table.addSelectionListener(give::refresh);
+        JTable view = table.table();
+        view.getInputMap().put(KeyStroke.getKeyStroke("ENTER"), "give");
+        view.getActionMap().put("give", give);
+        view.setDropMode(DropMode.ON);
+        view.setTransferHandler(new TaskTransfer(this::taskAt, this::giftTo, this::say, this::give));
+        view.setDragEnabled(context.whyNotAct().isEmpty() && !GraphicsEnvironment.isHeadless());
+        effect.setName("allocation-effect");
+        effect.setColor(SemanticColor.MUTED);
+        JPanel tools = new JPanel(new MigLayout("novisualpadding, insets 4 8 4 8, gap 8, fillx", "[grow,fill][]", "[center]"));
+        tools.add(effect, "wmin 60");
+        tools.add(new CommandButton(give));
         add(table);
+        add(tools, BorderLayout.SOUTH);
         context.models().allocation().addListener(this::show);
         show(context.models().allocation().snapshot());
+    }
+
+    private static String words(Row row) {
+        return row.task().map(task -> task.name() + " (mission " + task.mission() + ")").orElse("no task");
     }
 
     private Optional<Icon> mark(Row row) {
@@ -50,13 +94,86 @@ public final class AllocationPanel extends JPanel {
     }
 
     private void show(AllocationSnapshot now) {
-        List<Row> rows = new ArrayList<>();
-        now.queues().forEach((boat, tasks) -> {
-            for (int i = 0; i < tasks.size(); i++) {
-                rows.add(new Row(boat, i + 1, tasks.get(i)));
-            }
+        List<Row> next = new ArrayList<>();
+        boolean any = !now.queues().values().stream().allMatch(List::isEmpty) || !now.unallocated().isEmpty();
+        if (any) {
+            boats().forEach(boat -> {
+                List<TaskId> tasks = now.queues().getOrDefault(boat, List.of());
+                for (int i = 0; i < tasks.size(); i++) {
+                    next.add(new Row(boat, i + 1, Optional.of(tasks.get(i))));
+                }
+                if (tasks.isEmpty()) {
+                    next.add(new Row(boat, 0, Optional.empty()));
+                }
+            });
+            now.unallocated().forEach(task -> next.add(new Row("", 0, Optional.of(task))));
+        }
+        rows = next;
+        table.show(next);
+        give.refresh();
+    }
+
+    /** All boats that are known or have a task, by name. */
+    private List<String> boats() {
+        TreeSet<String> all = new TreeSet<>(
+                context.models().allocation().snapshot().queues().keySet());
+        context.models().fleet().snapshot().stream().map(BoatSnapshot::boat).forEach(all::add);
+        return List.copyOf(all);
+    }
+
+    private Optional<TaskId> chosen() {
+        return table.selected().flatMap(Row::task);
+    }
+
+    private Optional<TaskId> taskAt(int row) {
+        return row >= 0 && row < rows.size() ? rows.get(row).task() : Optional.empty();
+    }
+
+    /** What dropping a task on a row would change. */
+    private Optional<TaskGift> giftTo(TaskId task, int row) {
+        return row >= 0 && row < rows.size() ? gift(task, rows.get(row).boat()) : Optional.empty();
+    }
+
+    private Optional<TaskGift> gift(TaskId task, String boat) {
+        return TaskGift.of(
+                task,
+                Optional.of(boat).filter(name -> !name.isEmpty()),
+                context.models().allocation().snapshot());
+    }
+
+    private void say(Optional<TaskGift> gift) {
+        effect.setText(gift.map(TaskGift::words).orElse(HINT));
+        effect.setColor(gift.isPresent() ? SemanticColor.ACCENT : SemanticColor.MUTED);
+    }
+
+    private void give(TaskGift gift) {
+        say(Optional.empty());
+        context.tell(context.session().moveTask(gift.task(), gift.to()), gift.words());
+    }
+
+    /** The menu of whom the chosen task can be given to; each entry says what it changes. */
+    JPopupMenu menu() {
+        JPopupMenu menu = new JPopupMenu();
+        menu.setName("allocation-menu");
+        chosen().ifPresent(task -> {
+            List<String> whom = new ArrayList<>(boats());
+            whom.add("");
+            whom.forEach(boat -> gift(task, boat).ifPresent(gift -> {
+                JMenuItem item = new JMenuItem(gift.words());
+                item.setName("allocation-give-" + (boat.isEmpty() ? "nobody" : boat));
+                if (!boat.isEmpty()) {
+                    item.setIcon(new MarkIcon(context.marks().of(boat)));
+                }
+                item.addActionListener(e -> give(gift));
+                menu.add(item);
+            }));
         });
-        now.unallocated().forEach(task -> rows.add(new Row("", 0, task)));
-        table.show(rows);
+        return menu;
+    }
+
+    private void openMenu() {
+        JTable view = table.table();
+        Rectangle row = view.getCellRect(Math.max(0, view.getSelectedRow()), 2, true);
+        menu().show(view, row.x, row.y + row.height);
     }
 }
