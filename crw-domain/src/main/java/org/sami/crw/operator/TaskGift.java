@@ -17,12 +17,7 @@ import org.sami.spn.value.TaskId;
  * @param next what that boat goes on with; empty where nothing is left
  */
 public record TaskGift(
-        TaskId task,
-        Optional<String> from,
-        Optional<String> to,
-        int place,
-        boolean interrupts,
-        Optional<TaskId> next) {
+        TaskId task, Optional<String> from, Optional<String> to, int place, boolean interrupts, Optional<TaskId> next) {
     public TaskGift {
         Objects.requireNonNull(task, "task");
         Objects.requireNonNull(from, "from");
@@ -41,18 +36,22 @@ public record TaskGift(
         }
         List<TaskId> left = from.map(boat -> now.queues().get(boat)).orElse(List.of());
         boolean interrupts = !left.isEmpty() && left.get(0).equals(task);
-        Optional<TaskId> next = left.stream().filter(other -> !other.equals(task)).findFirst();
-        int place = to.map(boat -> now.queues().getOrDefault(boat, List.of()).size() + 1).orElse(0);
+        Optional<TaskId> next =
+                left.stream().filter(other -> !other.equals(task)).findFirst();
+        int place = to.map(boat -> now.queues().getOrDefault(boat, List.of()).size() + 1)
+                .orElse(0);
         return Optional.of(new TaskGift(task, from, to, place, interrupts, next));
     }
 
     /** In one sentence. */
     public String words() {
-        String gains = to.map(boat -> boat + " does " + task.name() + (place == 1 ? " at once" : " as its number " + place))
+        String gains = to.map(
+                        boat -> boat + " does " + task.name() + (place == 1 ? " at once" : " as its number " + place))
                 .orElse("nobody does " + task.name());
         String loses = from.map(boat -> interrupts
                         ? "; " + boat + " leaves it now and "
-                                + next.map(other -> "goes on with " + other.name()).orElse("has no task left")
+                                + next.map(other -> "goes on with " + other.name())
+                                        .orElse("has no task left")
                         : "; " + boat + " loses it")
                 .orElse("");
         return gains + loses;

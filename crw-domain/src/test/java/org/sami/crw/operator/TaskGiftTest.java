@@ -18,7 +18,8 @@ class TaskGiftTest {
 
     @Test
     void whoLosesTheTaskItIsAtGoesOnWithItsNext() {
-        assertThat(words(PIER, "bert")).isEqualTo("bert does pier as its number 2; anna leaves it now and goes on with buoy");
+        assertThat(words(PIER, "bert"))
+                .isEqualTo("bert does pier as its number 2; anna leaves it now and goes on with buoy");
         assertThat(words(REED, "carl")).isEqualTo("carl does reed at once; bert leaves it now and has no task left");
     }
 

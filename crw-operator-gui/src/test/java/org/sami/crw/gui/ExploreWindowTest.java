@@ -7,12 +7,12 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Component;
 import java.awt.GraphicsEnvironment;
-import java.awt.Point;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,8 +22,11 @@ import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.BoatSnapshot;
 import org.sami.crw.operator.MissionSnapshot;
 import org.sami.spn.protocol.Outcome;
+import org.sami.spn.value.GeoPoint;
+import org.sami.ui.geo.MapFrame;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Theme;
+import org.sami.ui.map.MapView;
 
 /** A whole mission in the real window, by pointer and keys: the area and the boats are given as they are asked for. */
 @Tag("window")
@@ -31,9 +34,12 @@ class ExploreWindowTest {
     private static final int THERE_WITHIN_S = 60;
     private static final double QUAY_LON_DEG = 51.5268;
 
-    /** On the map of the decision, in pixels: some tens of metres of free water east of the boats. */
-    private static final List<Point> CORNERS =
-            List.of(new Point(335, 90), new Point(355, 90), new Point(355, 110), new Point(335, 110));
+    /** Some tens of metres of free water east of the boats. */
+    private static final List<GeoPoint> CORNERS = List.of(
+            GeoPoint.of(25.3599, 51.5274),
+            GeoPoint.of(25.3599, 51.5278),
+            GeoPoint.of(25.3595, 51.5278),
+            GeoPoint.of(25.3595, 51.5274));
 
     @TempDir
     private Path folder;
@@ -64,8 +70,10 @@ class ExploreWindowTest {
         robot.click("mission-start");
 
         Component map = robot.find(Component.class, "value-area-canvas");
-        for (Point corner : CORNERS) {
-            robot.clickAt(map, corner.x, corner.y);
+        MapView view = WindowRobot.ask(() -> (MapView) SwingUtilities.getAncestorOfClass(MapView.class, map));
+        MapFrame frame = WindowRobot.ask(view::frame);
+        for (GeoPoint corner : CORNERS) {
+            robot.clickAt(map, (int) frame.px(corner), (int) frame.py(corner));
         }
         robot.press(VK_ENTER, VK_ALT);
 

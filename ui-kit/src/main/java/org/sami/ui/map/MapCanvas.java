@@ -21,6 +21,7 @@ import org.sami.ui.look.Theme;
 /** The map itself, without what stands around it: base map, grid, layers, tool, scale. */
 final class MapCanvas extends JXMapViewer {
     private static final int MARGIN_PX = 48;
+    private static final int SMALL = 8; // a margin is at most this part of a small map
     private static final double POINT_ALONE_M = 60; // what is shown around one point
 
     private final transient MapLayers layers = new MapLayers(this::repaint);
@@ -152,12 +153,13 @@ final class MapCanvas extends JXMapViewer {
         double north = Mercator.y(box.northDeg());
         double south = Mercator.y(box.southDeg());
         double alone = POINT_ALONE_M / Mercator.metresPerWorld((box.northDeg() + box.southDeg()) / 2);
+        int across = 2 * Math.min(MARGIN_PX, getWidth() / SMALL);
+        int down = 2 * Math.min(MARGIN_PX, getHeight() / SMALL);
         double wide = Math.max(east - west, alone);
         double high = Math.max(south - north, alone);
         int zoom = 0;
         while (zoom < OfflineTiles.FARTHEST_ZOOM
-                && (wide * worldPx(zoom) > getWidth() - 2 * MARGIN_PX
-                        || high * worldPx(zoom) > getHeight() - 2 * MARGIN_PX)) {
+                && (wide * worldPx(zoom) > getWidth() - across || high * worldPx(zoom) > getHeight() - down)) {
             zoom++;
         }
         setZoom(zoom);

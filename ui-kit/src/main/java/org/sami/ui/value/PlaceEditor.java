@@ -9,11 +9,12 @@ import org.sami.spn.value.Value;
 import org.sami.ui.geo.GeoShape;
 import org.sami.ui.geo.GeoSketch;
 import org.sami.ui.look.IdentityMark;
+import org.sami.ui.look.Look;
 import org.sami.ui.map.MapView;
 
 /**
- * A point, list of points, path or area, drawn on a map of its own or entered as coordinates below it: each follows the other. What stands
- * in the text is the value (component {@code Map}).
+ * A point, list of points, path or area, drawn on a map of its own or entered as coordinates beside it, or below where there is no room beside:
+ * each follows the other. What stands in the text is the value (component {@code Map}).
  */
 final class PlaceEditor extends ValueEditor {
     private static final double PER_DEGREE = 1e7; // about 1 cm: what a pointer says beyond that is noise
@@ -21,8 +22,7 @@ final class PlaceEditor extends ValueEditor {
     private final GeoSketch sketch;
     private final TextEditor text;
     private final MapView map;
-    private final JPanel panel = new JPanel(new MigLayout(
-            "novisualpadding, insets 0, gap 4 4, fill, hidemode 3, wrap 1", "[grow,fill]", "[grow,fill][]"));
+    private final JPanel panel = new Sides();
     private final PlacesOnMap places;
     private boolean editable = true;
     private boolean following;
@@ -38,11 +38,37 @@ final class PlaceEditor extends ValueEditor {
         map.canvas().setName(field.componentName("canvas"));
         map.setStatusShown(false);
         panel.add(map, "h 130:240:, wmin 120, grow");
-        panel.add(text.component());
+        panel.add(text.component(), "wmin 120, aligny top");
         places = new PlacesOnMap(map, field.componentName("places"), robot -> new IdentityMark(0));
         sketch.addListener(this::drew);
         text.addListener(this::typed);
         draw();
+    }
+
+    /** Puts the text beside the map where both have room there: so it can be seen in a panel that is low. */
+    private static final class Sides extends JPanel {
+        private static final int ROOM = 520;
+        private static final String LAYOUT = "novisualpadding, insets 0, gap 8 4, fill, hidemode 3";
+
+        private final MigLayout layout = new MigLayout(LAYOUT + ", wrap 1", "[grow,fill]", "[grow,fill][]");
+        private boolean beside;
+
+        Sides() {
+            setLayout(layout);
+        }
+
+        @Override
+        public void doLayout() {
+            boolean room = getWidth() >= Look.px(ROOM);
+            if (room != beside) {
+                beside = room;
+                layout.setLayoutConstraints(LAYOUT + (room ? "" : ", wrap 1"));
+                layout.setColumnConstraints(room ? "[62%,fill][38%,fill]" : "[grow,fill]");
+                layout.setRowConstraints(room ? "[grow,fill]" : "[grow,fill][]");
+                invalidate();
+            }
+            super.doLayout();
+        }
     }
 
     /** Drawing never ends by itself: a form is left by other means. */

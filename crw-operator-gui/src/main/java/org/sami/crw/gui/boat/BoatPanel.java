@@ -56,7 +56,8 @@ public final class BoatPanel extends JPanel {
         head.add(facts, "wmin 0");
         JTabbedPane tabs = new JTabbedPane();
         tabs.setName("boat-tabs");
-        tabs.addTab("Commands", queue.table());
+        JPanel commands = new JPanel(new BorderLayout());
+        tabs.addTab("Commands", commands);
         tabs.addTab("Before launch", launch);
         tabs.addTab("By hand", byHand);
         tabs.addTab("Settings", scrolled(settings));
@@ -65,7 +66,8 @@ public final class BoatPanel extends JPanel {
         buttons.left(new CommandButton(queue.cancelCommand()));
         add(head, BorderLayout.NORTH);
         add(tabs);
-        add(buttons, BorderLayout.SOUTH);
+        commands.add(queue.table());
+        commands.add(buttons, BorderLayout.SOUTH);
         context.boats().addListener(this::refresh);
         refresh();
     }

@@ -62,7 +62,7 @@ final class DecisionHeader extends JPanel {
 
     /** Shows a decision as it is now. */
     void show(PendingDecision pending, long nowMillis) {
-        set(title, pending.presentation().title());
+        set(title, DecisionWords.heading(pending.presentation()));
         List<String> lines = pending.presentation().description();
         set(description, String.join("\n", lines));
         description.setVisible(!lines.isEmpty());

@@ -26,6 +26,16 @@ final class DecisionWords {
                 : String.format(Locale.ROOT, "%d h %02d min", seconds / MINUTE / MINUTE, seconds / MINUTE % MINUTE);
     }
 
+    /**
+     * What is asked, as a heading: where the question is no more than its event's name and its place's, as {@code Operator Create Area (Draw
+     * the area)}, the place says what is to be done.
+     */
+    static String heading(DecisionPresentation decision) {
+        String place = decision.asker().placeName();
+        String title = decision.title();
+        return !place.isBlank() && title.endsWith(" (" + place + ")") ? place : title;
+    }
+
     /** Who asks, in one line: mission and place, as far as they are known. */
     static String asker(DecisionPresentation decision) {
         List<String> parts = new ArrayList<>(

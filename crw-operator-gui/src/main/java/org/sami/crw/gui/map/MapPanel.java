@@ -2,12 +2,15 @@ package org.sami.crw.gui.map;
 
 import java.awt.BorderLayout;
 import java.awt.Cursor;
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import javax.swing.BorderFactory;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JFileChooser;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.Timer;
@@ -18,16 +21,23 @@ import org.sami.crw.operator.map.LayerState;
 import org.sami.crw.operator.map.MapSnapshot;
 import org.sami.crw.operator.map.ShownPart;
 import org.sami.spn.engine.EngineView;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
 import org.sami.ui.geo.GeoBounds;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.Spacing;
 import org.sami.ui.map.MapClick;
 import org.sami.ui.map.MapKey;
 import org.sami.ui.map.MapListener;
 import org.sami.ui.map.MapView;
+import org.sami.ui.value.PlacesOnMap;
 
 /** The map of the session: boats, ways, areas, measured fields; boats are chosen on it and sent somewhere. */
 public final class MapPanel extends JPanel {
@@ -41,7 +51,9 @@ public final class MapPanel extends JPanel {
     private final GuidedMode guided;
     private final CommandRow tools = new CommandRow();
     private final Timer pace = new Timer(SHOW_MS, e -> refresh());
-    private boolean placed;
+    private final FirstView firstView = new FirstView(view);
+    private final JLabel consequence = new JLabel(" ");
+    private final PlacesOnMap preview;
     private boolean pointing;
     private long partShown;
 
@@ -51,8 +63,15 @@ public final class MapPanel extends JPanel {
         this.context = context;
         feed = new MapFeed(context, view.layers());
         guided = new GuidedMode(context);
+        preview = new PlacesOnMap(view, "preview", context.marks()::of);
         addTools();
-        add(tools, BorderLayout.NORTH);
+        consequence.setName("boats-consequence");
+        int inset = Look.px(Spacing.NORMAL);
+        consequence.setBorder(BorderFactory.createEmptyBorder(0, inset, inset / 2, inset));
+        JPanel top = new JPanel(new BorderLayout());
+        top.add(tools);
+        top.add(consequence, BorderLayout.SOUTH);
+        add(top, BorderLayout.NORTH);
         add(view);
         view.addMapListener(new MapListener() {
             @Override
@@ -173,17 +192,13 @@ public final class MapPanel extends JPanel {
 
     /** Shows the model as it is now; to be called a few times a second, as ages change by themselves. */
     public void refresh() {
+        tellConsequence();
         feed.show(map().snapshot());
     }
 
     private void show(MapSnapshot now) {
         pace.start();
-        if (!placed) {
-            MapFeed.bounds(now).filter(box -> !now.boats().isEmpty()).ifPresent(box -> {
-                placed = true;
-                view.fit(box);
-            });
-        }
+        firstView.look(now);
         now.view().filter(part -> part.number() > partShown).ifPresent(this::showPart);
     }
 
@@ -192,6 +207,38 @@ public final class MapPanel extends JPanel {
         view.fit(new GeoBounds(part.southDeg(), part.westDeg(), part.northDeg(), part.eastDeg()));
         if (!part.why().isEmpty()) {
             context.notices().told(part.why());
+        }
+    }
+
+    /** Says whom a command concerns and what waits meanwhile, before it is given. */
+    private void tellConsequence() {
+        boolean none = context.boats().boats().isEmpty();
+        String text = none
+                ? "Select boats to send them without a plan: a click, or a box with Shift held."
+                : guided.consequence();
+        consequence.setText(text);
+        consequence.setToolTipText(text);
+        consequence.setFont(Fonts.small());
+        consequence.setForeground((none ? SemanticColor.MUTED : SemanticColor.ACCENT).get());
+    }
+
+    /** Draws the values with which a mission is about to start, and sees to it that they can be seen; none = nothing is about to start. */
+    public void preview(List<Value> values) {
+        preview.show(values);
+        List<GeoPoint> points = new ArrayList<>();
+        values.forEach(value -> {
+            if (value instanceof GeoPoint point) {
+                points.add(point);
+            } else if (value instanceof GeoArea area) {
+                points.addAll(area.outline());
+            } else if (value instanceof GeoPath path) {
+                points.addAll(path.points());
+            }
+        });
+        if (!points.stream().allMatch(view.frame()::isShown)) {
+            GeoBounds.of(points)
+                    .ifPresent(box -> view.fit(
+                            FirstView.bounds(map().snapshot()).map(box::with).orElse(box)));
         }
     }
 

@@ -74,7 +74,8 @@ public final class AllocationPanel extends JPanel {
         view.setDragEnabled(context.whyNotAct().isEmpty() && !GraphicsEnvironment.isHeadless());
         effect.setName("allocation-effect");
         effect.setColor(SemanticColor.MUTED);
-        JPanel tools = new JPanel(new MigLayout("novisualpadding, insets 4 8 4 8, gap 8, fillx", "[grow,fill][]", "[center]"));
+        JPanel tools =
+                new JPanel(new MigLayout("novisualpadding, insets 4 8 4 8, gap 8, fillx", "[grow,fill][]", "[center]"));
         tools.add(effect, "wmin 60");
         tools.add(new CommandButton(give));
         add(table);
@@ -84,7 +85,9 @@ public final class AllocationPanel extends JPanel {
     }
 
     private static String words(Row row) {
-        return row.task().map(task -> task.name() + " (mission " + task.mission() + ")").orElse("no task");
+        return row.task()
+                .map(task -> task.name() + " (mission " + task.mission() + ")")
+                .orElse("no task");
     }
 
     private Optional<Icon> mark(Row row) {
@@ -95,7 +98,8 @@ public final class AllocationPanel extends JPanel {
 
     private void show(AllocationSnapshot now) {
         List<Row> next = new ArrayList<>();
-        boolean any = !now.queues().values().stream().allMatch(List::isEmpty) || !now.unallocated().isEmpty();
+        boolean any = !now.queues().values().stream().allMatch(List::isEmpty)
+                || !now.unallocated().isEmpty();
         if (any) {
             boats().forEach(boat -> {
                 List<TaskId> tasks = now.queues().getOrDefault(boat, List.of());
@@ -115,8 +119,8 @@ public final class AllocationPanel extends JPanel {
 
     /** All boats that are known or have a task, by name. */
     private List<String> boats() {
-        TreeSet<String> all = new TreeSet<>(
-                context.models().allocation().snapshot().queues().keySet());
+        TreeSet<String> all =
+                new TreeSet<>(context.models().allocation().snapshot().queues().keySet());
         context.models().fleet().snapshot().stream().map(BoatSnapshot::boat).forEach(all::add);
         return List.copyOf(all);
     }

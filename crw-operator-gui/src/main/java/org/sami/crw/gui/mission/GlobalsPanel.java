@@ -97,6 +97,14 @@ final class GlobalsPanel extends JPanel {
         reload();
     }
 
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (title != null) {
+            title.setFont(Fonts.strong());
+        }
+    }
+
     private JPanel parts() {
         about.setName("global-about");
         problem.setName("global-problem");

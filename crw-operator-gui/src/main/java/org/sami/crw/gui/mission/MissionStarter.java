@@ -2,11 +2,14 @@ package org.sami.crw.gui.mission;
 
 import java.awt.Component;
 import java.awt.event.KeyEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -28,17 +31,21 @@ public final class MissionStarter {
     private final OperatorContext context;
     private final WindowSettings settings;
     private final ValueEditors editors;
+    private final Consumer<List<Value>> preview;
 
     /**
      * A starter.
      *
      * @param settings keeps the values that were given last
      * @param editors with which values are given
+     * @param preview shows the values with which a mission is about to start on the map; none = nothing is about to start
      */
-    public MissionStarter(OperatorContext context, WindowSettings settings, ValueEditors editors) {
+    public MissionStarter(
+            OperatorContext context, WindowSettings settings, ValueEditors editors, Consumer<List<Value>> preview) {
         this.context = context;
         this.settings = settings;
         this.editors = editors;
+        this.preview = preview;
     }
 
     /** Starts a mission of a plan; what it asks is asked as it goes. */
@@ -60,12 +67,13 @@ public final class MissionStarter {
                 .toList();
         JDialog dialog = new JDialog(SwingUtilities.getWindowAncestor(over), "Start " + plan.title());
         dialog.setName("mission-values-window");
-        ParametersForm form = new ParametersForm(parameters, names, editors, last(parameters, plan, names), values -> {
-            dialog.dispose();
-            names.forEach(name -> settings.keep(
-                    key(plan, name), values.containsKey(name) ? parameters.text(name, values.get(name)) : ""));
-            start(plan, values);
-        });
+        ParametersForm form =
+                new ParametersForm(parameters, names, editors, last(parameters, plan, names), preview, values -> {
+                    dialog.dispose();
+                    names.forEach(name -> settings.keep(
+                            key(plan, name), values.containsKey(name) ? parameters.text(name, values.get(name)) : ""));
+                    start(plan, values);
+                });
         int inset = Look.px(Spacing.INSET);
         form.setBorder(BorderFactory.createEmptyBorder(inset, inset, inset, inset));
         dialog.setContentPane(form);
@@ -75,8 +83,15 @@ public final class MissionStarter {
                         e -> dialog.dispose(),
                         KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
                         JComponent.WHEN_IN_FOCUSED_WINDOW);
+        dialog.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosed(WindowEvent e) {
+                preview.accept(List.of());
+            }
+        });
+        dialog.setDefaultCloseOperation(JDialog.DISPOSE_ON_CLOSE);
         dialog.pack();
-        dialog.setLocationRelativeTo(SwingUtilities.getWindowAncestor(over));
+        dialog.setLocationRelativeTo(over); // beside the map, which shows what is entered
         dialog.setVisible(true);
     }
 

@@ -28,12 +28,14 @@ final class ParametersForm extends JPanel {
     private final List<ParameterRow> rows = new ArrayList<>();
     private final JLabel wrong = new JLabel(" ");
     private final JButton start = new JButton("Start mission");
+    private final Consumer<List<Value>> changed;
 
     /**
      * A form.
      *
      * @param names the parameters that are offered, those that are not locked
      * @param last the values of the last time, by name
+     * @param changed is given the values that are ticked and complete, after each change
      * @param started is given the values, by name
      */
     ParametersForm(
@@ -41,9 +43,11 @@ final class ParametersForm extends JPanel {
             List<String> names,
             ValueEditors editors,
             Map<String, Value> last,
+            Consumer<List<Value>> changed,
             Consumer<Map<String, Value>> started) {
         super(new MigLayout("insets 0, wrap 2", "[grow, fill][]", "[grow, fill][]"));
         setName("mission-values");
+        this.changed = changed;
         JPanel column = new JPanel(new MigLayout("insets 0, gap 4 8, fillx, wrap 1", "[grow,fill]"));
         for (Parameters.Description each : parameters.describe()) {
             if (each.editable() && names.contains(each.name())) {
@@ -97,6 +101,7 @@ final class ParametersForm extends JPanel {
                 rows.stream().map(ParameterRow::wrong).flatMap(Optional::stream).findFirst();
         wrong.setText(fault.map(text -> "▲ " + text).orElse(" "));
         wrong.setToolTipText(fault.orElse(null));
+        changed.accept(List.copyOf(values().values()));
         start.setEnabled(fault.isEmpty());
         start.setToolTipText(fault.orElse("Start the mission with these values (Enter)"));
     }

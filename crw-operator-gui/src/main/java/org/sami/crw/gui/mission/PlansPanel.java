@@ -18,6 +18,7 @@ import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Icons;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
@@ -36,6 +37,7 @@ public final class PlansPanel extends JPanel {
         this.context = context;
         this.starter = starter;
         setName("plans");
+        title.setFont(Fonts.strong());
         table = new RowTable<>(
                 "plans-table",
                 "The project has no plan. Open another one, or draw one in the plan editor.",
@@ -61,17 +63,25 @@ public final class PlansPanel extends JPanel {
         });
         table.table().getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke("ENTER"), "start");
         table.table().getActionMap().put("start", start);
-        title.setFont(Fonts.strong());
         CommandButton startButton = new CommandButton(start);
         startButton.putClientProperty(
                 "FlatLaf.style",
                 "background: $Button.default.background; foreground: $Button.default.foreground; font: bold");
+        startButton.setIcon(Icons.of("play", 20, SemanticColor.ON_ACCENT));
         CommandRow head = new CommandRow();
         head.left(title).right(startButton).right(new CommandButton(startWith));
         head.setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
         add(head, BorderLayout.NORTH);
         add(table);
         reload();
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (title != null) {
+            title.setFont(Fonts.strong());
+        }
     }
 
     private static String about(Plan plan) {

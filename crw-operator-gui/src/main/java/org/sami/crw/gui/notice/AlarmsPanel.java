@@ -9,12 +9,11 @@ import org.sami.crw.operator.Alarm;
 import org.sami.crw.operator.AlarmModel;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.command.Command;
-import org.sami.ui.command.CommandButton;
-import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.replay.SessionClock;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
+import org.sami.ui.table.TableTools;
 
 /** The alarms: the worst first. Each is acknowledged, and can be muted. */
 public final class AlarmsPanel extends JPanel {
@@ -51,11 +50,7 @@ public final class AlarmsPanel extends JPanel {
             acknowledge.refresh();
             mute.refresh();
         });
-        CommandRow tools = new CommandRow();
-        tools.right(new CommandButton(mute));
-        tools.right(new CommandButton(acknowledge));
-        add(table);
-        add(tools, BorderLayout.SOUTH);
+        add(new TableTools(table, List.of(mute, acknowledge)));
         alarms().addListener(this::show);
         show(alarms().snapshot());
     }

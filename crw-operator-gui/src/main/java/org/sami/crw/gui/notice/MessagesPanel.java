@@ -9,12 +9,11 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.MessageEntry;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.command.Command;
-import org.sami.ui.command.CommandButton;
-import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.replay.SessionClock;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
+import org.sami.ui.table.TableTools;
 
 /** The messages: the most urgent first, of equal ones the newest. */
 public final class MessagesPanel extends JPanel {
@@ -47,10 +46,7 @@ public final class MessagesPanel extends JPanel {
                         .unless(this::whyNotAcknowledge));
         table.addSelectionListener(acknowledge::refresh);
         context.shown().moments().ifPresent(this::addMoment);
-        CommandRow tools = new CommandRow();
-        tools.right(new CommandButton(acknowledge));
-        add(table);
-        add(tools, BorderLayout.SOUTH);
+        add(new TableTools(table, List.of(acknowledge)));
         context.models().messages().addListener(this::show);
         show(context.models().messages().snapshot());
     }

@@ -27,6 +27,7 @@ import org.sami.ui.window.Notices.Notice;
 
 /** The strip at the top of the window: what there is, what waits, what is wrong, and the fleet stop. */
 public final class StatusStrip extends JPanel {
+    private static final int ROOMY = 1100;
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
 
     private final OperatorContext context;
@@ -49,7 +50,8 @@ public final class StatusStrip extends JPanel {
      * @param showAlarms brings the alarms to the front
      */
     public StatusStrip(OperatorContext context, FleetStopCommands fleetStop, Command showAlarms) {
-        super(new MigLayout("insets 6 12 6 8, gap 20", "[][][][]20:push[grow 0, shrink 200]push[][][]", "[]"));
+        super(new MigLayout(
+                "insets 6 12 6 8, gap 20, hidemode 3", "[][][][]8:push[grow 0, shrink 300]push[][][shrink 0]", "[]"));
         this.context = context;
         this.fleetStop = fleetStop;
         setName("status-strip");
@@ -66,16 +68,16 @@ public final class StatusStrip extends JPanel {
         boats.setName("boats-count");
         links.setName("links-count");
         clock.setName("clock");
-        List.of(missions, decisions, boats, links).forEach(this::add);
-        add(notice, "wmin 0");
-        add(clock);
+        List.of(missions, decisions, boats, links).forEach(label -> add(label, "wmin 32, shrink 100"));
+        add(notice, "wmin 0, shrink 300");
+        add(clock, "wmin 0, shrink 200");
         add(alarms, "h 40!");
         JPanel stops = new JPanel(new MigLayout("insets 0, gap 8, hidemode 3", "[][][]", "[]"));
         stops.setOpaque(false);
         stops.add(release);
         stops.add(confirm);
         stops.add(stop, "h 44!");
-        add(stops);
+        add(stops, "shrink 0"); // it is never cut
         fleetStop.onChange(this::refresh);
         context.notices().addListener(this::show);
         style();
@@ -121,28 +123,43 @@ public final class StatusStrip extends JPanel {
         long running = context.models().missions().snapshot().running().stream()
                 .filter(mission -> mission.parent() == Ids.NONE)
                 .count();
-        missions.setText(count(running, "mission"));
+        boolean narrow = getWidth() > 0 && getWidth() < Look.px(ROOMY);
+        say(missions, count(running, "mission"), narrow ? String.valueOf(running) : "");
         int waiting = context.models().decisions().snapshot().size();
-        decisions.setText(waiting == 0 ? "nothing waits" : count(waiting, "decision"));
+        say(
+                decisions,
+                waiting == 0 ? "nothing waits" : count(waiting, "decision"),
+                narrow ? String.valueOf(waiting) : "");
         decisions.setForeground((waiting == 0 ? SemanticColor.MUTED : SemanticColor.ACCENT).get());
         List<BoatSnapshot> fleet = context.models().fleet().snapshot();
         long linked =
                 fleet.stream().filter(boat -> boat.link() == LinkState.LINKED).count();
-        boats.setText(linked + " of " + count(fleet.size(), "boat"));
-        showLinks(fleet);
+        say(boats, linked + " of " + count(fleet.size(), "boat"), narrow ? linked + " / " + fleet.size() : "");
+        showLinks(fleet, narrow);
+        clock.setVisible(!narrow);
         clock.setText(LocalTime.now(ZoneId.systemDefault()).format(CLOCK));
         showAlarms(context.models().alarms().snapshot());
         release.setVisible(fleetStop.isStopped() && !fleetStop.isReleasing());
         confirm.setVisible(fleetStop.isStopped() && fleetStop.isReleasing());
     }
 
-    private void showLinks(List<BoatSnapshot> fleet) {
+    /** On a narrow window a number beside the icon says it; the tooltip has the words. */
+    private static void say(JLabel label, String words, String brief) {
+        label.setText(brief.isEmpty() ? words : brief);
+        label.setToolTipText(words);
+        label.getAccessibleContext().setAccessibleName(words);
+    }
+
+    private void showLinks(List<BoatSnapshot> fleet, boolean narrow) {
         long lost = fleet.stream().filter(boat -> boat.link() == LinkState.LOST).count();
         long worst = fleet.stream()
                 .mapToLong(boat -> boat.linkAgeMillis(context.nowMillis()).orElse(0))
                 .max()
                 .orElse(0);
-        links.setText(lost > 0 ? count(lost, "link") + " lost" : fleet.isEmpty() ? "no links" : "links fresh");
+        say(
+                links,
+                lost > 0 ? count(lost, "link") + " lost" : fleet.isEmpty() ? "no links" : "links fresh",
+                narrow ? (lost > 0 ? lost + " lost" : fleet.isEmpty() ? "–" : "fresh") : "");
         boolean bad = lost > 0 || worst > BoatWords.STALE_MS;
         links.setIcon(Icons.of(bad ? "link-lost" : "link", 16, bad ? SemanticColor.CRITICAL : SemanticColor.TEXT));
         links.setForeground((bad ? SemanticColor.CRITICAL : SemanticColor.TEXT).get());

@@ -64,7 +64,8 @@ public final class OperatorPanels implements AutoCloseable {
         MapMaker maps = new SessionMaps(context);
         ValueEditors editors = SessionEditors.of(
                 context, new ComponentChoice(components, context.vocabulary().types()), maps);
-        missions = new MissionMonitor(context, new MissionStarter(context, settings, editors), editors, file);
+        missions = new MissionMonitor(
+                context, new MissionStarter(context, settings, editors, map::preview), editors, file);
         decisions = SessionDecisions.panel(context, components, map.decisionMap(), maps);
         communication = new CommunicationPanel(context);
         all = List.of(

@@ -100,7 +100,8 @@ class MissionEndingTest {
     private MissionMonitor monitor(SessionWorld world) {
         return laidOut(() -> new MissionMonitor(
                 world.context,
-                new MissionStarter(world.context, new WindowSettings(folder.resolve("settings")), world.editors()),
+                new MissionStarter(
+                        world.context, new WindowSettings(folder.resolve("settings")), world.editors(), values -> {}),
                 world.editors(),
                 new ProjectFile(Optional.empty())));
     }

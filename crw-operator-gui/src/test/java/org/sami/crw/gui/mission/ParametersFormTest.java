@@ -6,6 +6,7 @@ import static org.sami.crw.gui.EventThreadCall.onEventThread;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
 import javax.swing.text.JTextComponent;
@@ -14,6 +15,7 @@ import org.sami.crw.sim.run.Parameters;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Project;
+import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.value.Value;
 import org.sami.ui.check.Layout;
@@ -35,6 +37,7 @@ class ParametersFormTest {
                     .orElseThrow());
 
     private final Map<String, Value> started = new HashMap<>();
+    private final AtomicReference<List<Value>> previewed = new AtomicReference<>(List.of());
 
     @Test
     void whatIsNotTickedIsNotGiven() {
@@ -66,6 +69,24 @@ class ParametersFormTest {
     }
 
     @Test
+    void whatIsEnteredIsPreviewedAsSoonAsItIsComplete() {
+        onEventThread(() -> {
+            ParametersForm form = form(Map.of());
+            find(form, "value-start-area-given", JCheckBox.class).doClick(0);
+            assertThat(previewed.get()).as("nothing is drawn yet").isEmpty();
+
+            find(form, "value-start-area-text", JTextComponent.class)
+                    .setText("25.36, 51.53\n25.36, 51.531\n25.361, 51.531");
+
+            assertThat(previewed.get()).hasSize(1).first().isInstanceOf(GeoArea.class);
+
+            find(form, "value-start-area-given", JCheckBox.class).doClick(0);
+            assertThat(previewed.get()).isEmpty();
+            return null;
+        });
+    }
+
+    @Test
     void whatWasGivenTheLastTimeIsOffered() {
         onEventThread(() -> {
             Value spacing = PARAMETERS
@@ -86,7 +107,8 @@ class ParametersFormTest {
         ValueEditors editors = new ValueEditors(
                 new ComponentChoice(LIBRARY.components(), LIBRARY.vocabulary().types()),
                 new ValueContext(LIBRARY.vocabulary().types(), NamedThings.NONE, MapMaker.PLAIN));
-        return new ParametersForm(PARAMETERS, List.of("@area", "@spacing"), editors, last, started::putAll);
+        return new ParametersForm(
+                PARAMETERS, List.of("@area", "@spacing"), editors, last, previewed::set, started::putAll);
     }
 
     private static <T extends java.awt.Component> T find(ParametersForm form, String name, Class<T> type) {

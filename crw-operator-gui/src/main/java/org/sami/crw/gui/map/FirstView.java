@@ -1,0 +1,67 @@
+package org.sami.crw.gui.map;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.sami.crw.operator.map.MapSnapshot;
+import org.sami.spn.value.GeoPoint;
+import org.sami.ui.geo.GeoBounds;
+import org.sami.ui.geo.MapFrame;
+import org.sami.ui.map.MapView;
+
+/**
+ * Shows boats and areas as large as they fit until the operator moves the map: at first, when a boat or an area comes or goes, and when the
+ * map's size changes. Boats that only move leave the map where it is.
+ */
+final class FirstView {
+    private final MapView view;
+    private Optional<MapFrame> left = Optional.empty();
+    private Set<String> shown = Set.of();
+    private boolean over;
+
+    FirstView(MapView view) {
+        this.view = view;
+    }
+
+    /** Looks at what there is now. */
+    void look(MapSnapshot now) {
+        MapFrame frame = view.frame();
+        if (over || now.boats().isEmpty() || frame.width() == 0 || frame.height() == 0) {
+            return;
+        }
+        if (left.isPresent() && !isSamePart(left.get(), frame)) {
+            over = true; // somebody moved it
+            return;
+        }
+        Set<String> things = new HashSet<>();
+        now.boats().forEach(boat -> things.add(boat.boat()));
+        now.areas().forEach(area -> things.add(area.mission() + "/" + area.name()));
+        boolean sameSize = left.filter(before -> before.width() == frame.width() && before.height() == frame.height())
+                .isPresent();
+        if (!sameSize || !things.equals(shown)) {
+            shown = things;
+            bounds(now).ifPresent(view::fit);
+            left = Optional.of(view.frame());
+        }
+    }
+
+    private static boolean isSamePart(MapFrame one, MapFrame other) {
+        double pixel = 1 / one.worldPx();
+        return one.worldPx() == other.worldPx()
+                && Math.abs(one.centreX() - other.centreX()) < pixel
+                && Math.abs(one.centreY() - other.centreY()) < pixel;
+    }
+
+    /** The box around boats and areas; around boats and places where there is no area. */
+    static Optional<GeoBounds> bounds(MapSnapshot map) {
+        List<GeoPoint> points = new ArrayList<>();
+        map.boats().forEach(boat -> points.add(boat.position()));
+        map.areas().forEach(area -> points.addAll(area.area().outline()));
+        if (map.areas().isEmpty()) {
+            map.places().forEach(place -> points.add(place.point()));
+        }
+        return GeoBounds.of(points);
+    }
+}

@@ -1,0 +1,47 @@
+package org.sami.ui.table;
+
+import java.awt.BorderLayout;
+import java.util.List;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.sami.ui.command.Command;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.command.CommandRow;
+import org.sami.ui.look.Look;
+
+/**
+ * A table with buttons: below it with their titles, or, where the panel is so low that rows would have no room, beside it as icons. Their
+ * components are named by the commands, those beside with {@code -icon} behind.
+ */
+public final class TableTools extends JPanel {
+    private static final int LOW = 170;
+
+    private final CommandRow below = new CommandRow();
+    private final JPanel beside = new JPanel(new MigLayout("novisualpadding, insets 2, gap 0 2, wrap 1", "[]"));
+
+    /** A table with the buttons of commands, the most important last. */
+    public TableTools(JComponent table, List<Command> commands) {
+        super(new BorderLayout());
+        for (int i = commands.size() - 1; i >= 0; i--) {
+            CommandButton icon = CommandButton.iconOnly(commands.get(i));
+            icon.setName(commands.get(i).id() + "-icon");
+            beside.add(icon);
+        }
+        commands.forEach(command -> below.right(new CommandButton(command)));
+        beside.setVisible(false);
+        add(table);
+        add(below, BorderLayout.SOUTH);
+        add(beside, BorderLayout.EAST);
+    }
+
+    @Override
+    public void doLayout() {
+        boolean low = getHeight() < Look.px(LOW);
+        if (low != beside.isVisible()) {
+            beside.setVisible(low);
+            below.setVisible(!low);
+        }
+        super.doLayout();
+    }
+}
