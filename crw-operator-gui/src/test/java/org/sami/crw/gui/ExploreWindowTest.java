@@ -36,10 +36,10 @@ class ExploreWindowTest {
 
     /** Some tens of metres of free water east of the boats. */
     private static final List<GeoPoint> CORNERS = List.of(
-            GeoPoint.of(25.3599, 51.5274),
-            GeoPoint.of(25.3599, 51.5278),
-            GeoPoint.of(25.3595, 51.5278),
-            GeoPoint.of(25.3595, 51.5274));
+            GeoPoint.of(25.3601, 51.5273),
+            GeoPoint.of(25.3601, 51.5281),
+            GeoPoint.of(25.3593, 51.5281),
+            GeoPoint.of(25.3593, 51.5273));
 
     @TempDir
     private Path folder;

@@ -63,7 +63,7 @@ final class PlaceEditor extends ValueEditor {
             if (room != beside) {
                 beside = room;
                 layout.setLayoutConstraints(LAYOUT + (room ? "" : ", wrap 1"));
-                layout.setColumnConstraints(room ? "[62%,fill][38%,fill]" : "[grow,fill]");
+                layout.setColumnConstraints(room ? "[60%,fill][grow,fill]" : "[grow,fill]");
                 layout.setRowConstraints(room ? "[grow,fill]" : "[grow,fill][]");
                 invalidate();
             }

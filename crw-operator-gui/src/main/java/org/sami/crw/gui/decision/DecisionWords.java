@@ -38,8 +38,11 @@ final class DecisionWords {
 
     /** Who asks, in one line: mission and place, as far as they are known. */
     static String asker(DecisionPresentation decision) {
-        List<String> parts = new ArrayList<>(
-                List.of(decision.asker().mission(), decision.asker().placeName()));
+        List<String> parts = new ArrayList<>(List.of(
+                decision.asker().mission(),
+                heading(decision).equals(decision.asker().placeName())
+                        ? decision.asker().event()
+                        : decision.asker().placeName()));
         parts.removeIf(String::isBlank);
         return parts.isEmpty() ? "Asked by the system" : String.join(" · ", parts);
     }

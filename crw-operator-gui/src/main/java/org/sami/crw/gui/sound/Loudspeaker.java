@@ -11,6 +11,7 @@ import javax.sound.sampled.SourceDataLine;
 
 /** This machine's loudspeaker. Plays on a thread of its own; a machine without one says so once, and is silent from then on. */
 public final class Loudspeaker implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(Loudspeaker.class.getName());
     private static final AudioFormat FORMAT = new AudioFormat(AlarmTone.RATE_HZ, 16, 1, true, false);
 
     /** One plays and one waits; what comes while one waits is left out, as a later alarm repeats it. */
@@ -70,7 +71,8 @@ public final class Loudspeaker implements AutoCloseable {
             line.drain();
         } catch (LineUnavailableException | IllegalArgumentException | SecurityException none) {
             broken = true;
-            silent.accept("This machine makes no sound: alarms are seen, and not heard (" + none.getMessage() + ")");
+            LOG.log(System.Logger.Level.DEBUG, "no line to a loudspeaker", none);
+            silent.accept("This machine makes no sound: alarms are seen, and not heard");
         }
     }
 

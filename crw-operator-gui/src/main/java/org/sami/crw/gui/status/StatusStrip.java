@@ -51,7 +51,9 @@ public final class StatusStrip extends JPanel {
      */
     public StatusStrip(OperatorContext context, FleetStopCommands fleetStop, Command showAlarms) {
         super(new MigLayout(
-                "insets 6 12 6 8, gap 20, hidemode 3", "[][][][]8:push[grow 0, shrink 300]push[][][shrink 0]", "[]"));
+                "insets 6 12 6 8, gap 20, hidemode 3",
+                "[][][][]8:push[grow 0, shrinkprio 300]push[shrinkprio 200][][shrink 0]",
+                "[]"));
         this.context = context;
         this.fleetStop = fleetStop;
         setName("status-strip");
@@ -68,9 +70,9 @@ public final class StatusStrip extends JPanel {
         boats.setName("boats-count");
         links.setName("links-count");
         clock.setName("clock");
-        List.of(missions, decisions, boats, links).forEach(label -> add(label, "wmin 32, shrink 100"));
-        add(notice, "wmin 0, shrink 300");
-        add(clock, "wmin 0, shrink 200");
+        List.of(missions, decisions, boats, links).forEach(label -> add(label, "wmin 32"));
+        add(notice, "wmin 0, shrinkprio 300");
+        add(clock, "wmin 0, shrinkprio 200");
         add(alarms, "h 40!");
         JPanel stops = new JPanel(new MigLayout("insets 0, gap 8, hidemode 3", "[][][]", "[]"));
         stops.setOpaque(false);

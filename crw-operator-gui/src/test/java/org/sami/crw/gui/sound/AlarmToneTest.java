@@ -41,7 +41,7 @@ class AlarmToneTest {
             Await.until("it says so", 10, () -> !said.isEmpty());
             speaker.play(AlarmTone.CRITICAL);
         }
-        assertThat(said).containsExactly("This machine makes no sound: alarms are seen, and not heard (no card)");
+        assertThat(said).containsExactly("This machine makes no sound: alarms are seen, and not heard");
         assertThat(tried).as("it does not try again").hasValue(1);
     }
 
