@@ -23,8 +23,8 @@ import org.sami.crw.operator.BoatSnapshot;
 import org.sami.crw.operator.MissionSnapshot;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.GeoPoint;
-import org.sami.ui.geo.MapFrame;
 import org.sami.ui.check.WindowRobot;
+import org.sami.ui.geo.MapFrame;
 import org.sami.ui.look.Theme;
 import org.sami.ui.map.MapView;
 

@@ -11,8 +11,6 @@ import org.sami.crw.operator.MissionSnapshot;
 
 /** What an abort or a completion will do, in lines. */
 final class EndWords {
-    private static final int BOATS_NAMED = 6;
-
     private EndWords() {}
 
     /** The lines; never none. */
@@ -20,10 +18,13 @@ final class EndWords {
         List<String> lines = new ArrayList<>();
         interceptor.ifPresent(name -> lines.add("The plan has a transition for it, " + name
                 + ": what it draws comes first. What follows comes when the mission ends."));
-        end.boats().stream().limit(BOATS_NAMED).forEach(boat -> lines.add(line(boat)));
-        if (end.boats().size() > BOATS_NAMED) {
-            lines.add("… and " + (end.boats().size() - BOATS_NAMED) + " more boats lose what it wants of them");
+        List<BoatChange> stop = end.boats().stream().filter(EndWords::stops).toList();
+        if (!stop.isEmpty()) {
+            lines.add(stop.stream().map(EndWords::loses).collect(Collectors.joining(", "))
+                    + (stop.size() == 1 ? " stops" : " stop") + ": nobody else wants anything of "
+                    + (stop.size() == 1 ? "it." : "them."));
         }
+        end.boats().stream().filter(boat -> !stops(boat)).forEach(boat -> lines.add(line(boat)));
         if (end.boats().isEmpty()) {
             lines.add("No boat stops: it wants nothing of any boat now.");
         }
@@ -43,18 +44,27 @@ final class EndWords {
         return lines;
     }
 
+    private static boolean stops(BoatChange boat) {
+        return boat.inForce().isPresent() && boat.next().isEmpty();
+    }
+
+    /** A boat and what it no longer does. */
+    private static String loses(BoatChange boat) {
+        return boat.boat()
+                + boat.inForce()
+                        .map(entry -> " (" + CommandWords.progress(entry) + ")")
+                        .orElse("");
+    }
+
     private static String line(BoatChange boat) {
-        String loses = boat.inForce()
-                .map(entry -> " no longer has to " + CommandWords.progress(entry))
-                .orElse(" loses "
-                        + (boat.waiting() == 1 ? "a command that waits" : boat.waiting() + " commands that wait"));
-        String then = boat.next()
-                .map(entry -> boat.inForce().isPresent()
-                        ? ", and goes on with: " + CommandWords.what(entry.command()) + ", for "
-                                + CommandWords.whose(entry.command())
-                        : ", and goes on as it does")
-                .orElse(", and stops: nobody else wants anything of it");
-        return boat.boat() + loses + then;
+        String waiting = boat.waiting() == 1 ? "a command that waits" : boat.waiting() + " commands that wait";
+        return boat.inForce().isPresent()
+                ? loses(boat) + " goes on with: "
+                        + boat.next()
+                                .map(entry -> CommandWords.what(entry.command()) + ", for "
+                                        + CommandWords.whose(entry.command()))
+                                .orElseThrow()
+                : boat.boat() + " goes on as it does, and loses " + waiting;
     }
 
     private static String count(int number, String what) {

@@ -7,8 +7,10 @@ import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
+import org.sami.crw.gui.value.WidthTrackingPanel;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.look.Look;
@@ -17,6 +19,8 @@ import org.sami.ui.value.WrappedText;
 
 /** Says what an abort or a completion will do, in place, and has it done or left. Not seen while nothing is proposed. */
 final class EndingPanel extends JPanel {
+    private static final int MOST_HIGH = 96;
+
     private final WrappedText title = new WrappedText("");
     private final WrappedText lines = new WrappedText("");
     private final CommandButton confirm;
@@ -31,7 +35,7 @@ final class EndingPanel extends JPanel {
      * @param changed is told when something is proposed, or no longer
      */
     EndingPanel(CommandRegistry commands, Consumer<Boolean> end, Runnable changed) {
-        super(new MigLayout("novisualpadding, insets 8 12 8 12, gap 8 4, fillx, wrap 1", "[grow,fill]"));
+        super(new MigLayout("novisualpadding, insets 8 12 8 12, gap 8 4, fillx, wrap 3", "[grow,fill][][]"));
         this.end = end;
         this.changed = changed;
         setName("mission-ending");
@@ -41,9 +45,13 @@ final class EndingPanel extends JPanel {
         confirm = new CommandButton(commands.get("mission-end-confirm"));
         CommandButton leave = new CommandButton(commands.get("mission-end-leave"));
         add(title, "wmin 60");
-        add(lines, "wmin 60");
-        add(confirm, "split 2, growx 0");
-        add(leave, "growx 0");
+        add(confirm);
+        add(leave);
+        JScrollPane scroll = new JScrollPane(new WidthTrackingPanel(lines));
+        scroll.setBorder(BorderFactory.createEmptyBorder());
+        scroll.setOpaque(false);
+        scroll.getViewport().setOpaque(false);
+        add(scroll, "span, growx, wmin 60, hmin 24, hmax " + Look.px(MOST_HIGH));
         getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
                 .put(KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0), "leave");
         getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)

@@ -51,7 +51,7 @@ class MissionEndingTest {
             world.run("mission-abort");
             until("the boats are named", () -> {
                 monitor.refresh();
-                return text(monitor, "mission-ending-lines").contains("anna no longer has to go to a point, and stops");
+                return text(monitor, "mission-ending-lines").contains("stop: nobody else wants anything of them.");
             });
 
             world.run("mission-end-confirm");
