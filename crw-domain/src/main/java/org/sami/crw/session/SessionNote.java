@@ -31,7 +31,7 @@ public record SessionNote(long atMillis, String kind, long mission, String text)
     }
 
     /** Whether it was a message to the operator. */
-    boolean isMessage() {
+    public boolean isMessage() {
         return kind.endsWith(MESSAGE);
     }
 

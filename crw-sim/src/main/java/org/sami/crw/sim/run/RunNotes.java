@@ -11,6 +11,7 @@ import org.sami.crw.sim.report.NoteResult;
 public final class RunNotes implements SessionListener {
     private final List<NoteResult> told = new ArrayList<>();
     private final Consumer<String> shown;
+    private volatile boolean messagesAreNews;
 
     /** Notes of which those are shown that must be. */
     public RunNotes(Consumer<String> shown) {
@@ -20,9 +21,14 @@ public final class RunNotes implements SessionListener {
     @Override
     public void onNote(SessionNote note) {
         keep(note);
-        if (note.isUrgent()) {
+        if (note.isUrgent() && !(messagesAreNews && note.isMessage())) {
             shown.accept(note.text());
         }
+    }
+
+    /** From now on messages to the operator are shown by {@link RunNews}, and not here as well; or here again. */
+    public void leaveMessagesToNews(boolean leave) {
+        messagesAreNews = leave;
     }
 
     @Override

@@ -120,12 +120,14 @@ public final class TcpRun {
             RunOutcome outcome;
             long endMillis;
             RunNews told = new RunNews(session.models(), session.scheduler()::nowMs, news);
+            notes.leaveMessagesToNews(true);
             try {
                 outcome = ready ? watched(watch, observer) : RunOutcome.RUNNING;
                 endMillis = watch.endMillis();
                 toShow.addAll(session.leave());
                 watch.noteEnd(endMillis);
             } finally {
+                notes.leaveMessagesToNews(false);
                 told.close();
             }
             show();
