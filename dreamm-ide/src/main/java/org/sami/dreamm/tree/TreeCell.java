@@ -37,8 +37,9 @@ final class TreeCell extends JPanel implements TreeCellRenderer {
             detail.setFont(Fonts.small());
             getAccessibleContext().setAccessibleName(item.title() + " " + item.detail());
         }
-        title.setForeground((selected ? SemanticColor.ON_SELECTION : SemanticColor.TEXT).get());
-        detail.setForeground((selected ? SemanticColor.ON_SELECTION : SemanticColor.MUTED).get());
+        boolean marked = selected && tree.hasFocus(); // without the focus a selection is a pale grey in every theme
+        title.setForeground((marked ? SemanticColor.ON_SELECTION : SemanticColor.TEXT).get());
+        detail.setForeground((marked ? SemanticColor.ON_SELECTION : SemanticColor.MUTED).get());
         return this;
     }
 }
