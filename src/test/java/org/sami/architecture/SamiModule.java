@@ -40,7 +40,7 @@ enum SamiModule {
                     "org.sami.crw.task.."),
             List.of(SPN_CORE, BOAT_LINK)),
     /** Pictures of nets, for the command and the editor. */
-    NET_PICTURE("net-picture", 5, List.of("org.sami.picture.."), List.of(SPN_CORE)),
+    NET_PICTURE("net-picture", 6, List.of("org.sami.picture.."), List.of(SPN_CORE)),
     /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */
     CRW_SIM(
             "crw-sim",

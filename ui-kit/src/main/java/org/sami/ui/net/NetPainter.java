@@ -84,6 +84,11 @@ final class NetPainter {
             }
         } else {
             FarNames.paint(g, scale, scene, marking, light, clip);
+            for (Label label : scene.labels()) { // what is missing is seen from afar, too
+                if (isMissing(label) && clip.intersects(label.box())) {
+                    missing(g, label.box());
+                }
+            }
         }
         ChangePainter.paint(g, scene, light.changes());
     }
@@ -217,6 +222,10 @@ final class NetPainter {
         }
     }
 
+    private static boolean isMissing(Label label) {
+        return label.text().lines().get(0).style() == TextStyle.MISSING;
+    }
+
     /** The mark of an edge that nobody has said anything of yet. */
     private static void missing(Graphics2D g, DrawingBox box) {
         double x = box.x() + box.width() / 2;
@@ -231,7 +240,7 @@ final class NetPainter {
 
     private static void write(Graphics2D g, Label label) {
         double top = label.y();
-        if (label.text().lines().get(0).style() == TextStyle.MISSING) {
+        if (isMissing(label)) {
             missing(g, label.box());
             return;
         }
