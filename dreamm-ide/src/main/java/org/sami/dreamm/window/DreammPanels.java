@@ -21,7 +21,7 @@ final class DreammPanels {
             .below("issues", "model-view", 0.36)
             .behind("try-out", "issues")
             .behind("replay", "issues")
-            .behind("comparison", "issues");
+            .behind("comparison", "model-view");
 
     private final List<DockPanel> all;
 

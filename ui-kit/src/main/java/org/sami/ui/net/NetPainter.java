@@ -56,7 +56,10 @@ final class NetPainter {
                 NotePainter.paint(g, note, light.selected().contains(NetScene.idOf(note.index())), words);
             }
         }
-        for (Edge edge : scene.edges()) {
+        List<Edge> edges = scene.edges().stream()
+                .filter(edge -> clip.intersects(box(edge)))
+                .toList();
+        for (Edge edge : edges) {
             edge(g, edge, light);
         }
         if (words) { // a line that crosses a text is not to be read through it
@@ -67,7 +70,7 @@ final class NetPainter {
                 }
             }
         }
-        for (Edge edge : scene.edges()) {
+        for (Edge edge : edges) {
             arrow(g, edge, light);
         }
         scene.silhouettes().forEach(vertex -> silhouette(g, vertex));
@@ -105,6 +108,21 @@ final class NetPainter {
         return clip == null
                 ? scene.bounds().grown(GLOW)
                 : new DrawingBox(clip.getX(), clip.getY(), clip.getWidth(), clip.getHeight());
+    }
+
+    /** The box around an edge with its arrow. */
+    private static DrawingBox box(Edge edge) {
+        double left = Double.POSITIVE_INFINITY;
+        double top = Double.POSITIVE_INFINITY;
+        double right = Double.NEGATIVE_INFINITY;
+        double bottom = Double.NEGATIVE_INFINITY;
+        for (LayoutPoint point : edge.points()) {
+            left = Math.min(left, point.x());
+            top = Math.min(top, point.y());
+            right = Math.max(right, point.x());
+            bottom = Math.max(bottom, point.y());
+        }
+        return new DrawingBox(left, top, right - left, bottom - top).grown(ARROW);
     }
 
     private static Rectangle2D rectangle(DrawingBox box) {

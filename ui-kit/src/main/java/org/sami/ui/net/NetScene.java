@@ -30,6 +30,7 @@ public final class NetScene {
     private final List<Edge> edges;
     private final List<Label> labels;
     private final List<NoteBox> notes;
+    private final List<Vertex> shown;
 
     /** The vertices at the ends of an edge. */
     private record Ends(String from, String to) {}
@@ -39,6 +40,9 @@ public final class NetScene {
         this.drawing = drawing;
         this.full = full;
         this.silhouettes = silhouettes;
+        this.shown = drawing.vertices().stream()
+                .filter(vertex -> full.contains(vertex.id()))
+                .toList();
         this.edges = drawing.edges().stream()
                 .filter(edge -> edges.contains(edge.id()))
                 .toList();
@@ -104,9 +108,7 @@ public final class NetScene {
 
     /** The vertices that are shown with all that is written at them. */
     public List<Vertex> vertices() {
-        return drawing.vertices().stream()
-                .filter(vertex -> full.contains(vertex.id()))
-                .toList();
+        return shown;
     }
 
     /** The vertices that are shown without words. */
