@@ -73,16 +73,17 @@ public final class InterruptsPanel extends JPanel {
 
     private JButton button(InterruptChoice choice) {
         List<String> boats = choice.asksForBoats() ? context.boats().boats() : List.of();
-        String whom = !choice.asksForBoats()
-                ? ""
-                : boats.isEmpty() ? " (boats are asked)" : " for " + String.join(", ", boats);
+        String whom = !choice.asksForBoats() ? "" : boats.isEmpty() ? "…" : " for " + String.join(", ", boats);
         JButton button = new JButton(choice.name() + whom, Icons.normal("interrupt"));
         button.setName("interrupt-" + choice.name().strip().replaceAll("[^A-Za-z0-9]+", "-"));
         button.setHorizontalAlignment(JButton.LEADING);
         Optional<String> whyNot =
                 context.whyNotAct().or(() -> choice.isEnabled() ? Optional.empty() : Optional.of(choice.whyNot()));
         button.setEnabled(whyNot.isEmpty());
-        button.setToolTipText(whyNot.orElse("Press " + choice.name() + whom));
+        button.setToolTipText(whyNot.orElse(
+                boats.isEmpty() && choice.asksForBoats()
+                        ? "Press " + choice.name() + "; you are asked for which boats"
+                        : "Press " + choice.name() + whom));
         button.addActionListener(e -> context.tell(
                 context.session().press(choice.name(), choice.mission(), boats), "Pressed " + choice.name() + whom));
         return button;

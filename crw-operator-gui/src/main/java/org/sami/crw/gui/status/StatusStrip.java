@@ -74,7 +74,7 @@ public final class StatusStrip extends JPanel {
         add(notice, "wmin 0, shrinkprio 300");
         add(clock, "wmin 0, shrinkprio 200");
         add(alarms, "h 40!");
-        JPanel stops = new JPanel(new MigLayout("insets 0, gap 8, hidemode 3", "[][][]", "[]"));
+        JPanel stops = new JPanel(new MigLayout("novisualpadding, insets 0, gap 8, hidemode 3", "[][][]", "[]"));
         stops.setOpaque(false);
         stops.add(release);
         stops.add(confirm);
