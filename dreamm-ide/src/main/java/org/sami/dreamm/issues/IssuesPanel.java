@@ -1,6 +1,8 @@
 package org.sami.dreamm.issues;
 
 import java.awt.BorderLayout;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Locale;
@@ -12,6 +14,7 @@ import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
@@ -35,6 +38,9 @@ import org.sami.ui.table.RowTable;
  * Deep checks begin and stop here.
  */
 public final class IssuesPanel extends JPanel {
+    /** Below it the rows need the room; a row's tooltip says all as well. */
+    private static final int LEAST_HEIGHT_OF_MESSAGE = 220;
+
     private final transient DreammContext context;
     private final transient IssueList issues;
     private final RowTable<Issue> table;
@@ -61,23 +67,29 @@ public final class IssuesPanel extends JPanel {
                 Issue::key,
                 List.of(
                         RowColumn.<Issue>words(
-                                        "Code", 190, issue -> issue.finding().code())
+                                        "Code", 160, issue -> issue.finding().code())
                                 .withIcon(IssuesPanel::icon)
                                 .colored(issue -> color(issue.finding().severity())),
                         RowColumn.<Issue>words(
-                                        "Plan", 120, issue -> issue.finding().plan())
+                                        "Plan", 90, issue -> issue.finding().plan())
                                 .colored(issue -> SemanticColor.MUTED),
                         RowColumn.words(
                                 "What is wrong, and what to do",
                                 0,
                                 issue -> issue.finding().message()),
-                        RowColumn.<Issue>words("Fix", 190, IssuesPanel::offer).colored(issue -> SemanticColor.ACCENT)));
+                        RowColumn.<Issue>words("Fix", 150, IssuesPanel::offer).colored(issue -> SemanticColor.ACCENT)));
         deep = new DeepChecksBar(commands);
         bindTable();
         add(top(), BorderLayout.NORTH);
         add(table);
         add(bottom(), BorderLayout.SOUTH);
         issues.addListener(this::refresh);
+        addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                showCurrent();
+            }
+        });
         commands.deep().addListener(this::refresh);
         style();
         refresh();
@@ -200,7 +212,7 @@ public final class IssuesPanel extends JPanel {
 
     private void showCurrent() {
         message.setText(issues.current().map(IssuesPanel::words).orElse(""));
-        message.setVisible(issues.current().isPresent());
+        message.setVisible(issues.current().isPresent() && getHeight() > Look.px(LEAST_HEIGHT_OF_MESSAGE));
         fixes.removeAll();
         issues.current().ifPresent(issue -> {
             for (int i = 0; i < issue.fixes().size(); i++) {
@@ -252,30 +264,37 @@ public final class IssuesPanel extends JPanel {
     private static final class DeepChecksBar extends JPanel {
         private final transient IssueCommands commands;
         private final JLabel status = new JLabel();
-        private final JPanel buttons = new JPanel(new MigLayout("insets 0, gap 8, hidemode 3", "", "[]"));
+        private final JButton begin = new JButton("Search deeper");
         private final CommandButton stop;
 
         DeepChecksBar(IssueCommands commands) {
-            super(new MigLayout("insets 0, gap 8", "[grow, right][]", "[]"));
+            super(new MigLayout("insets 0, gap 8, hidemode 3", "[grow, right][][]", "[]"));
             this.commands = commands;
             setOpaque(false);
-            buttons.setOpaque(false);
             status.setName("deep-check-status");
-            add(status, "wmin 0");
-            commands.deepCommands().forEach(command -> buttons.add(new CommandButton(command), "hmin 32"));
+            begin.setName("deep-checks");
+            begin.setToolTipText("Run the open plan to find what the drawing alone does not show");
+            begin.addActionListener(e -> {
+                JPopupMenu menu = new JPopupMenu();
+                menu.setName("deep-checks-menu");
+                commands.deepCommands().forEach(menu::add);
+                menu.show(begin, 0, begin.getHeight());
+            });
             stop = new CommandButton(commands.stop());
-            buttons.add(stop, "hmin 32");
-            add(buttons);
+            add(status, "wmin 0");
+            add(begin, "hmin 32");
+            add(stop, "hmin 32");
         }
 
         void refresh() {
             boolean runs = commands.deep().isRunning();
-            status.setText(commands.deep().status());
-            status.setToolTipText(commands.deep().status());
+            String words = commands.deep().status();
+            status.setText(words);
+            status.setToolTipText(words.isEmpty() ? null : words);
             status.setForeground(SemanticColor.MUTED.get());
-            for (int i = 0; i < buttons.getComponentCount(); i++) {
-                buttons.getComponent(i).setVisible(buttons.getComponent(i) == stop ? runs : !runs);
-            }
+            begin.setIcon(Icons.normal("search"));
+            begin.setVisible(!runs);
+            stop.setVisible(runs);
         }
     }
 }

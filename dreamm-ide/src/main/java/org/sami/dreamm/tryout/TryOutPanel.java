@@ -62,7 +62,7 @@ public final class TryOutPanel extends JPanel {
         setName("try-out-panel");
         happenings = new RowTable<>(
                 "try-happenings",
-                "Nothing is tried yet. Start (F5) begins the open plan with robots that are not real; what can happen then stands here.",
+                "Nothing can happen now. Start (F5) begins the open plan with robots that are not real; what can happen then stands here.",
                 Happening::key,
                 List.of(
                         RowColumn.<Happening>words("Who", 84, Happening::who).colored(row -> SemanticColor.MUTED),
