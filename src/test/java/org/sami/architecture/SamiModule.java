@@ -54,7 +54,7 @@ enum SamiModule {
     /** The operator's window; it knows the simulator for its built-in fleet only, and the link for words of snapshots such as modes. */
     OPERATOR_WINDOW(
             "crw-operator-gui",
-            150,
+            100,
             List.of("org.sami.crw.gui.."),
             List.of(UI_KIT, CRW_DOMAIN, CRW_SIM, BOAT_LINK, SPN_CORE));
 

@@ -45,7 +45,7 @@ final class PlanSection extends Form {
                 plan.name(),
                 n -> context.apply(new ProjectEdit.DescribePlan(plan.id(), n, plan.description(), plan.notes())));
         text(
-                "Describes",
+                "About",
                 "plan-description",
                 "A few sentences for whoever chooses a plan",
                 plan.description(),
