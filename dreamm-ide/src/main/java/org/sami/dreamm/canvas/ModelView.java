@@ -195,8 +195,8 @@ public final class ModelView extends JPanel implements NetDropTarget {
     }
 
     /** Says what can come next at a vertex; nothing until somebody knows. */
-    public void setNextSteps(NextSteps next) {
-        actions.setNextSteps(next);
+    public void setAppendChoices(AppendChoices next) {
+        actions.setAppendChoices(next);
     }
 
     @Override

@@ -10,7 +10,7 @@ import java.util.Set;
 import java.util.function.Supplier;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
-import org.sami.dreamm.canvas.NextSteps.NextStep;
+import org.sami.dreamm.canvas.AppendChoices.NextStep;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.spn.drawing.NetDrawing.Kind;
 import org.sami.spn.drawing.NetDrawing.Vertex;
@@ -37,7 +37,7 @@ final class NetActions {
     private final NetEdits edits;
     private final WriteInPlace writing;
     private Supplier<JPopupMenu> menu = JPopupMenu::new;
-    private NextSteps next = (plan, vertex) -> List.of();
+    private AppendChoices next = (plan, vertex) -> List.of();
     private Fragment copied = new Fragment(ShownNet.none());
     private String copiedFrom = "";
     private int pasted;
@@ -58,7 +58,7 @@ final class NetActions {
         this.menu = menu;
     }
 
-    void setNextSteps(NextSteps next) {
+    void setAppendChoices(AppendChoices next) {
         this.next = next;
     }
 

@@ -2,7 +2,7 @@ package org.sami.dreamm.palette;
 
 import java.util.List;
 import java.util.Objects;
-import org.sami.dreamm.canvas.NextSteps;
+import org.sami.dreamm.canvas.AppendChoices;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.model.LayoutPoint;
@@ -12,7 +12,7 @@ import org.sami.spn.wizard.EventTarget;
 import org.sami.spn.wizard.NextEvents;
 
 /** What can come next at a vertex: what its events can cause, by the vocabulary, and what usually follows them, by the domain's sequences. */
-public final class PaletteSteps implements NextSteps {
+public final class PaletteSteps implements AppendChoices {
     private final DreammContext context;
 
     /** The steps of the plan that is open. */

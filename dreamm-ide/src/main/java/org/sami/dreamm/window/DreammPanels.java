@@ -27,7 +27,7 @@ final class DreammPanels {
 
     DreammPanels(DreammContext context, RunParts run) {
         ModelView net = new ModelView(context);
-        net.setNextSteps(new PaletteSteps(context));
+        net.setAppendChoices(new PaletteSteps(context));
         all = List.of(
                         new DockPanel("mission-tree", "Mission tree", "layers", new MissionTreePanel(context)),
                         new DockPanel("model-view", "Model view", "net", net),

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.sami.dreamm.OnEventThread;
-import org.sami.dreamm.canvas.NextSteps;
+import org.sami.dreamm.canvas.AppendChoices;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
@@ -160,10 +160,10 @@ class PalettePanelTest {
         dropFree("Operator Approve", 100, 100);
         String place = plan().places().get(0).id();
 
-        List<NextSteps.NextStep> steps = new PaletteSteps(context).after(plan(), place);
+        List<AppendChoices.NextStep> steps = new PaletteSteps(context).after(plan(), place);
 
         assertThat(steps)
-                .extracting(NextSteps.NextStep::label)
+                .extracting(AppendChoices.NextStep::label)
                 .containsExactly("Yes Option  (drawn already)", "No Option  (drawn already)");
         context.apply(steps.get(0).edit(plan(), place, new LayoutPoint(0, 0), Mode.NOMINAL));
         assertThat(plan().transitions()).hasSize(3);

@@ -8,7 +8,7 @@ import org.sami.spn.model.Plan;
 
 /** Knows what can come next at a vertex. */
 @FunctionalInterface
-public interface NextSteps {
+public interface AppendChoices {
     /** What can come next, the likeliest first; nothing where nothing is known. */
     List<NextStep> after(Plan plan, String vertex);
 
