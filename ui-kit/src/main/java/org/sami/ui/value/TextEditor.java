@@ -46,7 +46,7 @@ final class TextEditor extends ValueEditor {
         panel.setName(field.componentName(""));
         boolean withUnit = !field.unit().isEmpty();
         if (form.multiline()) {
-            panel.add(new JScrollPane(text), "growx, pushx, hmin 56, wrap");
+            panel.add(new JScrollPane(text), "growx, pushx, wmin 60, hmin 56, wrap");
         } else {
             panel.add(text, withUnit ? "split 2, hmin 32" : "growx, hmin 32, wrap");
             if (withUnit) {
@@ -55,7 +55,7 @@ final class TextEditor extends ValueEditor {
                 panel.add(unit, "wrap");
             }
         }
-        panel.add(message, "growx, spanx");
+        panel.add(message, "growx, spanx, wmin 0");
         text.getDocument().addDocumentListener(new TextChanges(this::changed));
         text.addFocusListener(new FocusAdapter() {
             @Override

@@ -1,0 +1,50 @@
+package org.sami.ui.value;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Container;
+import javax.swing.JComponent;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.Test;
+import org.sami.spn.value.ValueType;
+import org.sami.ui.check.Layout;
+import org.sami.ui.map.MapView;
+
+class PlaceEditorTest {
+    private final ValueEditor area = SampleDomain.EDITORS.editor(ValueField.of("area", ValueType.Simple.AREA));
+
+    @Test
+    void aWidePanelHasTheTextBesideTheMapAndCutsNothingOfIt() {
+        JComponent panel = laidOut(620);
+
+        assertThat(left(text(), panel)).isGreaterThan(left(map(), panel) + map().getWidth() - 1);
+        Container entry = SwingUtilities.getAncestorOfClass(JScrollPane.class, text());
+        assertThat(left(entry, panel) + entry.getWidth()).isBetween(600, 620);
+    }
+
+    @Test
+    void aNarrowPanelHasItBelow() {
+        JComponent panel = laidOut(400);
+
+        assertThat(SwingUtilities.convertPoint(text(), 0, 0, panel).y).isGreaterThan(map().getHeight() - 1);
+    }
+
+    private JComponent laidOut(int width) {
+        Layout.layOut(area.component(), width, 200);
+        return area.component();
+    }
+
+    private JTextArea text() {
+        return Layout.find(area.component(), "value-area-text", JTextArea.class).orElseThrow();
+    }
+
+    private MapView map() {
+        return Layout.find(area.component(), "value-area-map", MapView.class).orElseThrow();
+    }
+
+    private static int left(Container component, JComponent in) {
+        return SwingUtilities.convertPoint(component, 0, 0, in).x;
+    }
+}
