@@ -19,6 +19,7 @@ import org.sami.ui.look.SemanticColor;
 /** Marks what differs between two versions of a net: a round sign for what is new, a square for what is gone, a diamond for what changed. */
 final class ChangePainter {
     private static final double SIGN = 18;
+    private static final double LEAST_SIGN_PX = 15;
     private static final BasicStroke FRAME = new BasicStroke(2.5f);
     private static final BasicStroke LINE = new BasicStroke(4f);
     private static final BasicStroke GONE =
@@ -26,11 +27,17 @@ final class ChangePainter {
 
     private ChangePainter() {}
 
-    static void paint(Graphics2D g, NetScene scene, Map<String, NetChange> changes) {
+    /**
+     * Paints the marks.
+     *
+     * @param scale how many pixels a drawing unit has; signs are seen on a small net, too
+     */
+    static void paint(Graphics2D g, double scale, NetScene scene, Map<String, NetChange> changes) {
+        double unit = Math.max(1, LEAST_SIGN_PX / SIGN / scale);
         for (Edge edge : scene.edges()) {
             NetChange change = changes.get(edge.id());
             if (change != null) {
-                edge(g, edge, change);
+                edge(g, edge, change, unit);
             }
         }
         for (Vertex vertex : scene.vertices()) {
@@ -43,7 +50,7 @@ final class ChangePainter {
                 if (change == NetChange.REMOVED) {
                     g.draw(new Line2D.Double(box.x(), box.maxY(), box.maxX(), box.y()));
                 }
-                sign(g, box.maxX(), box.y(), change);
+                sign(g, box.maxX(), box.y(), change, unit);
             }
         }
     }
@@ -56,7 +63,7 @@ final class ChangePainter {
         };
     }
 
-    private static void edge(Graphics2D g, Edge edge, NetChange change) {
+    private static void edge(Graphics2D g, Edge edge, NetChange change, double unit) {
         Path2D path = new Path2D.Double();
         List<LayoutPoint> points = edge.points();
         path.moveTo(points.get(0).x(), points.get(0).y());
@@ -66,15 +73,18 @@ final class ChangePainter {
         g.draw(path);
         LayoutPoint from = points.get(points.size() / 2 - 1);
         LayoutPoint to = points.get(points.size() / 2);
-        sign(g, from.x() + 0.25 * (to.x() - from.x()), from.y() + 0.25 * (to.y() - from.y()), change);
+        double x = from.x() + 0.25 * (to.x() - from.x());
+        double y = from.y() + 0.25 * (to.y() - from.y());
+        sign(g, x, y, change, unit);
     }
 
-    private static void sign(Graphics2D g, double x, double y, NetChange change) {
-        double half = SIGN / 2;
+    private static void sign(Graphics2D g, double x, double y, NetChange change, double unit) {
+        double size = SIGN * unit;
+        double half = size / 2;
         g.setColor(color(change).get());
         switch (change) {
-            case ADDED -> g.fill(new Ellipse2D.Double(x - half, y - half, SIGN, SIGN));
-            case REMOVED -> g.fill(new Rectangle2D.Double(x - half, y - half, SIGN, SIGN));
+            case ADDED -> g.fill(new Ellipse2D.Double(x - half, y - half, size, size));
+            case REMOVED -> g.fill(new Rectangle2D.Double(x - half, y - half, size, size));
             case CHANGED -> {
                 Path2D diamond = new Path2D.Double();
                 double far = half * 1.3;
@@ -87,8 +97,8 @@ final class ChangePainter {
             }
         }
         g.setColor(SemanticColor.NET_CANVAS.get());
-        g.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 15));
+        g.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 15).deriveFont((float) (15 * unit)));
         double width = g.getFontMetrics().stringWidth(change.sign());
-        g.drawString(change.sign(), (float) (x - width / 2), (float) (y + 5.4));
+        g.drawString(change.sign(), (float) (x - width / 2), (float) (y + 5.4 * unit));
     }
 }

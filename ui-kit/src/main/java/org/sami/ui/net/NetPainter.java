@@ -93,7 +93,7 @@ final class NetPainter {
                 }
             }
         }
-        ChangePainter.paint(g, scene, light.changes());
+        ChangePainter.paint(g, scale, scene, light.changes());
     }
 
     private static void hint(Graphics2D g) {
