@@ -171,7 +171,7 @@ public final class IssuesPanel extends JPanel {
             }
         });
         bar.add(text, "growx, wmin 80, wmax 320, hmin 32");
-        bar.add(deep, "wmin 0");
+        bar.add(deep); // its words shrink, its button does not
         return bar;
     }
 

@@ -157,8 +157,9 @@ public final class ReplayPanel extends JPanel {
                 .findFirst()
                 .ifPresent(plan -> context.editor().open(plan.id()));
         context.commands().refresh();
-        timeLine.focus();
         refresh();
+        context.commands().find("panel-replay").ifPresent(Command::run);
+        EventThread.later(timeLine::focus); // when the panel is to be seen
     }
 
     private void closeJournal() {
