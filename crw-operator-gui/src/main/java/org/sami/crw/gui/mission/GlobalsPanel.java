@@ -15,8 +15,8 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import net.miginfocom.swing.MigLayout;
+import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.gui.context.ProjectFile;
 import org.sami.crw.gui.value.WidthTrackingPanel;
 import org.sami.crw.operator.EngineText;
 import org.sami.crw.session.RefusedException;
@@ -42,7 +42,7 @@ import org.sami.ui.value.WrappedText;
 final class GlobalsPanel extends JPanel {
     private final OperatorContext context;
     private final ValueEditors editors;
-    private final ProjectFile file;
+    private final LoadedProject file;
     private final RowTable<Row> table;
     private final JLabel title = new JLabel("Global variables");
     private final WrappedText about = new WrappedText("Select a variable to change it.");
@@ -61,7 +61,7 @@ final class GlobalsPanel extends JPanel {
     /** The global that is edited. */
     private record Edited(VariableSpec global, ValueEditor editor, Optional<Value> shown) {}
 
-    GlobalsPanel(OperatorContext context, ValueEditors editors, ProjectFile file) {
+    GlobalsPanel(OperatorContext context, ValueEditors editors, LoadedProject file) {
         super(new BorderLayout());
         this.context = context;
         this.editors = editors;

@@ -11,8 +11,8 @@ import java.util.stream.Collectors;
 import javax.swing.Icon;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
+import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.gui.context.ProjectFile;
 import org.sami.crw.operator.MissionSnapshot;
 import org.sami.crw.operator.MissionsSnapshot;
 import org.sami.spn.protocol.Ids;
@@ -38,7 +38,7 @@ public final class MissionMonitor extends JPanel {
      * @param editors with which globals are changed
      * @param file of the project
      */
-    public MissionMonitor(OperatorContext context, MissionStarter starter, ValueEditors editors, ProjectFile file) {
+    public MissionMonitor(OperatorContext context, MissionStarter starter, ValueEditors editors, LoadedProject file) {
         super(new BorderLayout());
         this.context = context;
         phases = new PhaseFollower(context.vocabulary(), this::phasesChanged);

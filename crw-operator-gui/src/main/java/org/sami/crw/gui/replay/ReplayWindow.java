@@ -17,8 +17,8 @@ import javax.swing.JPanel;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.BoatSelection;
+import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.gui.context.ProjectFile;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.window.OperatorPanels;
 import org.sami.crw.gui.window.WindowMenus;
@@ -85,7 +85,7 @@ public final class ReplayWindow {
                 new BoatSelection(),
                 new Notices());
         CommandRegistry commands = context.commands();
-        panels = new OperatorPanels(context, settings, new ProjectFile(Optional.empty()));
+        panels = new OperatorPanels(context, settings, new LoadedProject(Optional.empty()));
         dock = new DockArea(frame, panels.all(), OperatorPanels.FIRST, data.arrangement());
         ViewCommands view = new ViewCommands(commands, frame, settings);
         view.addPanels(dock);

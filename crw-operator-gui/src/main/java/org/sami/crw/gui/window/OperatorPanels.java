@@ -3,8 +3,8 @@ package org.sami.crw.gui.window;
 import java.util.List;
 import org.sami.crw.gui.boat.BoatPanel;
 import org.sami.crw.gui.boat.BoatsPanel;
+import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.gui.context.ProjectFile;
 import org.sami.crw.gui.decision.DecisionsPanel;
 import org.sami.crw.gui.decision.SessionDecisions;
 import org.sami.crw.gui.map.MapPanel;
@@ -55,7 +55,7 @@ public final class OperatorPanels implements AutoCloseable {
      *
      * @param file of the project that is shown
      */
-    public OperatorPanels(OperatorContext context, WindowSettings settings, ProjectFile file) {
+    public OperatorPanels(OperatorContext context, WindowSettings settings, LoadedProject file) {
         boats = new BoatsPanel(context);
         boat = new BoatPanel(context);
         map = new MapPanel(context);

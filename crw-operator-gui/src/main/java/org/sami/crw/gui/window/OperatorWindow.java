@@ -10,8 +10,8 @@ import java.util.function.IntConsumer;
 import javax.swing.JFrame;
 import javax.swing.Timer;
 import org.sami.crw.gui.context.BoatSelection;
+import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.gui.context.ProjectFile;
 import org.sami.crw.gui.sound.AlarmSounds;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.status.FleetStopCommands;
@@ -54,7 +54,7 @@ public final class OperatorWindow {
         OperatorContext context = new OperatorContext(
                 session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
         FleetStopCommands fleetStop = new FleetStopCommands(context);
-        ProjectFile file = new ProjectFile(project);
+        LoadedProject file = new LoadedProject(project);
         panels = new OperatorPanels(context, settings, file);
         sounds = AlarmSounds.of(context, settings);
         dock = new DockArea(frame, panels.all(), OperatorPanels.FIRST, data.arrangement());

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.gui.SessionWorld;
-import org.sami.crw.gui.context.ProjectFile;
+import org.sami.crw.gui.context.LoadedProject;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.model.Project;
@@ -83,7 +83,7 @@ class GlobalsPanelTest {
     }
 
     private static GlobalsPanel panel(SessionWorld world, Optional<Path> file) {
-        GlobalsPanel panel = laidOut(() -> new GlobalsPanel(world.context, world.editors(), new ProjectFile(file)));
+        GlobalsPanel panel = laidOut(() -> new GlobalsPanel(world.context, world.editors(), new LoadedProject(file)));
         until("globals are listed", () -> rows(panel, "globals-table").contains("@spacing|"));
         return panel;
     }

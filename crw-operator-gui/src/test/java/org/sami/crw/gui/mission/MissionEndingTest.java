@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.gui.SessionWorld;
-import org.sami.crw.gui.context.ProjectFile;
+import org.sami.crw.gui.context.LoadedProject;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.GeoPoint;
@@ -103,6 +103,6 @@ class MissionEndingTest {
                 new MissionStarter(
                         world.context, new WindowSettings(folder.resolve("settings")), world.editors(), values -> {}),
                 world.editors(),
-                new ProjectFile(Optional.empty())));
+                new LoadedProject(Optional.empty())));
     }
 }

@@ -4,12 +4,12 @@ import java.nio.file.Path;
 import java.util.Objects;
 import java.util.Optional;
 
-/** The file or folder of the project whose plans are started now; empty where it came with the program. On the event thread. */
-public final class ProjectFile {
+/** Knows the file or folder of the project whose plans are started now; empty where it came with the program. On the event thread. */
+public final class LoadedProject {
     private Optional<Path> path;
 
     /** The file with which the session began. */
-    public ProjectFile(Optional<Path> path) {
+    public LoadedProject(Optional<Path> path) {
         this.path = Objects.requireNonNull(path, "path");
     }
 
