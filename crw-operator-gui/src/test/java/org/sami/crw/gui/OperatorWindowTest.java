@@ -16,7 +16,6 @@ import java.awt.Component;
 import java.awt.GraphicsEnvironment;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -41,14 +40,11 @@ import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.BoatSnapshot;
 import org.sami.crw.operator.MissionSnapshot;
-import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.proxy.LinkState;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Outcome;
-import org.sami.spn.protocol.Priority;
 import org.sami.ui.EventThread;
-import org.sami.ui.check.TextFit;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
@@ -208,41 +204,6 @@ class OperatorWindowTest {
 
         robot.press(VK_ESCAPE);
         robot.until("the dialog is gone", () -> !dialog.isShowing());
-    }
-
-    @Test
-    void noTextIsCutInAnyTheme() {
-        robot.click("mission-start");
-        robot.untilSaid("decisions-count", "1 decision");
-        window.session()
-                .models()
-                .tell(new OperatorMessage(
-                        0,
-                        0,
-                        OperatorMessage.Source.PLAN,
-                        Priority.HIGH,
-                        "anna has explored its share",
-                        List.of("anna"),
-                        ""));
-        List<String> faults = new ArrayList<>();
-        for (Theme theme : Theme.values()) {
-            WindowRobot.ask(() -> {
-                Look.apply(theme, 100);
-                window.frame().validate();
-                return null;
-            });
-            WindowRobot.ask(
-                    () -> { // what was laid out has had others laid out
-                        window.frame().validate();
-                        return faults.addAll(TextFit.faults(window.frame().getRootPane()).stream()
-                                .map(fault -> theme.id() + ": " + fault)
-                                .toList());
-                    });
-        }
-        window.session().abortAll();
-        robot.untilSaid("missions-count", "0 missions");
-
-        assertThat(faults).isEmpty();
     }
 
     private List<BoatSnapshot> boats() {
