@@ -23,7 +23,7 @@ import org.sami.spn.model.TestCase;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.stepping.Stepper;
-import org.sami.spn.testcase.Coverage;
+import org.sami.spn.testcase.CaseCoverage;
 import org.sami.spn.testcase.TestCaseRunner;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -42,7 +42,7 @@ public final class SavedCases {
     private String message = "";
 
     /** What came of running the cases of one version of a plan. */
-    private record Ran(String plan, Map<TestCase, Optional<String>> results, Coverage coverage) {}
+    private record Ran(String plan, Map<TestCase, Optional<String>> results, CaseCoverage coverage) {}
 
     /** The cases of whichever plan is open. */
     public SavedCases(ProjectDocument document, EditorState editor, Executor worker, Executor owner) {
@@ -82,7 +82,7 @@ public final class SavedCases {
     }
 
     /** What the cases of the open plan visit; empty where they were not run on it as it is now. */
-    public Optional<Coverage> coverage() {
+    public Optional<CaseCoverage> coverage() {
         return ofOpenPlan().map(Ran::coverage);
     }
 
@@ -131,7 +131,7 @@ public final class SavedCases {
         if (error.isPresent()) {
             plan.testCases()
                     .forEach(test -> results.put(test, error.map(why -> "a plan with an error is not run: " + why)));
-            return new Ran(plan.id(), results, Coverage.of(plan, List.of()));
+            return new Ran(plan.id(), results, CaseCoverage.of(plan, List.of()));
         }
         TestCaseRunner runner = new TestCaseRunner(project, vocabulary);
         List<TestCaseRunner.Trace> traces = new ArrayList<>();
@@ -140,7 +140,7 @@ public final class SavedCases {
             traces.add(trace);
             results.put(test, trace.failure().map(Finding::message));
         }
-        return new Ran(plan.id(), results, Coverage.of(plan, traces));
+        return new Ran(plan.id(), results, CaseCoverage.of(plan, traces));
     }
 
     @SuppressWarnings("ReferenceEquality") // edits make other objects: the same one is the same version

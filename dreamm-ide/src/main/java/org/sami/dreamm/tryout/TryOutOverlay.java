@@ -12,7 +12,7 @@ import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.FollowedMarking;
 import org.sami.spn.stepping.Stepper;
-import org.sami.spn.testcase.Coverage;
+import org.sami.spn.testcase.CaseCoverage;
 import org.sami.ui.net.NetBadges;
 import org.sami.ui.net.NetMarking;
 
@@ -95,7 +95,7 @@ public final class TryOutOverlay {
         String open = context.editor().planId().orElse("");
         Set<String> breakpoints = breakpoints(open);
         Set<String> unvisited =
-                coverage ? cases.coverage().map(Coverage::neverVisited).orElse(Set.of()) : Set.of();
+                coverage ? cases.coverage().map(CaseCoverage::neverVisited).orElse(Set.of()) : Set.of();
         NetMarking marking = tryOut.stepper().isPresent()
                 ? tryOut.mission(open).map(this::marking).orElse(NetMarking.EMPTY)
                 : setup.marking();

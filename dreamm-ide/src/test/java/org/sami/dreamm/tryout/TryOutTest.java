@@ -19,7 +19,7 @@ import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TestCase;
 import org.sami.spn.model.TestStart;
 import org.sami.spn.model.TestStep;
-import org.sami.spn.testcase.Coverage;
+import org.sami.spn.testcase.CaseCoverage;
 
 /** Trying a plan that ships, as an author does. */
 class TryOutTest {
@@ -195,7 +195,7 @@ class TryOutTest {
         drawAnother("island");
         cases.runAll();
 
-        Coverage coverage = cases.coverage().orElseThrow();
+        CaseCoverage coverage = cases.coverage().orElseThrow();
         assertThat(coverage.neverEntered()).containsExactly("island");
         assertThat(coverage.words())
                 .startsWith(

@@ -17,15 +17,15 @@ import org.sami.spn.model.Transition;
  * @param neverEntered ids of places that no run entered, in the plan's order
  * @param neverFired ids of transitions that no run fired, in the plan's order
  */
-public record Coverage(int places, int transitions, Set<String> neverEntered, Set<String> neverFired) {
-    public Coverage {
+public record CaseCoverage(int places, int transitions, Set<String> neverEntered, Set<String> neverFired) {
+    public CaseCoverage {
         Objects.requireNonNull(neverEntered, "neverEntered");
         neverEntered = Collections.unmodifiableSet(new LinkedHashSet<>(neverEntered));
         neverFired = Collections.unmodifiableSet(new LinkedHashSet<>(neverFired));
     }
 
     /** What runs of a plan visited, those that failed included as far as they went. */
-    public static Coverage of(Plan plan, List<TestCaseRunner.Trace> runs) {
+    public static CaseCoverage of(Plan plan, List<TestCaseRunner.Trace> runs) {
         Set<String> places =
                 new LinkedHashSet<>(plan.places().stream().map(Place::id).toList());
         Set<String> transitions = new LinkedHashSet<>(
@@ -34,7 +34,7 @@ public record Coverage(int places, int transitions, Set<String> neverEntered, Se
             places.removeAll(run.entered());
             transitions.removeAll(run.fired());
         });
-        return new Coverage(plan.places().size(), plan.transitions().size(), places, transitions);
+        return new CaseCoverage(plan.places().size(), plan.transitions().size(), places, transitions);
     }
 
     /** All that no run visited. */
