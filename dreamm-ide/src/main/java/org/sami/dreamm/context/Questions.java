@@ -7,11 +7,11 @@ import java.util.Optional;
 
 /** What the author is asked, the oldest first; nothing waits for an answer. On the event thread. */
 public final class Questions {
-    private final List<Question> open = new ArrayList<>();
+    private final List<AuthorQuestion> open = new ArrayList<>();
     private final List<Runnable> listeners = new ArrayList<>();
 
     /** Asks. */
-    public void ask(Question question) {
+    public void ask(AuthorQuestion question) {
         int before = indexOf(question.id());
         if (before >= 0) {
             open.set(before, question);
@@ -22,7 +22,7 @@ public final class Questions {
     }
 
     /** The question that is asked now. */
-    public Optional<Question> current() {
+    public Optional<AuthorQuestion> current() {
         return open.stream().findFirst();
     }
 
@@ -32,7 +32,7 @@ public final class Questions {
     }
 
     /** The author has chosen. */
-    public void answer(Question question, Question.Choice choice) {
+    public void answer(AuthorQuestion question, AuthorQuestion.Choice choice) {
         if (open.remove(question)) {
             tell();
             choice.chosen().run();
@@ -40,7 +40,7 @@ public final class Questions {
     }
 
     /** The author leaves a question. */
-    public void dismiss(Question question) {
+    public void dismiss(AuthorQuestion question) {
         if (open.remove(question)) {
             tell();
             question.dismissed().run();

@@ -8,7 +8,7 @@ import java.util.Objects;
 import java.util.Optional;
 import javax.swing.Timer;
 import org.sami.dreamm.context.DreammContext;
-import org.sami.dreamm.context.Question;
+import org.sami.dreamm.context.AuthorQuestion;
 
 /** Looks every two seconds, beside the event thread, whether another program has changed the project's files, and asks what is to be shown. */
 final class DiskWatch implements AutoCloseable {
@@ -58,12 +58,12 @@ final class DiskWatch implements AutoCloseable {
         }
         String mine = context.document().isModified() ? " Your changes can be had back by undo." : "";
         context.questions()
-                .ask(new Question(
+                .ask(new AuthorQuestion(
                         ID,
                         path.getFileName() + " was changed by another program." + mine,
                         List.of(
-                                new Question.Choice("disk-load", "Load it", () -> load(path)),
-                                new Question.Choice("disk-keep", "Keep what is here", () -> {})),
+                                new AuthorQuestion.Choice("disk-load", "Load it", () -> load(path)),
+                                new AuthorQuestion.Choice("disk-keep", "Keep what is here", () -> {})),
                         () -> {}));
     }
 

@@ -10,7 +10,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.context.LibraryProject;
-import org.sami.dreamm.context.Question;
+import org.sami.dreamm.context.AuthorQuestion;
 import org.sami.spn.edit.PlanBuilder;
 import org.sami.spn.model.Project;
 import org.sami.ui.command.Command;
@@ -154,13 +154,13 @@ public final class FileCommands implements AutoCloseable {
 
     private void askToWriteOver(Path path, Runnable then) {
         context.questions()
-                .ask(new Question(
+                .ask(new AuthorQuestion(
                         "changed-on-disk",
                         path.getFileName() + " was changed by another program since it was read.",
                         List.of(
-                                new Question.Choice("disk-over", "Write over it", () -> write(path, then)),
-                                new Question.Choice("disk-as", "Save as another file…", () -> saveAs(then)),
-                                new Question.Choice("disk-stay", "Stay here", () -> {})),
+                                new AuthorQuestion.Choice("disk-over", "Write over it", () -> write(path, then)),
+                                new AuthorQuestion.Choice("disk-as", "Save as another file…", () -> saveAs(then)),
+                                new AuthorQuestion.Choice("disk-stay", "Stay here", () -> {})),
                         () -> {}));
     }
 
@@ -181,13 +181,13 @@ public final class FileCommands implements AutoCloseable {
 
     private void askToReplace(Path path, Runnable then) {
         context.questions()
-                .ask(new Question(
+                .ask(new AuthorQuestion(
                         "file-there",
                         "There is a file " + path.getFileName() + " already.",
                         List.of(
-                                new Question.Choice("file-replace", "Replace it", () -> write(path, then)),
-                                new Question.Choice("file-other", "Choose another…", () -> saveAs(then)),
-                                new Question.Choice("file-stay", "Stay here", () -> {})),
+                                new AuthorQuestion.Choice("file-replace", "Replace it", () -> write(path, then)),
+                                new AuthorQuestion.Choice("file-other", "Choose another…", () -> saveAs(then)),
+                                new AuthorQuestion.Choice("file-stay", "Stay here", () -> {})),
                         () -> {}));
     }
 

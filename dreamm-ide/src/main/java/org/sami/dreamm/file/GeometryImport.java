@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.dreamm.context.DreammContext;
-import org.sami.dreamm.context.Question;
+import org.sami.dreamm.context.AuthorQuestion;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditSequence;
 import org.sami.spn.edit.VariableEdit;
@@ -50,15 +50,15 @@ final class GeometryImport {
             return;
         }
         GeoText text = read.text().get();
-        List<Question.Choice> choices = GeoMeaning.of(text.nesting()).stream()
-                .map(meaning -> new Question.Choice(
+        List<AuthorQuestion.Choice> choices = GeoMeaning.of(text.nesting()).stream()
+                .map(meaning -> new AuthorQuestion.Choice(
                         "geometry-" + meaning.word(), "As " + meaning.word(), () -> declare(path, text, meaning)))
                 .toList();
         if (choices.size() == 1) {
             choices.get(0).chosen().run();
         } else {
             context.questions()
-                    .ask(new Question(
+                    .ask(new AuthorQuestion(
                             "geometry-meaning",
                             path.getFileName() + " is " + text.words() + ": what is that?",
                             choices,

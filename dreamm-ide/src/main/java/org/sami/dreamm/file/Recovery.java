@@ -10,7 +10,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.context.LibraryProject;
-import org.sami.dreamm.context.Question;
+import org.sami.dreamm.context.AuthorQuestion;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.Reading;
 import org.sami.spn.model.Project;
@@ -34,15 +34,15 @@ final class Recovery {
         for (UnsavedWork work : left) {
             String of = work.file().map(path -> path.getFileName().toString()).orElse("a project without a file");
             context.questions()
-                    .ask(new Question(
+                    .ask(new AuthorQuestion(
                             "unsaved-work-" + work.folder().getFileName(),
                             "Changes of " + of + ", not saved, were kept on "
                                     + TIME.format(work.time().atZone(ZoneId.systemDefault()))
                                     + " before DREAMM was ended.",
                             List.of(
-                                    new Question.Choice(
+                                    new AuthorQuestion.Choice(
                                             "restore-unsaved", "Restore", () -> unsaved.guard(() -> restore(work))),
-                                    new Question.Choice("forget-unsaved", "Forget them", () -> forget(work))),
+                                    new AuthorQuestion.Choice("forget-unsaved", "Forget them", () -> forget(work))),
                             () -> {}));
         }
     }

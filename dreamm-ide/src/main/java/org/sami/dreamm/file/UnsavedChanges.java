@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.function.Consumer;
 import org.sami.dreamm.context.DreammContext;
-import org.sami.dreamm.context.Question;
+import org.sami.dreamm.context.AuthorQuestion;
 
 /** Stands before whatever would lose changes: the author is asked first. On the event thread. */
 final class UnsavedChanges {
@@ -35,13 +35,13 @@ final class UnsavedChanges {
                 .map(path -> path.getFileName().toString())
                 .orElse("The project, which has no file yet,");
         context.questions()
-                .ask(new Question(
+                .ask(new AuthorQuestion(
                         ID,
                         name + " has changes that are not saved.",
                         List.of(
-                                new Question.Choice("unsaved-save", "Save them", () -> save.accept(next)),
-                                new Question.Choice("unsaved-drop", "Go on without them", next),
-                                new Question.Choice("unsaved-stay", "Stay here", () -> {})),
+                                new AuthorQuestion.Choice("unsaved-save", "Save them", () -> save.accept(next)),
+                                new AuthorQuestion.Choice("unsaved-drop", "Go on without them", next),
+                                new AuthorQuestion.Choice("unsaved-stay", "Stay here", () -> {})),
                         () -> {}));
     }
 }

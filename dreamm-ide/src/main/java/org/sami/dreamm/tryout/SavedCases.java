@@ -148,8 +148,8 @@ public final class SavedCases {
         running = false;
         Optional<Plan> now = document.plan(result.plan());
         boolean same = project == document.project()
-                || now.equals(project.plan(result.plan()))
-                        && project.plans().equals(document.project().plans());
+                || (now.equals(project.plan(result.plan()))
+                        && project.plans().equals(document.project().plans()));
         if (same) {
             ran = Optional.of(result);
             long failed = result.results().values().stream()

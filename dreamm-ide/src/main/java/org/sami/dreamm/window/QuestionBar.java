@@ -9,7 +9,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
-import org.sami.dreamm.context.Question;
+import org.sami.dreamm.context.AuthorQuestion;
 import org.sami.dreamm.context.Questions;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.SemanticColor;
@@ -47,12 +47,12 @@ final class QuestionBar extends JPanel {
         }
     }
 
-    private void fill(Question question) {
+    private void fill(AuthorQuestion question) {
         String more = questions.waiting() == 0 ? "" : " (" + questions.waiting() + " more)";
         text.setText(question.text() + more);
         text.setToolTipText(question.text());
         add(text, "wmin 0");
-        for (Question.Choice choice : question.choices()) {
+        for (AuthorQuestion.Choice choice : question.choices()) {
             JButton button = new JButton(choice.label());
             button.setName(choice.id());
             button.addActionListener(e -> questions.answer(question, choice));

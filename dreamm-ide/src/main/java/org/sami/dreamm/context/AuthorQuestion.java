@@ -11,7 +11,7 @@ import java.util.Objects;
  * @param choices from left to right; Enter takes the first
  * @param dismissed what happens when the author leaves without a choice
  */
-public record Question(String id, String text, List<Choice> choices, Runnable dismissed) {
+public record AuthorQuestion(String id, String text, List<Choice> choices, Runnable dismissed) {
     /**
      * An answer.
      *
@@ -25,7 +25,7 @@ public record Question(String id, String text, List<Choice> choices, Runnable di
         }
     }
 
-    public Question {
+    public AuthorQuestion {
         Objects.requireNonNull(id, "id");
         Objects.requireNonNull(text, "text");
         choices = List.copyOf(choices);
