@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import javax.swing.Timer;
-import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.context.AuthorQuestion;
+import org.sami.dreamm.context.DreammContext;
 
 /** Looks every two seconds, beside the event thread, whether another program has changed the project's files, and asks what is to be shown. */
 final class DiskWatch implements AutoCloseable {

@@ -3,8 +3,8 @@ package org.sami.dreamm.file;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Consumer;
-import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.context.AuthorQuestion;
+import org.sami.dreamm.context.DreammContext;
 
 /** Stands before whatever would lose changes: the author is asked first. On the event thread. */
 final class UnsavedChanges {

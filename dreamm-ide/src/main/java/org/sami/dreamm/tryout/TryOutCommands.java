@@ -17,8 +17,6 @@ public final class TryOutCommands {
     private final DreammContext context;
     private final TryOut tryOut;
     private final StartMarkingSetup setup;
-    private final SavedCases cases;
-    private final TryOutOverlay overlay;
     private final Timer timer = new Timer(STEP_MS, e -> tick());
 
     /** Adds the commands to a window's. */
@@ -27,8 +25,6 @@ public final class TryOutCommands {
         this.context = context;
         this.tryOut = tryOut;
         this.setup = setup;
-        this.cases = cases;
-        this.overlay = overlay;
         add("try-start", "Start", "F5", "play", this::start, this::whyNoPlan);
         add(
                 "try-restart",
@@ -125,7 +121,7 @@ public final class TryOutCommands {
                 .plan()
                 .map((Plan plan) -> selection.stream()
                         .filter(id -> plan.transition(id).isPresent()
-                                || !onlyTransitions && plan.place(id).isPresent())
+                                || (!onlyTransitions && plan.place(id).isPresent()))
                         .toList())
                 .orElse(List.of());
     }
