@@ -125,7 +125,7 @@ final class PdfCanvas implements Canvas {
                 text.replace("≥", ">=").replace("→", "->").replace("←", "<-").replace("−", "-");
         StringBuilder plain = new StringBuilder();
         for (char letter : Normalizer.normalize(spelt, Normalizer.Form.NFC).toCharArray()) {
-            boolean known = letter >= 0x20 && letter < 0x7F || letter >= 0xA0 && letter <= 0xFF;
+            boolean known = (letter >= 0x20 && letter < 0x7F) || (letter >= 0xA0 && letter <= 0xFF);
             plain.append(known ? letter : '?');
         }
         return plain.toString();

@@ -4,8 +4,10 @@ import java.awt.BorderLayout;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.KeyEvent;
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import javax.swing.Icon;
@@ -44,7 +46,7 @@ public final class IssuesPanel extends JPanel {
     private final transient DreammContext context;
     private final transient IssueList issues;
     private final RowTable<Issue> table;
-    private final JToggleButton[] severities = new JToggleButton[Severity.values().length];
+    private final Map<Severity, JToggleButton> severities = new EnumMap<>(Severity.class);
     private final JCheckBox onlyOpen = new JCheckBox("Open plan only");
     private final JTextField text = new JTextField(12);
     private final JTextArea message = new JTextArea();
@@ -142,7 +144,7 @@ public final class IssuesPanel extends JPanel {
             button.setSelected(true);
             button.setToolTipText("Show " + word + "s, or hide them");
             button.addActionListener(e -> issues.setFilter(issues.filter().with(severity, button.isSelected())));
-            severities[severity.ordinal()] = button;
+            severities.put(severity, button);
             bar.add(button, "hmin 32");
         }
         onlyOpen.setName("issues-only-open");
@@ -204,7 +206,7 @@ public final class IssuesPanel extends JPanel {
     }
 
     private void label(Severity severity, int count) {
-        JToggleButton button = severities[severity.ordinal()];
+        JToggleButton button = severities.get(severity);
         button.setText(String.valueOf(count));
         String word = severity.name().toLowerCase(Locale.ROOT);
         button.getAccessibleContext().setAccessibleName(count + " " + word + "s");
@@ -256,7 +258,7 @@ public final class IssuesPanel extends JPanel {
         message.setFont(Fonts.text());
         message.setForeground(SemanticColor.TEXT.get());
         for (Severity severity : Severity.values()) {
-            severities[severity.ordinal()].setIcon(icon(severity));
+            severities.get(severity).setIcon(icon(severity));
         }
     }
 

@@ -43,7 +43,6 @@ public final class ReplayPanel extends JPanel {
     private final transient DreammContext context;
     private final transient TryOut tryOut;
     private final transient TryOutOverlay overlay;
-    private final transient ExecutorService worker;
     private final transient ReplayPlayer player;
     private final TimeLinePanel timeLine;
     private final JLabel file = new JLabel();
@@ -63,7 +62,6 @@ public final class ReplayPanel extends JPanel {
         this.context = context;
         this.tryOut = tryOut;
         this.overlay = overlay;
-        this.worker = worker;
         setName("replay-panel");
         player = new ReplayPlayer(new TimeLine(0, List.of(), new TreeSet<>()), millis -> {}, worker);
         missions = new RowTable<>(
