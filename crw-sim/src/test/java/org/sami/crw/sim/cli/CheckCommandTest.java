@@ -245,6 +245,7 @@ class CheckCommandTest {
     private void copyDomain() throws IOException {
         Files.createDirectories(folder.resolve("plans"));
         for (String name : List.of(
+                "authoring.json",
                 "domain.json",
                 "events.json",
                 "types.json",

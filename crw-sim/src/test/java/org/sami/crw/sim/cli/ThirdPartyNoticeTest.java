@@ -28,7 +28,7 @@ class ThirdPartyNoticeTest {
             "LGPL-3.0-or-later");
 
     private static final Set<String> OWN =
-            Set.of("boat-link", "crw-domain", "crw-sim", "domain-config", "server", "spn-core");
+            Set.of("boat-link", "crw-domain", "crw-sim", "domain-config", "net-picture", "server", "spn-core");
 
     private static final Pattern ENTRY =
             Pattern.compile("^(\\S+) (\\S+)\\n    licence: (.+)\\n    home: (http\\S+)$", Pattern.MULTILINE);
