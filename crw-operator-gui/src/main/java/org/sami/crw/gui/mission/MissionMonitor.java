@@ -138,6 +138,9 @@ public final class MissionMonitor extends JPanel {
             closed.add(view.mission());
             views.remove(view.mission());
             tabs.remove(view);
+            if (shown().isEmpty()) {
+                tabs.setSelectedIndex(0); // the plans, of which the next mission is one
+            }
         });
     }
 
