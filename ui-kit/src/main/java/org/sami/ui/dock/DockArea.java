@@ -49,6 +49,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
         Docking.initialize(frame);
         RootDockingPanel root = new RootDockingPanel(frame);
         add(root);
+        SplitProportions.keep(root);
         panels.forEach(panel -> {
             this.panels.put(panel.getPersistentID(), panel);
             Docking.registerDockable(panel);
