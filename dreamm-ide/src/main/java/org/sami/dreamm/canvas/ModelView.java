@@ -139,6 +139,7 @@ public final class ModelView extends JPanel implements NetDropTarget {
                 transitions.forEach(view::fired);
             }
         });
+        context.additions().addAddedListener(view::revealWhole);
         view.addNetListener(new NetListener() {
             @Override
             public void selected(Set<String> ids) {

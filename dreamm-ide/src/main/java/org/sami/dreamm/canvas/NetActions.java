@@ -92,7 +92,7 @@ final class NetActions {
     private void make(NetEdits.Made made) {
         if (apply(made.edit())) {
             context.editor().select(made.made());
-            view.reveal(made.made());
+            view.revealWhole(made.made());
         }
     }
 
@@ -286,7 +286,8 @@ final class NetActions {
     private void putBehind(NextStep step, String vertex, LayoutPoint free) {
         Plan before = net.plan();
         if (apply(edits.keepingTheRest(step.edit(before, vertex, net.toPlan(free.x(), free.y()), mode())))) {
-            selectNew(before);
+            context.editor().select(newSince(before));
+            view.revealWhole(selection());
         }
     }
 
@@ -301,19 +302,21 @@ final class NetActions {
         Edit edit = vertex.map(id -> drop.onto(before, id, mode()))
                 .orElseGet(() -> drop.at(before, net.toPlan(at.x(), at.y()), mode()));
         if (apply(edits.keepingTheRest(edit))) {
-            vertex.ifPresentOrElse(id -> context.editor().select(Set.of(id)), () -> selectNew(before));
+            Set<String> made = newSince(before);
+            context.editor().select(vertex.map(Set::of).orElse(made));
+            vertex.ifPresent(made::add);
+            view.revealWhole(made);
         }
     }
 
-    /** Selects the vertices that a plan did not have. */
-    private void selectNew(Plan before) {
+    /** The vertices that a plan did not have. */
+    private Set<String> newSince(Plan before) {
         Set<String> made = new LinkedHashSet<>();
         net.plan().places().stream().filter(p -> before.place(p.id()).isEmpty()).forEach(p -> made.add(p.id()));
         net.plan().transitions().stream()
                 .filter(t -> before.transition(t.id()).isEmpty())
                 .forEach(t -> made.add(t.id()));
-        context.editor().select(made);
-        view.reveal(made);
+        return made;
     }
 
     /** Selects all that the mode shows. */

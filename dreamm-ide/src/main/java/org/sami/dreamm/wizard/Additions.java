@@ -1,10 +1,12 @@
 package org.sami.dreamm.wizard;
 
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.sami.dreamm.document.EditorState;
 import org.sami.dreamm.document.ProjectDocument;
@@ -33,6 +35,7 @@ public final class Additions {
     private final AuthoringLibrary library;
     private final Function<Edit, EditResult> apply;
     private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
+    private final List<Consumer<Set<String>>> addedListeners = new CopyOnWriteArrayList<>();
     private Optional<AddEvent> last = Optional.empty();
     private Optional<AddEvent> noted = Optional.empty();
     private Project after;
@@ -133,7 +136,10 @@ public final class Additions {
         if (result instanceof EditResult.Done && before.isPresent()) {
             last = edit instanceof AddEvent event ? Optional.of(event) : Optional.empty();
             after = document.project();
-            editor.plan().ifPresent(now -> select(before.get(), now, edit));
+            editor.plan().ifPresent(now -> {
+                select(before.get(), now, edit);
+                tellAdded(before.get(), now);
+            });
             listeners.forEach(Runnable::run);
         }
         return result;
@@ -161,6 +167,19 @@ public final class Additions {
         first.stream().findFirst().ifPresent(id -> editor.select(List.of(id)));
     }
 
+    private void tellAdded(Plan before, Plan now) {
+        Set<String> added = new LinkedHashSet<>(editor.selection());
+        now.places().stream()
+                .map(p -> p.id())
+                .filter(id -> before.place(id).isEmpty())
+                .forEach(added::add);
+        now.transitions().stream()
+                .map(t -> t.id())
+                .filter(id -> before.transition(id).isEmpty())
+                .forEach(added::add);
+        addedListeners.forEach(listener -> listener.accept(added));
+    }
+
     /** Notes an edit that somebody else is about to make: an event that it adds can be exchanged as well. */
     public Edit noted(Edit edit) {
         noted = edit instanceof AddEvent event ? Optional.of(event) : Optional.empty();
@@ -179,6 +198,11 @@ public final class Additions {
             document.undo();
             add(event.withSequence(sequence));
         });
+    }
+
+    /** Adds somebody who is told the ids of the vertices that {@link #add} added, and of those that it selected. */
+    public void addAddedListener(Consumer<Set<String>> listener) {
+        addedListeners.add(Objects.requireNonNull(listener, "listener"));
     }
 
     /** Adds somebody who is told when something was added, or the document is another. */

@@ -176,6 +176,18 @@ public final class NetScene {
                 .reduce(DrawingBox::union);
     }
 
+    /** The box around some of the vertices and notes that are shown, with their words. */
+    Optional<DrawingBox> boxWithWords(Set<String> ids) {
+        return Stream.of(
+                        boxOf(ids).stream(),
+                        boxOfLabels(ids).stream(),
+                        notes.stream()
+                                .filter(note -> ids.contains(idOf(note.index())))
+                                .map(NoteBox::box))
+                .flatMap(Function.identity())
+                .reduce(DrawingBox::union);
+    }
+
     /** The vertex at a point, or so near that it is meant; none where there is none. */
     public Optional<Vertex> vertexAt(double x, double y, double reach) {
         return drawing.vertices().stream()

@@ -308,6 +308,24 @@ public final class NetView extends JPanel {
         }
     }
 
+    /**
+     * Shows vertices and notes with their words in the middle, smaller only where they do not fit otherwise. Nothing moves where all of
+     * them is seen already; what the mode hides is left alone.
+     */
+    public void revealWhole(Set<String> ids) {
+        if (!toBegin) {
+            scene.boxWithWords(ids).filter(box -> !isSeen(box)).ifPresent(viewport::showWhole);
+        }
+    }
+
+    /** Whether all of a box is in the view, and none of it below the overview. */
+    private boolean isSeen(DrawingBox box) {
+        Rectangle2D pixels = new Rectangle2D.Double();
+        pixels.setFrameFromDiagonal(viewport.pixel(box.x(), box.y()), viewport.pixel(box.maxX(), box.maxY()));
+        return viewer.getBounds().contains(pixels)
+                && !(overview.isVisible() && pixels.intersects(overview.getBounds()));
+    }
+
     /** Shows the overview in the lower right corner while not all of the net is seen, or never. */
     public void setOverview(boolean shown) {
         withOverview = shown;

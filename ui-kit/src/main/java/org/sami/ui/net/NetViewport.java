@@ -95,6 +95,17 @@ final class NetViewport {
         }
     }
 
+    /** Shows a box in the middle with a margin, and smaller only where it does not fit otherwise. */
+    void showWhole(DrawingBox box) {
+        DrawingBox withMargin = box.grown(MARGIN / scale());
+        Rectangle2D shown = shown();
+        if (withMargin.width() <= shown.getWidth() && withMargin.height() <= shown.getHeight()) {
+            centre(box.x() + box.width() / 2, box.y() + box.height() / 2);
+        } else {
+            fit(box);
+        }
+    }
+
     /** How far a range has to move to hold another. */
     private static double shift(double from, double to, double shownFrom, double shownTo) {
         if (to - from > shownTo - shownFrom) {
