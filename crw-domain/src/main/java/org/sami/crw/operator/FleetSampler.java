@@ -13,6 +13,7 @@ import org.sami.crw.proxy.BoatExplanation.Cause;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.CommandQueueSnapshot;
 import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.MissionTitles;
 import org.sami.crw.proxy.ProxyRegistry;
 
 /**
@@ -24,6 +25,7 @@ final class FleetSampler {
     private static final long HEARD_TOLERANCE_MILLIS = 150;
 
     private final ProxyRegistry boats;
+    private final MissionTitles titles;
     private final LongSupplier nowMillis;
     private final long periodMillis;
     private final BiConsumer<String, Optional<BoatSnapshot>> taken;
@@ -44,10 +46,12 @@ final class FleetSampler {
      */
     FleetSampler(
             ProxyRegistry boats,
+            MissionTitles titles,
             LongSupplier nowMillis,
             long periodMillis,
             BiConsumer<String, Optional<BoatSnapshot>> taken) {
         this.boats = boats;
+        this.titles = titles;
         this.nowMillis = nowMillis;
         this.periodMillis = periodMillis;
         this.taken = taken;
@@ -102,9 +106,9 @@ final class FleetSampler {
         }
     }
 
-    private static BoatSnapshot snapshot(BoatProxy boat, Seen known, long now) {
+    private BoatSnapshot snapshot(BoatProxy boat, Seen known, long now) {
         Optional<CommandQueueSnapshot.Entry> current = boat.queue().current();
-        BoatExplanation why = boat.explain();
+        BoatExplanation why = boat.explain(titles);
         return new BoatSnapshot(
                 boat.boatId(),
                 boat.status().link(),

@@ -66,6 +66,11 @@ public final class MissionModel extends Model<MissionsSnapshot> {
         super(MissionsSnapshot.EMPTY);
     }
 
+    /** The title of a mission's plan; empty where the mission is not known, or no longer. From any thread. */
+    public Optional<String> title(long mission) {
+        return snapshot().mission(mission).map(MissionSnapshot::title);
+    }
+
     /** Forgets all. */
     void clear() {
         restore(List.of(), Map.of(), 0);

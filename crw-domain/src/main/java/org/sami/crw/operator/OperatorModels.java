@@ -404,7 +404,7 @@ public final class OperatorModels implements HostListener, MessageSink {
      * @param periodMillis how long a boat is left alone after a snapshot of it
      */
     public Consumer<FleetEvent> fleetListener(ProxyRegistry boats, long periodMillis) {
-        FleetSampler made = new FleetSampler(boats, nowMillis, periodMillis, fleet::seen);
+        FleetSampler made = new FleetSampler(boats, missions::title, nowMillis, periodMillis, fleet::seen);
         sampler = Optional.of(made);
         alarms.sampledEvery(periodMillis);
         return event -> {

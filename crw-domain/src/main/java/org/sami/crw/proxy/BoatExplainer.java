@@ -10,9 +10,11 @@ final class BoatExplainer {
 
     private final BoatProxy proxy;
     private final CommandDriver driver;
+    private final MissionTitles titles;
 
-    BoatExplainer(BoatProxy proxy) {
+    BoatExplainer(BoatProxy proxy, MissionTitles titles) {
         this.proxy = proxy;
+        this.titles = titles;
         driver = proxy.driver();
     }
 
@@ -28,11 +30,11 @@ final class BoatExplainer {
             return still(Cause.STOPPING, "no mission wants anything of it; it is being stopped");
         } else if (driver.queue().blockedBy().isPresent()) {
             long blocker = driver.queue().blockedBy().get();
-            return still(Cause.BLOCKED, "mission " + blocker + " keeps it where it is" + counted());
+            return still(Cause.BLOCKED, ExplainedCommand.whose(blocker, titles) + " keeps it where it is" + counted());
         }
         LastCommandOutcome last = driver.lastWord();
-        return still(
-                last.cause(), "no mission wants anything of it" + (last.text().isEmpty() ? "" : "; " + last.text()));
+        String became = last.text(titles).map(text -> "; " + text).orElse("");
+        return still(last.cause(), "no mission wants anything of it" + became);
     }
 
     private boolean isBatteryEmpty() {
@@ -43,27 +45,30 @@ final class BoatExplainer {
     }
 
     private String wanted() {
-        return driver.run().map(run -> "; it should do " + name(run.queued())).orElse("");
+        return driver.run()
+                .map(run -> "; it should " + explained(run.queued()).infinitive())
+                .orElse("");
     }
 
     private BoatExplanation running(CommandRun run) {
+        ExplainedCommand command = explained(run.queued());
         String visited = visited(run.queued());
         Optional<ProgressMonitor> stuck = run.headway().filter(ProgressMonitor::isShown);
         if (stuck.isPresent()) {
             return new BoatExplanation(
                     false,
                     Cause.NO_PROGRESS,
-                    proxy.boatId() + " does not get on: " + stuck.get().words() + "; it does " + name(run.queued())
+                    proxy.boatId() + " does not get on: " + stuck.get().words() + "; it is to " + command.infinitive()
                             + visited + waiting());
         }
-        String words = name(run.queued()) + ": " + run.state() + visited + sends() + waiting();
-        if (run.isDriving()) {
-            return new BoatExplanation(true, Cause.UNDER_WAY, proxy.boatId() + " does " + words);
-        }
-        Cause cause = causeOf(run);
-        return cause == Cause.KEEPS_STATION || cause == Cause.TAKES_PICTURES
-                ? new BoatExplanation(false, cause, proxy.boatId() + " does " + words)
-                : new BoatExplanation(false, causeOf(run), proxy.boatId() + " waits: " + words);
+        Cause cause = run.isDriving() ? Cause.UNDER_WAY : causeOf(run);
+        String state = cause == Cause.KEEPS_STATION ? "" : ": " + run.state() + visited;
+        String does = switch (cause) {
+            case KEEPS_STATION, TAKES_PICTURES -> command.does();
+            case UNDER_WAY -> run instanceof StationRun ? "is to " + command.infinitive() : command.does();
+            default -> "waits to " + command.infinitive();
+        };
+        return new BoatExplanation(run.isDriving(), cause, proxy.boatId() + " " + does + state + sends() + waiting());
     }
 
     private static Cause causeOf(CommandRun run) {
@@ -76,8 +81,8 @@ final class BoatExplainer {
         return run instanceof StationRun station && station.isThere() ? Cause.KEEPS_STATION : Cause.UPLOADING;
     }
 
-    private static String name(QueuedCommand queued) {
-        return queued.command().commandId() + " of mission " + queued.command().mission();
+    private ExplainedCommand explained(QueuedCommand queued) {
+        return ExplainedCommand.of(queued.command(), titles);
     }
 
     private static String visited(QueuedCommand queued) {
@@ -97,7 +102,7 @@ final class BoatExplainer {
         StringBuilder text = new StringBuilder();
         for (QueuedCommand queued : waiting.subList(0, Math.min(MOST_NAMED, waiting.size()))) {
             text.append("; ")
-                    .append(name(queued))
+                    .append(explained(queued).doing())
                     .append(" waits: ")
                     .append(driver.queue().whyNot(queued));
         }

@@ -455,9 +455,14 @@ public final class BoatProxy {
         handOver.request(new GrantCommand(driver.wireId("grant-command"), clientId), condition.nowMs);
     }
 
-    /** Why the boat moves or does not. */
+    /** Why the boat moves or does not; missions are told by their numbers. */
     public BoatExplanation explain() {
-        return new BoatExplainer(this).explain();
+        return explain(MissionTitles.NONE);
+    }
+
+    /** Why the boat moves or does not; missions are told by their numbers and plans. */
+    public BoatExplanation explain(MissionTitles titles) {
+        return new BoatExplainer(this, titles).explain();
     }
 
     // ---- what the explainer asks

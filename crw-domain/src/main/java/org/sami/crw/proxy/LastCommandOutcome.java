@@ -1,33 +1,40 @@
 package org.sami.crw.proxy;
 
+import java.util.Optional;
+
 /**
  * What became of the command that left the queue last: why a boat of which nothing is wanted lies where it does.
  *
  * @param cause arrived, failed or withdrawn
- * @param text in words
+ * @param command empty if there never was one
+ * @param why why it failed, in words; empty otherwise
  */
-record LastCommandOutcome(BoatExplanation.Cause cause, String text) {
-    static final LastCommandOutcome NONE = new LastCommandOutcome(BoatExplanation.Cause.NO_COMMAND, "");
+record LastCommandOutcome(BoatExplanation.Cause cause, Optional<BoatCommand> command, String why) {
+    static final LastCommandOutcome NONE =
+            new LastCommandOutcome(BoatExplanation.Cause.NO_COMMAND, Optional.empty(), "");
 
     static LastCommandOutcome arrived(BoatCommand command) {
-        if (command instanceof Panorama) {
-            return new LastCommandOutcome(
-                    BoatExplanation.Cause.ARRIVED, "it has taken the pictures of " + name(command));
-        }
-        String done = command instanceof Stop ? "has stopped, as " : "has arrived at the end of ";
-        String wished = command instanceof Stop ? " wanted" : "";
-        return new LastCommandOutcome(BoatExplanation.Cause.ARRIVED, "it " + done + name(command) + wished);
+        return new LastCommandOutcome(BoatExplanation.Cause.ARRIVED, Optional.of(command), "");
     }
 
     static LastCommandOutcome failed(BoatCommand command, String why) {
-        return new LastCommandOutcome(BoatExplanation.Cause.FAILED, name(command) + " failed: " + why);
+        return new LastCommandOutcome(BoatExplanation.Cause.FAILED, Optional.of(command), why);
     }
 
     static LastCommandOutcome withdrawn(BoatCommand command) {
-        return new LastCommandOutcome(BoatExplanation.Cause.WITHDRAWN, name(command) + " was withdrawn");
+        return new LastCommandOutcome(BoatExplanation.Cause.WITHDRAWN, Optional.of(command), "");
     }
 
-    private static String name(BoatCommand command) {
-        return command.commandId() + " of mission " + command.mission();
+    /** The same in words; empty if there never was a command. */
+    Optional<String> text(MissionTitles titles) {
+        return command.map(one -> ExplainedCommand.of(one, titles)).map(this::words);
+    }
+
+    private String words(ExplainedCommand words) {
+        return switch (cause) {
+            case ARRIVED -> "it " + words.done();
+            case FAILED -> words.doing() + " failed: " + why;
+            default -> words.doing() + " was withdrawn";
+        };
     }
 }

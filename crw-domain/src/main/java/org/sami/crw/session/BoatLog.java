@@ -16,6 +16,7 @@ import org.sami.crw.proxy.BoatExplanation;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.BoatStatus;
 import org.sami.crw.proxy.CommandQueueSnapshot;
+import org.sami.crw.proxy.MissionTitles;
 import org.sami.crw.proxy.ProxyRegistry;
 
 /**
@@ -44,14 +45,16 @@ final class BoatLog {
     private static final ObjectMapper JSON = new ObjectMapper();
 
     private final Supplier<ProxyRegistry> boats;
+    private final MissionTitles titles;
     private final SessionTelemetry telemetry;
     private final LongSupplier nowMillis;
     private final Set<String> written = new HashSet<>(); // commands
     private final Map<String, String> states = new HashMap<>();
     private volatile boolean closed;
 
-    BoatLog(Supplier<ProxyRegistry> boats, SessionTelemetry telemetry, LongSupplier nowMillis) {
+    BoatLog(Supplier<ProxyRegistry> boats, MissionTitles titles, SessionTelemetry telemetry, LongSupplier nowMillis) {
         this.boats = boats;
+        this.titles = titles;
         this.telemetry = telemetry;
         this.nowMillis = nowMillis;
     }
@@ -122,7 +125,7 @@ final class BoatLog {
 
     private void look(BoatProxy boat) {
         BoatStatus status = boat.status();
-        BoatExplanation why = boat.explain();
+        BoatExplanation why = boat.explain(titles);
         ObjectNode json = JSON.createObjectNode().put("link", status.link().name());
         status.mode().ifPresent(mode -> json.put("mode", mode.name()));
         status.battery()

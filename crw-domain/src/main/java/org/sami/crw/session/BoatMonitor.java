@@ -5,6 +5,7 @@ import java.util.Map;
 import org.sami.crw.proxy.BoatExplanation;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.MissionTitles;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.UploadCount;
 
@@ -19,14 +20,16 @@ final class BoatMonitor {
     private final FleetHistory history;
     private final SessionTelemetry telemetry;
     private final SessionMessages messages;
+    private final MissionTitles titles;
     private final Map<String, Standstill> standstills = new HashMap<>();
 
     private record Standstill(String reason, int looks) {}
 
-    BoatMonitor(FleetHistory history, SessionTelemetry telemetry, SessionMessages messages) {
+    BoatMonitor(FleetHistory history, SessionTelemetry telemetry, SessionMessages messages, MissionTitles titles) {
         this.history = history;
         this.telemetry = telemetry;
         this.messages = messages;
+        this.titles = titles;
     }
 
     /** Looks at all boats; to be called once a second. */
@@ -39,7 +42,7 @@ final class BoatMonitor {
         if (history.uploaded(boat.boatId(), uploads)) {
             telemetry.uploads(boat.boatId(), uploads);
         }
-        BoatExplanation explanation = boat.explain();
+        BoatExplanation explanation = boat.explain(titles);
         history.explained(boat.boatId(), explanation.text());
         boolean stands = !explanation.shouldMove()
                 && !boat.isAtRest()

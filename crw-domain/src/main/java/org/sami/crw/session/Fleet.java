@@ -20,6 +20,7 @@ import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.BoatStatus;
 import org.sami.crw.proxy.BoatTuning;
 import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.MissionTitles;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
@@ -36,6 +37,7 @@ public final class Fleet {
     private final SettingReplies settings;
     private final FleetHistory history;
     private final OperatorLog log;
+    private final MissionTitles titles;
     private final Optional<RememberedBoats> remembered; // empty where a session is resumed by running its world again
     private final Runnable beforeTheFirst;
     private boolean stopped; // for the fleet's thread
@@ -48,6 +50,7 @@ public final class Fleet {
             FleetHistory history,
             Optional<RememberedBoats> remembered,
             OperatorLog log,
+            MissionTitles titles,
             Runnable beforeTheFirst) {
         this.connector = connector;
         this.replies = replies;
@@ -55,6 +58,7 @@ public final class Fleet {
         this.history = history;
         this.remembered = remembered;
         this.log = log;
+        this.titles = titles;
         this.beforeTheFirst = beforeTheFirst;
         listener.onEachBoat(this::found);
     }
@@ -188,7 +192,7 @@ public final class Fleet {
 
     /** Why a boat moves or does not. */
     public CompletionStage<BoatExplanation> why(String boat) {
-        return onBoat(boat, BoatProxy::explain);
+        return onBoat(boat, proxy -> proxy.explain(titles));
     }
 
     /** What is known of the boats over all processes of the session; from any thread, at once. */

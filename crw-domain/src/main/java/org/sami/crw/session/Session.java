@@ -73,6 +73,7 @@ public final class Session implements AutoCloseable {
                 parts.history,
                 parts.remembered,
                 parts.models.log(),
+                parts.models.missions()::title,
                 this::noteBegin);
     }
 

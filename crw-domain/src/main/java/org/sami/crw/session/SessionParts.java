@@ -119,9 +119,9 @@ final class SessionParts {
         connector = connector(setup.runtime());
         events = new FleetEvents(slowMillis);
         boats = new FleetListener(events, history, telemetry, messages, remembered, scheduler::nowMs);
-        monitor = new BoatMonitor(history, telemetry, messages);
+        monitor = new BoatMonitor(history, telemetry, messages, models.missions()::title);
         poses = new PoseLog(history, telemetry);
-        boatLog = new BoatLog(connector::boats, telemetry, scheduler::nowMs);
+        boatLog = new BoatLog(connector::boats, models.missions()::title, telemetry, scheduler::nowMs);
         events.subscribe(boatLog::take);
         settings = new SettingReplies(replies);
         events.subscribe(settings::happened);

@@ -40,7 +40,7 @@ class StationKeepTest {
         assertThat(distance(STATION)).isLessThan(6);
         BoatExplanation why = world.boats.find("a").orElseThrow().explain();
         assertThat(why.cause()).isEqualTo(BoatExplanation.Cause.KEEPS_STATION);
-        assertThat(why.text()).contains("keeping its station");
+        assertThat(why.text()).contains("a keeps its station for mission 1");
         assertThat(engine.received("ProxyPathCompleted")).isEmpty();
     }
 

@@ -426,7 +426,7 @@ class BoatProxyTest {
                 .isEqualTo(new BoatExplanation(
                         true,
                         BoatExplanation.Cause.UNDER_WAY,
-                        "boat1 does c of mission 1: under way, 0 of 2 points visited"));
+                        "boat1 follows its path for mission 1: under way, 0 of 2 points visited"));
     }
 
     private static Telemetry telemetry(double speedMps, BoatMode mode) {

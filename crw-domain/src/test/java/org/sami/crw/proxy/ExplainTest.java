@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.BatteryLevel;
@@ -21,6 +22,7 @@ import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Welcome;
 import org.sami.crw.proxy.BoatExplanation.Cause;
 import org.sami.crw.service.Geodesy;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
@@ -58,14 +60,14 @@ class ExplainTest {
         assertWhy(Cause.NO_COMMAND, "no mission wants anything");
 
         boat.proxy.submit(path("c", 1, Priority.MEDIUM));
-        assertWhy(Cause.UPLOADING, "c of mission 1: the path is being uploaded");
+        assertWhy(Cause.UPLOADING, "boat1 waits to follow its path for mission 1: the path is being uploaded");
         boat.setsOut();
         assertWhy(Cause.UNDER_WAY, "0 of 2 points visited");
         boat.onPathAt(HERE, 80, 90);
         assertWhy(Cause.NO_PROGRESS, "no nearer to point 1 for 89 s");
         boat.says(new BatteryReport(0, BatteryLevel.CRITICAL));
         boat.onPathAt(HERE, 0, 2);
-        assertWhy(Cause.BATTERY_EMPTY, "its battery is empty; it should do c of mission 1");
+        assertWhy(Cause.BATTERY_EMPTY, "its battery is empty; it should follow its path for mission 1");
         boat.says(new BatteryReport(90, BatteryLevel.NOMINAL));
         boat.silent(5);
         assertWhy(Cause.LINK_LOST, "the link has been lost for 5 s; one command waits");
@@ -82,22 +84,24 @@ class ExplainTest {
         boat.proxy.withdraw(1);
         assertWhy(Cause.STOPPING, "being stopped");
         boat.acknowledges(StopMotors.class);
-        assertWhy(Cause.WITHDRAWN, "c of mission 1 was withdrawn");
+        assertWhy(Cause.WITHDRAWN, "; following its path for mission 1 was withdrawn");
         boat.proxy.submit(path("d", 1, Priority.MEDIUM));
         boat.setsOut();
         boat.says(new Progress(boat.last(UploadWaypoints.class).listId(), 2, true));
-        assertWhy(Cause.ARRIVED, "it has arrived at the end of d of mission 1");
+        assertWhy(Cause.ARRIVED, "it has arrived at the end of its path for mission 1");
         boat.proxy.submit(path("e", 1, Priority.MEDIUM));
         boat.says(new Nack(boat.last(UploadWaypoints.class).commandId(), NackReason.TOO_LONG, "at most 1 point"));
         boat.acknowledges(StopMotors.class);
-        assertWhy(Cause.FAILED, "e of mission 1 failed: the boat refused it: TOO_LONG, at most 1 point");
+        assertWhy(
+                Cause.FAILED,
+                "; following its path for mission 1 failed: the boat refused it: TOO_LONG, at most 1 point");
         boat.proxy.submit(new KeepStation("k", 4, 1, HERE, 10, Priority.MEDIUM, true));
         boat.setsOut();
         boat.says(new Progress(boat.last(UploadWaypoints.class).listId(), 1, true));
-        assertWhy(Cause.KEEPS_STATION, "boat1 does k of mission 4: keeping its station");
+        assertWhy(Cause.KEEPS_STATION, "boat1 keeps its station for mission 4");
         boat.proxy.submit(new Panorama("v", 4, 1, 8, Priority.MEDIUM));
         boat.acknowledges(TakePanorama.class);
-        assertWhy(Cause.TAKES_PICTURES, "boat1 does v of mission 4: turning all round");
+        assertWhy(Cause.TAKES_PICTURES, "boat1 takes pictures all round for mission 4: turning all round");
         boat.proxy.submit(new Stop("s", 4, 1, Priority.LOW, true));
         boat.acknowledges(StopMotors.class);
         assertWhy(Cause.BLOCKED, "mission 4 keeps it where it is");
@@ -115,13 +119,14 @@ class ExplainTest {
         boat.setsOut();
 
         assertThat(boat.proxy.explain().text())
-                .startsWith("boat1 does now of mission 4: under way")
-                .contains("; c of mission 1 waits: it is interrupted and returns afterwards")
-                .contains("; later of mission 2 waits: its priority is MEDIUM, not CRITICAL")
-                .contains("; lesser of mission 3 waits: its priority is LOW, not CRITICAL");
+                .startsWith("boat1 follows its path for mission 4: under way")
+                .contains("; following its path for mission 1 waits: it is interrupted and returns afterwards")
+                .contains("; following its path for mission 2 waits: its priority is MEDIUM, not CRITICAL")
+                .contains("; following its path for mission 3 waits: its priority is LOW, not CRITICAL");
 
         boat.says(new Progress(boat.last(UploadWaypoints.class).listId(), 2, true));
-        assertThat(boat.proxy.explain().text()).contains("; later of mission 2 waits: the other came first");
+        assertThat(boat.proxy.explain().text())
+                .contains("; following its path for mission 2 waits: the other came first");
     }
 
     @Test
@@ -131,6 +136,30 @@ class ExplainTest {
         boat.proxy.submit(path("other", 2, Priority.HIGH));
         boat.setsOut();
 
-        assertThat(boat.proxy.explain().text()).endsWith("; other of mission 2 waits: mission 1 keeps the boat");
+        assertThat(boat.proxy.explain().text())
+                .endsWith("; following its path for mission 2 waits: mission 1 keeps the boat");
+    }
+
+    @Test
+    void missionsAreToldByTheirPlansAndTheOperatorByNone() {
+        MissionTitles titles = mission -> Optional.of(mission == 1 ? "Explore Area" : "Return");
+        boat.linked("b1");
+        boat.proxy.submit(path("m1-a3-anna", 1, Priority.MEDIUM));
+        boat.proxy.submit(path("m2-a1-anna", 2, Priority.LOW));
+        boat.setsOut();
+        assertThat(boat.proxy.explain(titles).text())
+                .startsWith("boat1 follows its path for mission 1, Explore Area: under way, 0 of 2 points visited")
+                .contains("; following its path for mission 2, Return waits: ")
+                .doesNotContain("m1-a3-anna", "m2-a1-anna");
+
+        boat.proxy.withdraw(1);
+        boat.proxy.withdraw(2);
+        boat.acknowledges(StopMotors.class);
+        assertThat(boat.proxy.explain(titles).text())
+                .endsWith("; following its path for mission 2, Return was withdrawn");
+
+        boat.proxy.submit(path("go", Ids.NONE, Priority.MEDIUM));
+        boat.setsOut();
+        assertThat(boat.proxy.explain(titles).text()).startsWith("boat1 follows its path for the operator: under way");
     }
 }

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.MissionTitles;
 import org.sami.crw.proxy.ProxyConfig;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.spn.protocol.Priority;
@@ -21,7 +22,7 @@ class BoatMonitorTest {
     private final SessionTelemetry telemetry = new SessionTelemetry(SessionJournal.none(), () -> 0);
     private final SessionMessages messages = new SessionMessages(telemetry, message -> {});
     private final List<String> notices = new ArrayList<>();
-    private final BoatMonitor watch = new BoatMonitor(status, telemetry, messages);
+    private final BoatMonitor watch = new BoatMonitor(status, telemetry, messages, MissionTitles.NONE);
     private final BoatProxy anna = new BoatProxy("anna", frame -> {}, new BoatListener() {}, ProxyConfig.DEFAULT);
     private final ProxyRegistry boats = new ProxyRegistry();
 
