@@ -2,6 +2,7 @@ package org.sami.crw.sim.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -22,6 +23,9 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.server.testing.Await;
+import org.sami.crw.markup.MapRelevance.Visualization;
+import org.sami.crw.operator.MapModel;
+import org.sami.crw.operator.map.SensorLayer;
 import org.sami.crw.operator.map.ShownTrack;
 import org.sami.crw.proxy.BoatStatus;
 import org.sami.crw.proxy.tcp.BoatAddress;
@@ -35,6 +39,7 @@ import org.sami.crw.session.SessionOperator;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.session.SessionTelemetry;
 import org.sami.crw.sim.boat.BoatOnTcp;
+import org.sami.crw.sim.hull.SensorSetting;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.journal.JournalReader;
@@ -306,16 +311,21 @@ class SessionTest {
     }
 
     @Test
-    void tracksAreOnTheMapAgainAfterAResume() throws Exception {
+    void tracksAndWhatWasMeasuredAreOnTheMapAgainAfterAResume() throws Exception {
         Path journal = folder.resolve("tracks.journal");
         Session session = world.opened(TestSession.library("clv"), journal);
         session.begin();
-        TestSession.get(session.fleet().connect(TestSession.address(world.boat("anna"))));
+        BoatOnTcp anna = world.boat("anna", SensorSetting.parse("oxygen@5"));
+        TestSession.get(session.fleet().connect(TestSession.address(anna)));
         Await.until("anna's pose is in the journal", TestSession.WITHIN_S, () -> hasPose(journal));
+        SensorLayer measured = heatMap(session);
         session.close();
 
         Session again = world.resumed(journal);
         again.begin();
+        SensorLayer restored = heatMap(again);
+        assertThat(restored.channel()).isEqualTo(measured.channel());
+        assertThat(restored.grid().least()).isCloseTo(measured.grid().least(), within(0.1));
         Await.until(
                 "the track is back, without the boat",
                 TestSession.WITHIN_S,
@@ -326,6 +336,21 @@ class SessionTest {
         assertThat(Geodesy.distanceM(track.points().get(0).position(), TestSession.PIER))
                 .isLessThan(5);
         assertThat(TestSession.get(again.fleet().boats())).isEmpty();
+    }
+
+    /** What was measured first, as it is drawn. */
+    private static SensorLayer heatMap(Session session) {
+        MapModel map = session.models().map();
+        Await.until(
+                "something was measured",
+                TestSession.WITHIN_S,
+                () -> !map.snapshot().channels().isEmpty());
+        map.showData(map.snapshot().channels().get(0), Optional.of(Visualization.HEATMAP));
+        Await.until(
+                "it is drawn",
+                TestSession.WITHIN_S,
+                () -> !map.snapshot().data().isEmpty());
+        return map.snapshot().data().get(0);
     }
 
     @Test

@@ -24,6 +24,9 @@ import org.sami.crw.session.SessionSetup;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.Flow;
+import org.sami.crw.sim.hull.SensorSetting;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.DomainLibrary;
@@ -87,9 +90,11 @@ final class TestSession implements AutoCloseable {
     }
 
     /** A boat that logs into the folder. */
-    BoatOnTcp boat(String name) throws IOException {
+    BoatOnTcp boat(String name, SensorSetting... sensors) throws IOException {
         InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
-        BoatSettings settings = BoatSettings.of(name, anyPort, PIER, 1).loggingTo(folder);
+        Conditions water = new Conditions(0, 0, Flow.NONE, Flow.NONE, List.of(sensors));
+        BoatSettings settings =
+                BoatSettings.of(name, anyPort, PIER, 1).on(water).loggingTo(folder);
         return keep(new BoatOnTcp(settings, SteadyClock.ofThisMachine(), TcpServerListener.NONE));
     }
 
