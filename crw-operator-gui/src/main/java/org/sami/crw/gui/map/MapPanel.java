@@ -15,6 +15,7 @@ import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.Timer;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.context.UseWatch;
 import org.sami.crw.gui.decision.DecisionMap;
 import org.sami.crw.operator.MapModel;
 import org.sami.crw.operator.map.LayerState;
@@ -29,6 +30,7 @@ import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
 import org.sami.ui.geo.GeoBounds;
+import org.sami.ui.geo.MapFrame;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
@@ -89,6 +91,7 @@ public final class MapPanel extends JPanel {
                 context.notices().refused(text);
             }
         });
+        UseWatch.on(view.canvas(), view.canvas(), this::tellUse, map()::focus);
         context.boats().addListener(() -> refresh());
         pace.setRepeats(false);
         map().addListener(this::show);
@@ -98,6 +101,14 @@ public final class MapPanel extends JPanel {
 
     private MapModel map() {
         return context.models().map();
+    }
+
+    /** The model knows what the operator sees, and that the map is in use. */
+    private void tellUse() {
+        MapFrame frame = view.frame();
+        GeoPoint northWest = frame.point(0, 0);
+        GeoPoint southEast = frame.point(frame.width(), frame.height());
+        map().moved(southEast.latDeg(), northWest.lonDeg(), northWest.latDeg(), southEast.lonDeg());
     }
 
     private void addTools() {

@@ -6,7 +6,9 @@ import java.util.Optional;
 import java.util.function.LongConsumer;
 import javax.swing.JPanel;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.context.UseWatch;
 import org.sami.crw.operator.MessageEntry;
+import org.sami.crw.operator.MessageList;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.SemanticColor;
@@ -47,8 +49,10 @@ public final class MessagesPanel extends JPanel {
         table.addSelectionListener(acknowledge::refresh);
         context.shown().moments().ifPresent(this::addMoment);
         add(new TableTools(table, List.of(acknowledge)));
-        context.models().messages().addListener(this::show);
-        show(context.models().messages().snapshot());
+        MessageList messages = context.models().messages();
+        UseWatch.on(table.table(), table, messages::touched, messages::focus);
+        messages.addListener(this::show);
+        show(messages.snapshot());
     }
 
     private void addMoment(LongConsumer goTo) {
