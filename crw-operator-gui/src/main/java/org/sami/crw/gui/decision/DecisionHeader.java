@@ -2,6 +2,7 @@ package org.sami.crw.gui.decision;
 
 import java.util.List;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
@@ -36,10 +37,9 @@ final class DecisionHeader extends JPanel {
         countdown.setName("decision-autonomy");
         autonomy.add(countdown, "wmin 60");
         autonomy.add(stop, "hmin " + Spacing.HIT_TARGET_FIELD);
-        add(asker, "split 2, growx 0");
+        add(asker, "split 2, growx 0, wmin 0, shrinkprio 200"); // its tooltip has all of it
         add(age, "growx 0, gapleft 12");
         add(title, "wmin 60");
-        add(description, "wmin 60");
         add(autonomy);
         dress();
     }
@@ -60,6 +60,11 @@ final class DecisionHeader extends JPanel {
         dress();
     }
 
+    /** What the asker says about it; it may be long, so it lies where the panel scrolls. */
+    JComponent description() {
+        return description;
+    }
+
     /** Shows a decision as it is now. */
     void show(PendingDecision pending, long nowMillis) {
         set(title, DecisionWords.heading(pending.presentation()));
@@ -67,6 +72,7 @@ final class DecisionHeader extends JPanel {
         set(description, String.join("\n", lines));
         description.setVisible(!lines.isEmpty());
         asker.setText(DecisionWords.asker(pending.presentation()));
+        asker.setToolTipText(asker.getText());
         Priority priority = pending.decision().priority();
         age.setText(DecisionWords.age(pending, nowMillis));
         age.setForeground((priority == Priority.CRITICAL

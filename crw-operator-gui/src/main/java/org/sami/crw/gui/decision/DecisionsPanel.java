@@ -107,20 +107,30 @@ public final class DecisionsPanel extends JPanel {
         JPanel column = new JPanel(new MigLayout(
                 "novisualpadding, insets 8 12 8 12, gap 8 8, fill, hidemode 3, wrap 1",
                 "[grow,fill]",
-                "[][grow,fill][][][]"));
+                "[][grow,fill][][]"));
         column.setOpaque(false);
-        body.setOpaque(false);
-        JScrollPane scroll = new JScrollPane(new WidthTrackingPanel(body));
+        JScrollPane scroll = new JScrollPane(new WidthTrackingPanel(scrolled()));
         scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.getVerticalScrollBar().setUnitIncrement(Look.px(16));
         problem.setName("decision-problem");
         problem.setColor(SemanticColor.MUTED);
         column.add(header);
-        column.add(scroll, "hmin 100");
+        column.add(scroll, "hmin 0");
         column.add(problem, "wmin 60");
         column.add(buttons());
-        column.add(waiting);
         return column;
+    }
+
+    /** What may go out of sight in a low panel, so that title, timer and buttons never do. */
+    private JComponent scrolled() {
+        JPanel scrolled = new JPanel(new MigLayout(
+                "novisualpadding, insets 0, gap 8 8, fillx, hidemode 3, wrap 1", "[grow,fill]", "[][grow,fill][]"));
+        scrolled.setOpaque(false);
+        body.setOpaque(false);
+        scrolled.add(header.description(), "wmin 60");
+        scrolled.add(body, "wmin 0");
+        scrolled.add(waiting, "wmin 0");
+        return scrolled;
     }
 
     private JComponent buttons() {

@@ -1,12 +1,20 @@
 package org.sami.crw.gui.decision;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.sami.crw.gui.EventThreadCall.onEventThread;
 
+import java.awt.Component;
+import java.awt.Rectangle;
+import java.util.List;
 import java.util.Map;
 import javax.swing.AbstractButton;
 import javax.swing.JTextArea;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.sami.ui.check.Layout;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.Theme;
 
 /** The panel before a real session with simulated boats: what is asked is answered by what it shows. */
 @Timeout(120)
@@ -88,6 +96,45 @@ class DecisionsPanelTest {
             world.until(
                     "nothing waits",
                     () -> world.find("decisions-empty", JTextArea.class).isPresent());
+        }
+    }
+
+    @Test
+    void inALowPanelAtALargeScaleNoButtonIsOutOfSight() throws Exception {
+        try (PanelWorld world = new PanelWorld("clv", "anna", "bert")) {
+            for (int more = 1; more <= 3; more++) {
+                world.session
+                        .start("clv", "the long side of the breakwater beside the pier " + more, Map.of())
+                        .toCompletableFuture()
+                        .join();
+            }
+            world.until("four wait", () -> "1 of 4".equals(world.text("decision-position")));
+            world.press("decision-later");
+
+            onEventThread(() -> {
+                Look.apply(Theme.LIGHT, 150);
+                SwingUtilities.updateComponentTreeUI(world.panel);
+                Layout.layOut(world.panel, 530, 230); // its place in a window of 1280 x 800
+                return world.panel;
+            });
+
+            for (String name : List.of(
+                    "decision-answer", "decision-earlier", "decision-later", "decision-title", "decision-age")) {
+                Rectangle seen = onEventThread(() -> {
+                    Component part =
+                            Layout.find(world.panel, name, Component.class).orElseThrow();
+                    return SwingUtilities.convertRectangle(part.getParent(), part.getBounds(), world.panel);
+                });
+                assertThat(seen.isEmpty()).as("%s has a size", name).isFalse();
+                assertThat(new Rectangle(530, 230).contains(seen))
+                        .as("%s at %s is in sight", name, seen)
+                        .isTrue();
+            }
+        } finally {
+            onEventThread(() -> {
+                Look.apply(Theme.LIGHT, 100);
+                return null;
+            });
         }
     }
 }
