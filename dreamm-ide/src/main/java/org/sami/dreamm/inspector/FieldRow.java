@@ -33,6 +33,7 @@ final class FieldRow extends Form {
     private final String event;
     private final transient FieldType field;
     private final String name;
+    private transient Optional<ValueRow> drafted = Optional.empty();
 
     /** Where a field of an output event can come from. */
     enum Source {
@@ -179,15 +180,17 @@ final class FieldRow extends Form {
 
     /** An editor for a value that has to be given before the field can have this source. */
     private void draft(Function<Value, FieldSource> source) {
-        value(Optional.empty(), source);
+        drafted.ifPresent(this::remove); // keys choose each source that they pass
+        drafted = Optional.of(value(Optional.empty(), source));
         revalidate();
         repaint();
     }
 
-    private void value(Optional<Value> value, Function<Value, FieldSource> source) {
+    private ValueRow value(Optional<Value> value, Function<Value, FieldSource> source) {
         ValueField of = ValueField.of(field);
         ValueRow row = new ValueRow(context.values().editor(of), value, v -> set(source.apply(v)));
         add(row, "span 2, growx, wmin 0, gapbottom " + Spacing.TIGHT);
+        return row;
     }
 
     private List<String> variables() {

@@ -15,7 +15,7 @@ import org.sami.ui.dock.DockPanel;
 final class DreammPanels {
     /** How they lie at first. */
     static final Arrangement FIRST = Arrangement.of("model-view")
-            .right("palette", "model-view", 0.22)
+            .right("palette", "model-view", 0.26)
             .left("mission-tree", "model-view", 0.22)
             .below("inspector", "palette", 0.55)
             .below("issues", "model-view", 0.36)

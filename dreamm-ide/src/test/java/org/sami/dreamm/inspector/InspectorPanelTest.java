@@ -147,6 +147,19 @@ class InspectorPanelTest {
         assertThat(event("assemble").fields().get("spacing")).isEqualTo(new FieldSource.Fixed(new RealValue(4.5)));
     }
 
+    @Test
+    void keysThatPassSeveralSourcesLeaveOneEditor() {
+        open("crw", "station-keep", "hold");
+        choose("field-duration-source", FieldRow.Source.NOTHING);
+
+        choose("field-duration-source", FieldRow.Source.VALUE);
+        choose("field-duration-source", FieldRow.Source.LOCKED);
+
+        List<ValueRow> rows = new ArrayList<>();
+        collect(panel, ValueRow.class, rows);
+        assertThat(rows).hasSize(1);
+    }
+
     private ValueRow valueRow(String field) {
         List<ValueRow> rows = new ArrayList<>();
         collect(panel, ValueRow.class, rows);
