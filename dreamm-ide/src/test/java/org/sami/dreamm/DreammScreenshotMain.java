@@ -19,7 +19,10 @@ import org.sami.dreamm.start.AuthorDirectory;
 import org.sami.dreamm.start.DreammOptions;
 import org.sami.dreamm.start.FirstProject;
 import org.sami.dreamm.window.DreammWindow;
+import org.sami.spn.edit.FieldEdit;
 import org.sami.spn.model.Mode;
+import org.sami.spn.model.OutputEventSpec;
+import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
 import org.sami.ui.check.WindowRobot;
@@ -30,6 +33,7 @@ import org.sami.ui.net.NetMode;
 /** Opens DREAMM and puts pictures of it into a folder: the net in its modes, an event's editor, issues, a run that is tried. */
 public final class DreammScreenshotMain {
     private static final String PLAN = "clv-interrupts";
+    private static final int STEPS = 6;
 
     private final Path pictures;
     private final DreammWindow window;
@@ -74,16 +78,41 @@ public final class DreammScreenshotMain {
         act(() -> editor.select(List.of(interrupt)));
         picture("recovery-selected");
         act(() -> editor.setMode(NetMode.NOMINAL));
-        show("panel-issues");
-        picture("issues");
-        show("panel-try-out");
+        act(() -> editor.select(Set.of()));
+        pictureOfIssues(plan);
+        command("panel-try-out");
+        command("try-start");
+        for (int i = 0; i < STEPS; i++) {
+            command("try-step");
+        }
         picture("try-it");
         act(window::end);
         ended.get(30, TimeUnit.SECONDS);
     }
 
-    private void show(String command) {
-        act(() -> window.context().commands().find(command).ifPresent(c -> c.run()));
+    /** What is found where the events of the plan have lost what they read from variables. */
+    private void pictureOfIssues(Plan plan) throws Exception {
+        command("panel-issues");
+        int edits = 0;
+        for (Place place : plan.places()) {
+            for (OutputEventSpec event : place.outputs()) {
+                for (String field : event.fields().keySet()) {
+                    act(() -> window.context().apply(new FieldEdit.ClearField(plan.id(), event.id(), field)));
+                    edits++;
+                }
+            }
+        }
+        command("issue-next");
+        picture("issues");
+        for (int i = 0; i < edits; i++) {
+            act(window.context()::undo);
+        }
+        act(() -> window.context().editor().select(Set.of()));
+        act(() -> window.context().editor().highlight(Set.of()));
+    }
+
+    private void command(String command) {
+        act(() -> window.context().commands().get(command).run());
     }
 
     private static void act(Runnable action) {
