@@ -87,7 +87,7 @@ class BuildHouseTest {
                     .matcher(text)
                     .find();
 
-            assertThat(binds).as(file.toString()).isEqualTo(text.contains("id 'sami.distribution'"));
+            assertThat(binds).as(file.toString()).isEqualTo(file.endsWith("sami.program.gradle"));
         }
     }
 

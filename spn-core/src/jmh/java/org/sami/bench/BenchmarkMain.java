@@ -1,15 +1,11 @@
 package org.sami.bench;
 
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.SerializationFeature;
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Collection;
-import java.util.Locale;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import javax.management.JMException;
 import org.openjdk.jmh.results.Result;
 import org.openjdk.jmh.results.RunResult;
@@ -18,14 +14,18 @@ import org.openjdk.jmh.runner.RunnerException;
 import org.openjdk.jmh.runner.options.Options;
 import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.TimeValue;
+import org.sami.figures.Figure;
+import org.sami.figures.FigureFile;
 
 /**
  * Runs the benchmarks, prints a table and writes a file: an array of {@code name}, {@code params}, {@code value},
  * {@code unit}, {@code error}. System properties: {@code benchmarks.file}; {@code quick} = true for less than two minutes.
  */
 public final class BenchmarkMain {
-    private final ObjectMapper json = new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
-    private final ArrayNode results = json.createArrayNode();
+    private static final String ENGINE = "engine.";
+    private static final String EDIT = "edit.";
+
+    private final List<Figure> figures = new ArrayList<>();
 
     private BenchmarkMain() {}
 
@@ -40,24 +40,15 @@ public final class BenchmarkMain {
         for (RunResult r : all) {
             add(r);
         }
-        add("engine.memory", json.createObjectNode().put("boats", 10), bytes, "bytes/mission", 0);
-        print();
-        Path file = Path.of(System.getProperty("benchmarks.file", "build/benchmarks.json"));
-        keepWhatOthersMeasured(file);
-        Files.createDirectories(file.toAbsolutePath().getParent());
-        Files.writeString(file, json.writeValueAsString(results) + "\n");
-        System.out.println("Written to " + file);
-    }
-
-    private void keepWhatOthersMeasured(Path file) throws IOException {
-        if (Files.exists(file)) {
-            for (JsonNode entry : json.readTree(file.toFile())) {
-                String name = entry.path("name").asText();
-                if (!name.startsWith("engine.") && !name.startsWith("edit.")) {
-                    results.add(entry);
-                }
-            }
+        figures.add(new Figure(ENGINE + "memory", Map.of("boats", 10), bytes, "bytes/mission", 0));
+        FigureFile.print(figures);
+        for (String subject : List.of(ENGINE, EDIT)) {
+            List<Figure> own = figures.stream()
+                    .filter(figure -> figure.name().startsWith(subject))
+                    .toList();
+            FigureFile.replace(FigureFile.ofThisBuild(), subject, own);
         }
+        System.out.println("Written to " + FigureFile.ofThisBuild());
     }
 
     private static Options options(boolean quick) {
@@ -73,7 +64,7 @@ public final class BenchmarkMain {
     }
 
     private void add(RunResult r) {
-        ObjectNode params = json.createObjectNode();
+        Map<String, Integer> params = new TreeMap<>();
         for (String key : r.getParams().getParamsKeys()) {
             params.put(key, Integer.parseInt(r.getParams().getParam(key)));
         }
@@ -87,29 +78,8 @@ public final class BenchmarkMain {
         Result<?> primary = r.getPrimaryResult();
         boolean time = primary.getScoreUnit().startsWith("us");
         double error = primary.getScoreError();
-        String subject = r.getParams().getBenchmark().contains("EditBenchmarks") ? "edit." : "engine.";
-        add(subject + name, params, primary.getScore(), time ? "us" : "events/s", Double.isNaN(error) ? 0 : error);
-    }
-
-    private void add(String name, ObjectNode params, double value, String unit, double error) {
-        ObjectNode entry = results.addObject();
-        entry.put("name", name);
-        entry.set("params", params);
-        entry.put("value", value);
-        entry.put("unit", unit);
-        entry.put("error", error);
-    }
-
-    private void print() {
-        System.out.println();
-        System.out.printf(Locale.ROOT, "%-18s %-32s %16s %14s %s%n", "name", "params", "value", "error", "unit");
-        results.forEach(r -> System.out.printf(
-                Locale.ROOT,
-                "%-18s %-32s %16.1f %14.1f %s%n",
-                r.get("name").asText(),
-                r.get("params").toString(),
-                r.get("value").asDouble(),
-                r.get("error").asDouble(),
-                r.get("unit").asText()));
+        String subject = r.getParams().getBenchmark().contains("EditBenchmarks") ? EDIT : ENGINE;
+        String unit = time ? "us" : "events/s";
+        figures.add(new Figure(subject + name, params, primary.getScore(), unit, Double.isNaN(error) ? 0 : error));
     }
 }

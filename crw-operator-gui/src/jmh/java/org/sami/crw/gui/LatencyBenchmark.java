@@ -19,9 +19,9 @@ import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
-import org.sami.crw.sim.bench.Figure;
-import org.sami.crw.sim.bench.FigureFile;
 import org.sami.crw.sim.bench.FleetProcess;
+import org.sami.figures.Figure;
+import org.sami.figures.FigureFile;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.ui.EventThread;
@@ -146,7 +146,7 @@ final class LatencyBenchmark {
                 new Figure(NAME, params, ms(probed, Wait::cpuNanos, 0.99), "ms of its CPU time, p99", 0),
                 new Figure(NAME, params, probed.busy(), "of one core, event thread", 0));
         FigureFile.print(figures);
-        FigureFile.replace(WindowBenchmarkMain.file(), NAME, figures);
+        FigureFile.replace(FigureFile.ofThisBuild(), NAME, figures);
     }
 
     private static double ms(Probed probed, ToLongFunction<Wait> what, double part) {

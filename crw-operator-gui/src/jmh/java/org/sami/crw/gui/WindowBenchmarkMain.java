@@ -5,6 +5,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.sami.figures.Figure;
+import org.sami.figures.FigureFile;
+import org.sami.ui.check.StartBenchmark;
 
 /**
  * Measures the operator's window, each measurement in a process of its own, prints tables and puts them into the file of all benchmarks. System
@@ -24,9 +27,17 @@ public final class WindowBenchmarkMain {
             return;
         }
         boolean quick = Boolean.getBoolean("quick");
-        run(StartBenchmark.class, quick ? "3" : "10");
+        start(quick ? 3 : 10);
         run(LatencyBenchmark.class, "250", "50", quick ? "15" : "60");
         run(WindowGrowthBenchmark.class, "25", quick ? "1" : "8");
+    }
+
+    private static void start(int times) throws Exception {
+        Path script = Path.of(System.getProperty("installed.script"));
+        List<Figure> figures =
+                new StartBenchmark("window.start", script, OperatorGui.class, "operator-window").measure(times);
+        FigureFile.print(figures);
+        FigureFile.replace(FigureFile.ofThisBuild(), "window.start", figures);
     }
 
     /** Runs one measurement. */
@@ -38,18 +49,13 @@ public final class WindowBenchmarkMain {
     }
 
     /** A process of the program's Java, with the class path of this one. */
-    static ProcessBuilder java(Class<?> main, String... args) {
+    private static ProcessBuilder java(Class<?> main, String... args) {
         List<String> line = new ArrayList<>();
         line.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         line.addAll(FLAGS);
-        line.add("-Dbenchmarks.file=" + file());
+        line.add("-Dbenchmarks.file=" + FigureFile.ofThisBuild());
         line.addAll(List.of("-cp", System.getProperty("java.class.path"), main.getName()));
         line.addAll(Arrays.asList(args));
         return new ProcessBuilder(line);
-    }
-
-    /** The file of all benchmarks. */
-    static Path file() {
-        return Path.of(System.getProperty("benchmarks.file", "build/benchmarks.json"));
     }
 }

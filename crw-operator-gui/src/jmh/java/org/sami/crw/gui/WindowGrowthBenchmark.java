@@ -9,24 +9,15 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
-import org.sami.crw.decision.AnswersFileReader;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.window.OperatorWindow;
-import org.sami.crw.sim.bench.Figure;
-import org.sami.crw.sim.bench.FigureFile;
-import org.sami.crw.sim.resume.RunRecord;
-import org.sami.crw.sim.resume.WrittenJournal;
+import org.sami.crw.sim.bench.EndlessRun;
 import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.RunObserver;
-import org.sami.crw.sim.run.RunPlan;
-import org.sami.crw.sim.run.RunSettings;
-import org.sami.crw.sim.run.Speed;
-import org.sami.spn.json.DomainLibrary;
-import org.sami.spn.json.ProjectWriter;
-import org.sami.spn.model.Project;
+import org.sami.figures.Figure;
+import org.sami.figures.FigureFile;
 import org.sami.ui.EventThread;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
@@ -38,11 +29,6 @@ import org.sami.ui.window.WindowSettings;
  */
 final class WindowGrowthBenchmark {
     private static final String NAME = "window.heap";
-    private static final String PLAN = "station-keep";
-    private static final String NEVER_END =
-            "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [{\"event\": \"OperatorApprove\", \"answer\": {\"yes\": false}}]}";
-    private static final double MEBIBYTE = 1 << 20;
-    private static final double HOUR_MS = 3_600_000;
     private static final long SHOW_MILLIS = 5_000;
     private static final int SAMPLES = 16;
 
@@ -79,37 +65,15 @@ final class WindowGrowthBenchmark {
 
     private void run() throws Exception {
         Path folder = Files.createTempDirectory("window-growth");
-        DomainLibrary library =
-                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
-        Project project = library.projectOf(PLAN).orElseThrow();
-        RunSettings settings = new RunSettings(
-                PLAN,
-                PLAN,
-                new RunSettings.Fleet(boats, 1, 600, 1),
-                Speed.MAX,
-                OptionalLong.of((long) (hours * HOUR_MS)),
-                Map.of(),
-                5_000,
-                NEVER_END);
-        RunRecord record = new RunRecord(
-                settings,
-                PLAN,
-                new ProjectWriter(library.vocabulary()).text(project),
-                library.files().texts());
         Look.apply(Theme.LIGHT, 100);
         System.out.printf(Locale.ROOT, "%n%8s %10s%n", "hours", "heap MiB");
-        try (WrittenJournal journal = WrittenJournal.create(folder.resolve("growth.journal"), record)) {
-            InProcessRun run = new InProcessRun(
-                    new RunPlan(
-                            library.vocabulary(), project, project.plan(PLAN).orElseThrow()),
-                    settings,
-                    AnswersFileReader.read(NEVER_END, library.vocabulary()).orThrow(),
-                    journal);
+        try (EndlessRun endless = new EndlessRun(boats, hours, folder.resolve("growth.journal"))) {
+            InProcessRun run = endless.run();
             DataDirectory data = DataDirectory.open(folder.resolve("data"));
             new OperatorWindow(run.session(), Optional.empty(), data, new WindowSettings(data.settings()), code -> {})
                     .open();
             run.run(new WindowsTurn(), RunObserver.NONE);
-            sample(hours * HOUR_MS);
+            sample(hours * EndlessRun.HOUR_MS);
         }
         double[] first = samples.get(SAMPLES / 8);
         double[] last = samples.get(samples.size() - 1);
@@ -118,7 +82,7 @@ final class WindowGrowthBenchmark {
                 new Figure(NAME, params, last[1], "MiB live at the end", 0),
                 new Figure(NAME, params, (last[1] - first[1]) / (last[0] - first[0]), "MiB live per hour", 0));
         FigureFile.print(figures);
-        FigureFile.replace(WindowBenchmarkMain.file(), NAME, figures);
+        FigureFile.replace(FigureFile.ofThisBuild(), NAME, figures);
     }
 
     /** Lets the window show what is so, every few simulated seconds. */
@@ -133,7 +97,7 @@ final class WindowGrowthBenchmark {
             if (simulatedMillis - shownMillis >= SHOW_MILLIS) {
                 shownMillis = simulatedMillis;
                 show();
-                if (simulatedMillis >= samples.size() * hours * HOUR_MS / SAMPLES) {
+                if (simulatedMillis >= samples.size() * hours * EndlessRun.HOUR_MS / SAMPLES) {
                     sample((double) simulatedMillis);
                 }
             }
@@ -148,9 +112,7 @@ final class WindowGrowthBenchmark {
     }
 
     private void sample(double simulatedMillis) {
-        System.gc();
-        Runtime runtime = Runtime.getRuntime();
-        double[] sample = {simulatedMillis / HOUR_MS, (runtime.totalMemory() - runtime.freeMemory()) / MEBIBYTE};
+        double[] sample = {simulatedMillis / EndlessRun.HOUR_MS, EndlessRun.liveHeapMiB()};
         samples.add(sample);
         System.out.printf(Locale.ROOT, "%8.2f %10.1f%n", sample[0], sample[1]);
     }

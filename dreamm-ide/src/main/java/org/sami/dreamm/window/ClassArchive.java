@@ -18,7 +18,7 @@ import org.sami.ui.look.Theme;
  * Loads what the window needs, without a display, so that the Java that runs this can keep its classes in an archive from which the program starts
  * faster. The start script calls it when the program is installed.
  */
-public final class ClassArchive {
+final class ClassArchive {
     private static final int WIDTH = 1000;
     private static final int HEIGHT = 700;
 

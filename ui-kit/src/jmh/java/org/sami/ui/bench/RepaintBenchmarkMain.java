@@ -1,22 +1,18 @@
 package org.sami.ui.bench;
 
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.SerializationFeature;
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.awt.Component;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Locale;
+import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.sami.figures.Figure;
+import org.sami.figures.FigureFile;
 import org.sami.spn.model.Plan;
 import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.look.Look;
@@ -38,10 +34,9 @@ public final class RepaintBenchmarkMain {
     private static final String PREFIX = "repaint.";
     private static final int WIDTH = 1600;
     private static final int HEIGHT = 1000;
-    private static final ObjectMapper JSON = new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
 
     private final int times = Boolean.getBoolean("quick") ? 150 : 600;
-    private final ArrayNode figures = JSON.createArrayNode();
+    private final List<Figure> figures = new ArrayList<>();
 
     private RepaintBenchmarkMain() {}
 
@@ -52,7 +47,6 @@ public final class RepaintBenchmarkMain {
 
     private void run() throws IOException {
         Look.apply(Theme.LIGHT, 100);
-        System.out.printf(Locale.ROOT, "%n%-22s %-34s %10s %10s %s%n", "name", "params", "median", "p95", "unit");
         for (int vehicles : new int[] {20, 250}) {
             MovingFleet fleet = new MovingFleet(vehicles, 1000);
             try (MapView map = fleet.map()) {
@@ -80,7 +74,8 @@ public final class RepaintBenchmarkMain {
         net.press(NetKey.ACTUAL_SIZE);
         measure("net.part", new TreeMap<>(Map.of("vertices", 500)), net, () -> {});
         new NetEditingFigures(times, WIDTH, HEIGHT, this::figure).run();
-        write(Path.of(System.getProperty("benchmarks.file", "build/benchmarks.json")));
+        FigureFile.print(figures);
+        FigureFile.replace(FigureFile.ofThisBuild(), PREFIX, figures);
     }
 
     /** How long a component is painted after something was changed, without the change. */
@@ -102,25 +97,6 @@ public final class RepaintBenchmarkMain {
     }
 
     private void figure(String name, SortedMap<String, Integer> params, double median, double p95) {
-        ObjectNode entry = figures.addObject().put("name", PREFIX + name);
-        ObjectNode with = entry.putObject("params");
-        params.forEach(with::put);
-        entry.put("value", median).put("unit", "ms").put("error", Math.max(0, p95 - median));
-        System.out.printf(Locale.ROOT, "%-22s %-34s %10.2f %10.2f ms%n", PREFIX + name, params, median, p95);
-    }
-
-    private void write(Path file) throws IOException {
-        ArrayNode all = JSON.createArrayNode();
-        if (Files.exists(file)) {
-            for (JsonNode entry : JSON.readTree(file.toFile())) {
-                if (!entry.path("name").asText().startsWith(PREFIX)) {
-                    all.add(entry);
-                }
-            }
-        }
-        all.addAll(figures);
-        Files.createDirectories(file.toAbsolutePath().getParent());
-        Files.writeString(file, JSON.writeValueAsString(all) + "\n");
-        System.out.println("Written to " + file);
+        figures.add(new Figure(PREFIX + name, params, median, "ms, median", Math.max(0, p95 - median)));
     }
 }

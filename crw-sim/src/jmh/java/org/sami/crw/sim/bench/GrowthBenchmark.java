@@ -8,32 +8,18 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.OptionalLong;
 import java.util.stream.Stream;
-import org.sami.crw.decision.AnswersFile;
-import org.sami.crw.decision.AnswersFileReader;
 import org.sami.crw.sim.report.RunReport;
-import org.sami.crw.sim.resume.RunRecord;
-import org.sami.crw.sim.resume.WrittenJournal;
 import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.RunObserver;
-import org.sami.crw.sim.run.RunPlan;
-import org.sami.crw.sim.run.RunSettings;
-import org.sami.crw.sim.run.Speed;
-import org.sami.spn.json.DomainLibrary;
-import org.sami.spn.json.ProjectWriter;
-import org.sami.spn.model.Project;
+import org.sami.figures.Figure;
 
 /**
  * How the live heap and the journal grow while a fleet keeps its stations for hours, as fast as it goes; the operator never ends it.
  */
 final class GrowthBenchmark {
-    private static final String PLAN = "station-keep";
-    private static final String NEVER_END =
-            "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [{\"event\": \"OperatorApprove\", \"answer\": {\"yes\": false}}]}";
     private static final double MEBIBYTE = 1 << 20;
-    private static final double HOUR_MS = 3_600_000;
 
     private final int boats;
     private final int hours;
@@ -71,38 +57,17 @@ final class GrowthBenchmark {
     }
 
     private void run(Path file, List<Sample> samples) throws IOException {
-        DomainLibrary library =
-                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
-        Project project = library.projectOf(PLAN).orElseThrow();
-        RunPlan plan =
-                new RunPlan(library.vocabulary(), project, project.plan(PLAN).orElseThrow());
-        RunSettings settings = new RunSettings(
-                PLAN,
-                PLAN,
-                new RunSettings.Fleet(boats, 1, 600, 1),
-                Speed.MAX,
-                OptionalLong.of((long) (hours * HOUR_MS)),
-                Map.of(),
-                5_000,
-                NEVER_END);
-        RunRecord record = new RunRecord(
-                settings,
-                PLAN,
-                new ProjectWriter(library.vocabulary()).text(project),
-                library.files().texts());
-        AnswersFile answers =
-                AnswersFileReader.read(NEVER_END, library.vocabulary()).orThrow();
         System.out.printf(Locale.ROOT, "%n%8s %10s %12s%n", "hours", "heap MiB", "journal MiB");
-        try (WrittenJournal journal = WrittenJournal.create(file, record)) {
-            InProcessRun run = new InProcessRun(plan, settings, answers, journal);
+        try (EndlessRun endless = new EndlessRun(boats, hours, file)) {
+            InProcessRun run = endless.run();
             double everyHours = Math.max(1, hours / 20.0);
             run.addListener((index, atMillis, input, effects, view) -> {
-                if (atMillis / HOUR_MS >= (samples.size() + 1) * everyHours) {
-                    samples.add(sample(atMillis / HOUR_MS, file));
+                if (atMillis / EndlessRun.HOUR_MS >= (samples.size() + 1) * everyHours) {
+                    samples.add(sample(atMillis / EndlessRun.HOUR_MS, file));
                 }
             });
             RunReport report = run.run(Pacer.UNPACED, RunObserver.NONE);
-            samples.add(sample(report.result().simulatedMillis() / HOUR_MS, file));
+            samples.add(sample(report.result().simulatedMillis() / EndlessRun.HOUR_MS, file));
             System.out.printf(
                     Locale.ROOT,
                     "%d firings in %.0f s%n",
@@ -112,10 +77,7 @@ final class GrowthBenchmark {
     }
 
     private static Sample sample(double hours, Path journal) {
-        System.gc();
-        Runtime runtime = Runtime.getRuntime();
-        long heap = runtime.totalMemory() - runtime.freeMemory();
-        Sample sample = new Sample(hours, heap / MEBIBYTE, size(journal) / MEBIBYTE);
+        Sample sample = new Sample(hours, EndlessRun.liveHeapMiB(), size(journal) / MEBIBYTE);
         System.out.printf(Locale.ROOT, "%8.1f %10.1f %12.1f%n", sample.hours, sample.heapMiB, sample.journalMiB);
         return sample;
     }

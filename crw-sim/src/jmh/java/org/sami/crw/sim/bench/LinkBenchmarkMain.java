@@ -11,6 +11,8 @@ import org.openjdk.jmh.runner.RunnerException;
 import org.openjdk.jmh.runner.options.Options;
 import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.TimeValue;
+import org.sami.figures.Figure;
+import org.sami.figures.FigureFile;
 
 /**
  * Runs the benchmarks of the link, of the services and of hours of a run, prints a table and puts it into the file of all benchmarks. System properties: {@code
@@ -32,7 +34,7 @@ public final class LinkBenchmarkMain {
         figures.addAll(new FleetBenchmark(250, quick ? 4 : 10, quick ? 8 : 30).run());
         figures.addAll(new UploadBenchmark(10_000, quick ? 5 : 25).run());
         FigureFile.print(figures);
-        Path file = Path.of(System.getProperty("benchmarks.file", "build/benchmarks.json"));
+        Path file = FigureFile.ofThisBuild();
         FigureFile.replace(file, PREFIX, figures);
         List<Figure> services = services(quick);
         FigureFile.print(services);

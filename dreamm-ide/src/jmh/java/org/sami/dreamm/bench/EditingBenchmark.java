@@ -1,16 +1,8 @@
 package org.sami.dreamm.bench;
 
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.SerializationFeature;
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.ObjectNode;
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ExecutorService;
@@ -18,6 +10,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.SynchronousQueue;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.issues.LiveFindings;
+import org.sami.figures.Figure;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.edit.Edit;
@@ -33,25 +26,17 @@ import org.sami.ui.net.WidePlan;
 
 /**
  * A thousand edits in a plan of 500 vertices, with the live checks that follow each, in one process: how long the findings come after the edit,
- * and how much memory history and findings take. Prints both and puts them into the file of all benchmarks. System properties: {@code
- * benchmarks.file}; {@code quick} = true for a fifth of the edits.
+ * and how much memory history and findings take. System property {@code quick} = true for a fifth of the edits.
  */
-public final class EditingBenchmarkMain {
-    private static final String PREFIX = "editing.";
+final class EditingBenchmark {
+    static final String PREFIX = "editing.";
     private static final int PLACES = 250;
-    private static final ObjectMapper JSON = new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
 
     private final int edits = Boolean.getBoolean("quick") ? 200 : 1000;
-    private final ArrayNode figures = JSON.createArrayNode();
+    private final List<Figure> figures = new ArrayList<>();
 
-    private EditingBenchmarkMain() {}
-
-    /** No arguments. */
-    public static void main(String[] args) throws IOException, InterruptedException {
-        new EditingBenchmarkMain().run();
-    }
-
-    private void run() throws IOException, InterruptedException {
+    /** Measures; throws where an edit was refused, or the live checks found something else than all checks. */
+    List<Figure> run() throws InterruptedException {
         Plan plan = WidePlan.of(PLACES);
         Project project = new Project("wide", "Wide", "none", List.of(), List.of(), List.of(plan));
         ProjectDocument document = new ProjectDocument(WidePlan.NO_VOCABULARY, project, Optional.empty());
@@ -75,13 +60,12 @@ public final class EditingBenchmarkMain {
         }
         double after = usedMiB();
         Arrays.sort(ms);
-        System.out.printf(Locale.ROOT, "%n%-22s %10s %s%n", "name", "value", "unit");
         figure("findings.median", ms[edits / 2], "ms");
         figure("findings.p99", ms[edits * 99 / 100], "ms");
         figure("memory.before", before, "MiB");
         figure("memory.after", after, "MiB");
         figure("memory.edit", (after - before) * 1024 / edits, "KiB/edit");
-        write(Path.of(System.getProperty("benchmarks.file", "build/benchmarks.json")));
+        return figures;
     }
 
     /** The owner's thread is the worker's here: the benchmark's thread waits meanwhile. */
@@ -115,24 +99,6 @@ public final class EditingBenchmarkMain {
     }
 
     private void figure(String name, double value, String unit) {
-        ObjectNode entry = figures.addObject().put("name", PREFIX + name);
-        entry.putObject("params").put("vertices", 2 * PLACES).put("edits", edits);
-        entry.put("value", value).put("unit", unit).put("error", 0);
-        System.out.printf(Locale.ROOT, "%-22s %10.2f %s%n", PREFIX + name, value, unit);
-    }
-
-    private void write(Path file) throws IOException {
-        ArrayNode all = JSON.createArrayNode();
-        if (Files.exists(file)) {
-            for (JsonNode entry : JSON.readTree(file.toFile())) {
-                if (!entry.path("name").asText().startsWith(PREFIX)) {
-                    all.add(entry);
-                }
-            }
-        }
-        all.addAll(figures);
-        Files.createDirectories(file.toAbsolutePath().getParent());
-        Files.writeString(file, JSON.writeValueAsString(all) + "\n");
-        System.out.println("Written to " + file);
+        figures.add(new Figure(PREFIX + name, Map.of("vertices", 2 * PLACES, "edits", edits), value, unit, 0));
     }
 }

@@ -1,4 +1,4 @@
-package org.sami.crw.sim.bench;
+package org.sami.figures;
 
 import java.util.Map;
 

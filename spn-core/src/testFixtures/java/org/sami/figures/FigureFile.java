@@ -1,4 +1,4 @@
-package org.sami.crw.sim.bench;
+package org.sami.figures;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -12,11 +12,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.TreeMap;
 
-/** The table of all benchmarks as a file; other modules write theirs into the same one. */
+/** The table of all benchmarks as a file; every module writes its figures into the same one. */
 public final class FigureFile {
     private static final ObjectMapper JSON = new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
 
     private FigureFile() {}
+
+    /** The file that the build names in the system property {@code benchmarks.file}. */
+    public static Path ofThisBuild() {
+        return Path.of(System.getProperty("benchmarks.file", "build/benchmarks.json"));
+    }
 
     /** Puts figures in place of all whose names begin alike. */
     public static void replace(Path file, String prefix, List<Figure> figures) throws IOException {
@@ -41,11 +46,11 @@ public final class FigureFile {
     /** Prints figures as a table. */
     public static void print(List<Figure> figures) {
         System.out.println();
-        System.out.printf(Locale.ROOT, "%-14s %-28s %14s %12s %s%n", "name", "params", "value", "error", "unit");
+        System.out.printf(Locale.ROOT, "%-26s %-34s %14s %12s %s%n", "name", "params", "value", "error", "unit");
         for (Figure figure : figures) {
             System.out.printf(
                     Locale.ROOT,
-                    "%-14s %-28s %14.3f %12.3f %s%n",
+                    "%-26s %-34s %14.3f %12.3f %s%n",
                     figure.name(),
                     new TreeMap<>(figure.params()),
                     figure.value(),
