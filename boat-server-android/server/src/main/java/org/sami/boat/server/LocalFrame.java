@@ -63,7 +63,9 @@ public final class LocalFrame {
     /** Latitude in degrees of a place on the plane. */
     public double latDeg(double eastM, double northM) {
         double lat = northM / meridianM;
-        for (int i = 0; i < ITERATIONS; i++) {
+        double before = Double.NaN;
+        for (int i = 0; i < ITERATIONS && lat != before; i++) { // where it stays, further steps change nothing
+            before = lat;
             double lon = eastM / (parallelM - shrink * lat);
             lat = (northM - bend * lon * lon - stretch * lat * lat) / meridianM;
         }
@@ -72,7 +74,12 @@ public final class LocalFrame {
 
     /** Longitude in degrees, -180 to 180, of a place on the plane. */
     public double lonDeg(double eastM, double northM) {
-        double lat = Math.toRadians(latDeg(eastM, northM) - originLatDeg);
+        return lonDegOn(latDeg(eastM, northM), eastM);
+    }
+
+    /** Longitude in degrees, -180 to 180, of a place on the plane whose latitude is known. */
+    public double lonDegOn(double latDeg, double eastM) {
+        double lat = Math.toRadians(latDeg - originLatDeg);
         return wrapped(originLonDeg + Math.toDegrees(eastM / (parallelM - shrink * lat)));
     }
 

@@ -23,6 +23,7 @@ public final class ServerConfig {
     private final double telemetryHz;
     private final double lowBatteryPercent;
     private final double criticalBatteryPercent;
+    private final double metresPerPercent;
     private final int maxWaypoints;
 
     private ServerConfig(Builder builder) {
@@ -40,6 +41,7 @@ public final class ServerConfig {
         telemetryHz = builder.telemetryHz;
         lowBatteryPercent = builder.lowBatteryPercent;
         criticalBatteryPercent = builder.criticalBatteryPercent;
+        metresPerPercent = builder.metresPerPercent;
         maxWaypoints = builder.maxWaypoints;
     }
 
@@ -118,6 +120,11 @@ public final class ServerConfig {
         return criticalBatteryPercent;
     }
 
+    /** How far one percent of charge takes the boat on the average, in metres; 0 where that is not known. */
+    public double metresPerPercent() {
+        return metresPerPercent;
+    }
+
     /** The longest waypoint list that the boat takes. */
     public int maxWaypoints() {
         return maxWaypoints;
@@ -139,6 +146,7 @@ public final class ServerConfig {
         private double telemetryHz = 1;
         private double lowBatteryPercent = 30;
         private double criticalBatteryPercent = 15;
+        private double metresPerPercent;
         private int maxWaypoints = 20_000;
 
         private Builder(String boatId, String bootId) {
@@ -213,6 +221,15 @@ public final class ServerConfig {
             }
             lowBatteryPercent = lowPercent;
             criticalBatteryPercent = criticalPercent;
+            return this;
+        }
+
+        /**
+         * How far one percent of charge takes the boat on the average, in metres. From then on its battery is critical as well when it holds no more
+         * than the way home from where the boat is.
+         */
+        public Builder metresPerPercent(double value) {
+            metresPerPercent = positive("way for a percent of charge", value);
             return this;
         }
 

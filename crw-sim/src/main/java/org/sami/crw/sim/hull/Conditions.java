@@ -15,14 +15,27 @@ import java.util.stream.Collectors;
  * @param current how the water flows; its direction is the one it flows to
  * @param wind how the wind blows; its direction is the one it comes from
  * @param sensors what boats measure, each kind at most once
+ * @param dischargeIntervalS for how many seconds what a metre costs a boat stays the same before its random part is drawn anew, the interval τ
+ *     of thesis 7.1.1; 0 = with each step
  */
 public record Conditions(
-        double gpsNoiseM, double compassNoiseDeg, Flow current, Flow wind, List<SensorSetting> sensors) {
+        double gpsNoiseM,
+        double compassNoiseDeg,
+        Flow current,
+        Flow wind,
+        List<SensorSetting> sensors,
+        double dischargeIntervalS) {
     /** The largest standard deviation of a position: with more no boat finds a waypoint. */
     public static final double MOST_GPS_NOISE_M = 100;
 
     /** The largest standard deviation of a heading. */
     public static final double MOST_COMPASS_NOISE_DEG = 90;
+
+    /** As long as a leg takes, so that what is not modelled makes one boat's leg dearer and another's cheaper. */
+    public static final double USUAL_DISCHARGE_INTERVAL_S = 600;
+
+    /** The longest such interval, a day: one draw for each battery. */
+    public static final double LONGEST_DISCHARGE_INTERVAL_S = 86_400;
 
     /** Still water, exact instruments, no sensors. */
     public static final Conditions CALM = new Conditions(0, 0, Flow.NONE, Flow.NONE, List.of());
@@ -32,11 +45,18 @@ public record Conditions(
     private static final String CURRENT = "current";
     private static final String WIND = "wind";
     private static final String SENSORS = "sensors";
+    private static final String DISCHARGE_INTERVAL = "dischargeIntervalS";
+
+    /** Conditions under which a battery is drawn on as usual. */
+    public Conditions(double gpsNoiseM, double compassNoiseDeg, Flow current, Flow wind, List<SensorSetting> sensors) {
+        this(gpsNoiseM, compassNoiseDeg, current, wind, sensors, USUAL_DISCHARGE_INTERVAL_S);
+    }
 
     /** Refuses noise without bounds and two sensors of a kind. */
     public Conditions {
         within("the GPS noise in metres", gpsNoiseM, MOST_GPS_NOISE_M);
         within("the compass noise in degrees", compassNoiseDeg, MOST_COMPASS_NOISE_DEG);
+        within("the discharge interval in seconds", dischargeIntervalS, LONGEST_DISCHARGE_INTERVAL_S);
         Objects.requireNonNull(current, "current");
         Objects.requireNonNull(wind, "wind");
         sensors = List.copyOf(sensors);
@@ -69,6 +89,9 @@ public record Conditions(
         if (!sensors.isEmpty()) {
             map.put(SENSORS, sensors.stream().map(SensorSetting::toString).collect(Collectors.joining(",")));
         }
+        if (dischargeIntervalS != USUAL_DISCHARGE_INTERVAL_S) {
+            map.put(DISCHARGE_INTERVAL, String.valueOf(dischargeIntervalS));
+        }
         return map;
     }
 
@@ -83,7 +106,8 @@ public record Conditions(
                 read(map, COMPASS, Double::parseDouble, 0.0),
                 read(map, CURRENT, Flow::parse, Flow.NONE),
                 read(map, WIND, Flow::parse, Flow.NONE),
-                read(map, SENSORS, Conditions::sensors, List.of()));
+                read(map, SENSORS, Conditions::sensors, List.of()),
+                read(map, DISCHARGE_INTERVAL, Double::parseDouble, USUAL_DISCHARGE_INTERVAL_S));
     }
 
     private static <T> T read(Map<String, String> map, String name, Function<String, T> reader, T absent) {

@@ -14,6 +14,9 @@ final class GaussMarkovError {
     private final double correlationS;
     private final SplittableRandom random;
     private double value;
+    private double stepS = Double.NaN; // the length of the last step, by which these two go
+    private double left;
+    private double fresh;
 
     /**
      * A value somewhere it might be.
@@ -34,8 +37,12 @@ final class GaussMarkovError {
 
     void step(double seconds) {
         if (deviation > 0) {
-            double left = StrictMath.exp(-seconds / correlationS);
-            value = value * left + deviation * Math.sqrt(1 - left * left) * normal();
+            if (seconds != stepS) {
+                stepS = seconds;
+                left = StrictMath.exp(-seconds / correlationS);
+                fresh = deviation * Math.sqrt(1 - left * left);
+            }
+            value = value * left + fresh * normal();
         }
     }
 

@@ -1,5 +1,7 @@
 package org.sami.crw.sim.hull;
 
+import org.sami.boat.server.ServerConfig;
+
 /**
  * What a simulated hull can do.
  *
@@ -40,6 +42,12 @@ public record HullConfig(
     public HullConfig withTopSpeedMps(double mps) {
         return new HullConfig(
                 mps, maxAccelerationMps2, maxTurnRateRadPerS, maxTurnAccelerationRadPerS2, batteryPercentPerM);
+    }
+
+    /** What a boat server on it is told of it. */
+    public ServerConfig.Builder describeTo(ServerConfig.Builder server) {
+        ServerConfig.Builder told = server.fullThrustSpeedMps(topSpeedMps);
+        return batteryPercentPerM > 0 ? told.metresPerPercent(1 / batteryPercentPerM) : told;
     }
 
     private static void positive(String name, double value) {

@@ -21,6 +21,10 @@ public final class Instruments implements Vehicle {
     private final GaussMarkovError headingRad;
     private final boolean exactGps;
     private final List<Sensor> sensors = new ArrayList<>();
+    private double trueLatDeg = Double.NaN; // where the hull was when the next two were computed
+    private double trueLonDeg;
+    private double shownLatDeg;
+    private double shownLonDeg;
 
     /**
      * The instruments of a hull.
@@ -45,25 +49,40 @@ public final class Instruments implements Vehicle {
         eastM.step(seconds);
         northM.step(seconds);
         headingRad.step(seconds);
+        trueLatDeg = Double.NaN;
     }
 
     @Override
     public double latDeg() {
-        return exactGps ? hull.latDeg() : plane().latDeg(eastM.value(), northM.value());
+        if (exactGps) {
+            return hull.latDeg();
+        }
+        receive();
+        return shownLatDeg;
     }
 
     @Override
     public double lonDeg() {
-        return exactGps ? hull.lonDeg() : plane().lonDeg(eastM.value(), northM.value());
+        if (exactGps) {
+            return hull.lonDeg();
+        }
+        receive();
+        return shownLonDeg;
     }
 
-    private LocalFrame plane() {
-        return new LocalFrame(hull.latDeg(), hull.lonDeg());
+    private void receive() {
+        if (trueLatDeg != hull.latDeg() || trueLonDeg != hull.lonDeg()) {
+            trueLatDeg = hull.latDeg();
+            trueLonDeg = hull.lonDeg();
+            LocalFrame plane = new LocalFrame(trueLatDeg, trueLonDeg);
+            shownLatDeg = plane.latDeg(eastM.value(), northM.value());
+            shownLonDeg = plane.lonDegOn(shownLatDeg, eastM.value());
+        }
     }
 
     @Override
     public double headingRad() {
-        return Math.IEEEremainder(hull.headingRad() + headingRad.value(), 2 * Math.PI);
+        return SimulatedHull.sameTurn(hull.headingRad() + headingRad.value());
     }
 
     @Override

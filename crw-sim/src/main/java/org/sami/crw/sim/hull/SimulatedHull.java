@@ -11,8 +11,8 @@ import org.sami.boat.server.Vehicle;
  * world share.
  *
  * <p>The battery drains with the distance driven, {@code b(t + τ) = b(t) - K d(τ) (1 + R)} with {@code R} drawn from
- * {@code U(-0.1, 0.1)} for each step (thesis 7.1.1), and never below zero; an empty one leaves the motors without effect. The
- * distance is that through the water: holding out against a current costs as much as driving.
+ * {@code U(-0.1, 0.1)} for each interval τ of {@link Conditions#dischargeIntervalS} (thesis 7.1.1), and never below zero; an empty one leaves the
+ * motors without effect. The distance is that through the water: holding out against a current costs as much as driving.
  * Equal seeds and equal efforts give equal tracks to the last bit.
  */
 public final class SimulatedHull implements Vehicle {
@@ -24,16 +24,20 @@ public final class SimulatedHull implements Vehicle {
     private final LocalFrame frame;
     private final SplittableRandom random;
     private final Weather weather;
+    private final double dischargeIntervalS;
     private double eastM;
     private double northM;
     private double latDeg;
     private double lonDeg;
+    private boolean isLocated; // latitude and longitude are those of the place in metres; computed when somebody asks
     private double headingRad;
     private double speedMps; // through the water
     private double turnRateRadPerS;
     private double port;
     private double starboard;
     private double batteryPercent = 100;
+    private double spread; // R of thesis 7.1.1
+    private double spreadForS; // until it is drawn anew
     private double distanceM;
     private int recharges;
     private int pictures;
@@ -52,17 +56,19 @@ public final class SimulatedHull implements Vehicle {
         this.eastM = eastM;
         this.northM = northM;
         random = new SplittableRandom(seed);
+        dischargeIntervalS = conditions.dischargeIntervalS();
         weather = new Weather(conditions, new SplittableRandom(seed ^ GUST_SEED));
-        locate();
     }
 
     @Override
     public double latDeg() {
+        locate();
         return latDeg;
     }
 
     @Override
     public double lonDeg() {
+        locate();
         return lonDeg;
     }
 
@@ -168,6 +174,7 @@ public final class SimulatedHull implements Vehicle {
         }
         drift(seconds);
         drive(seconds);
+        spreadForS -= seconds;
     }
 
     /** What current and wind do; it costs no charge. */
@@ -176,7 +183,7 @@ public final class SimulatedHull implements Vehicle {
             weather.step(seconds);
             eastM += weather.eastMps() * seconds;
             northM += weather.northMps() * seconds;
-            locate();
+            isLocated = false;
         }
     }
 
@@ -194,7 +201,7 @@ public final class SimulatedHull implements Vehicle {
         turnRateRadPerS = approach(turnRateRadPerS, wantedTurn, config.maxTurnAccelerationRadPerS2() * seconds);
         double turned = turnRateRadPerS * seconds;
         move((speedBefore + speedMps) / 2 * seconds, headingBefore + turned / 2);
-        headingRad = Math.IEEEremainder(headingBefore + turned, 2 * Math.PI);
+        headingRad = sameTurn(headingBefore + turned);
     }
 
     private void move(double alongM, double courseRad) {
@@ -203,16 +210,27 @@ public final class SimulatedHull implements Vehicle {
         }
         eastM += alongM * StrictMath.sin(courseRad);
         northM += alongM * StrictMath.cos(courseRad);
-        locate();
+        isLocated = false;
         double drivenM = Math.abs(alongM);
         distanceM += drivenM;
-        double spread = random.nextDouble(-BATTERY_SPREAD, BATTERY_SPREAD);
+        if (spreadForS <= 0) {
+            spread = random.nextDouble(-BATTERY_SPREAD, BATTERY_SPREAD);
+            spreadForS = dischargeIntervalS;
+        }
         batteryPercent = Math.max(0, batteryPercent - config.batteryPercentPerM() * drivenM * (1 + spread));
     }
 
     private void locate() {
-        latDeg = frame.latDeg(eastM, northM);
-        lonDeg = frame.lonDeg(eastM, northM);
+        if (!isLocated) {
+            latDeg = frame.latDeg(eastM, northM);
+            lonDeg = frame.lonDegOn(latDeg, eastM);
+            isLocated = true;
+        }
+    }
+
+    /** The same turn in -π to π. */
+    static double sameTurn(double rad) {
+        return Math.abs(rad) <= Math.PI ? rad : Math.IEEEremainder(rad, 2 * Math.PI);
     }
 
     private static double approach(double from, double to, double most) {

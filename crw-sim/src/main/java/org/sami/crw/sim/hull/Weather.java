@@ -13,19 +13,27 @@ final class Weather {
     private static final double GUSTS = 0.25; // standard deviation, as a part of the wind's speed
     private static final double GUST_S = 10;
 
-    private final Flow current;
-    private final Flow wind;
+    private final double currentEastMps;
+    private final double currentNorthMps;
+    private final double windEastMps;
+    private final double windNorthMps;
+    private final boolean isCalm;
     private final GaussMarkovError gust;
 
     Weather(Conditions conditions, SplittableRandom random) {
-        current = conditions.current();
-        wind = conditions.wind();
+        Flow current = conditions.current();
+        Flow wind = conditions.wind();
+        currentEastMps = current.eastMps();
+        currentNorthMps = current.northMps();
+        windEastMps = wind.eastMps();
+        windNorthMps = wind.northMps();
+        isCalm = current.isNone() && wind.isNone();
         gust = new GaussMarkovError(wind.isNone() ? 0 : GUSTS, GUST_S, random);
     }
 
     /** Whether a hull is left where it is. */
     boolean isCalm() {
-        return current.isNone() && wind.isNone();
+        return isCalm;
     }
 
     void step(double seconds) {
@@ -34,12 +42,12 @@ final class Weather {
 
     /** How fast a hull drifts eastward, in m/s over ground. */
     double eastMps() {
-        return current.eastMps() - leeway() * wind.eastMps();
+        return currentEastMps - leeway() * windEastMps;
     }
 
     /** How fast a hull drifts northward, in m/s over ground. */
     double northMps() {
-        return current.northMps() - leeway() * wind.northMps();
+        return currentNorthMps - leeway() * windNorthMps;
     }
 
     private double leeway() {

@@ -182,7 +182,7 @@ class ConditionsTest {
     @Test
     void textGivesBackTheConditionsAndCalmWaterNeedsNone() {
         Conditions rough = new Conditions(
-                1.5, 4, Flow.parse("0.3@90"), Flow.parse("5@270"), List.of(SensorSetting.parse("oxygen@0.2")));
+                1.5, 4, Flow.parse("0.3@90"), Flow.parse("5@270"), List.of(SensorSetting.parse("oxygen@0.2")), 60);
 
         assertThat(Conditions.fromMap(rough.toMap())).isEqualTo(rough);
         assertThat(Conditions.CALM.toMap()).isEmpty();
@@ -200,6 +200,8 @@ class ConditionsTest {
         assertThatThrownBy(() -> SensorSetting.parse("ph@11")).hasMessageContaining("11");
         assertThatThrownBy(() -> new Conditions(-1, 0, Flow.NONE, Flow.NONE, List.of()))
                 .hasMessageContaining("GPS");
+        assertThatThrownBy(() -> new Conditions(0, 0, Flow.NONE, Flow.NONE, List.of(), -1))
+                .hasMessageContaining("discharge interval");
         SensorSetting twice = SensorSetting.parse("ph");
         assertThatThrownBy(() -> new Conditions(0, 0, Flow.NONE, Flow.NONE, List.of(twice, twice)))
                 .hasMessageContaining("once");

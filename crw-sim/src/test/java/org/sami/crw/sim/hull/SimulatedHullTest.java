@@ -4,6 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
 import java.util.SplittableRandom;
 import net.sf.geographiclib.Geodesic;
 import org.junit.jupiter.api.Test;
@@ -86,7 +90,50 @@ class SimulatedHullTest {
             assertThat(before - hull.batteryPercent()).isBetween(0.9 * mean - 1e-12, 1.1 * mean + 1e-12);
         }
 
-        assertThat(hull.batteryPercent()).isCloseTo(100 - config.batteryPercentPerM() * hull.distanceM(), within(0.2));
+        double mean = config.batteryPercentPerM() * hull.distanceM();
+        assertThat(100 - hull.batteryPercent()).isBetween(0.9 * mean, 1.1 * mean);
+    }
+
+    @Test
+    void boatsDifferByATenthOverALeg() {
+        SplittableRandom seeds = new SplittableRandom(5);
+        double[] parts = new double[200]; // of what the leg costs on the average
+        for (int i = 0; i < parts.length; i++) {
+            SimulatedHull boat = hull(seeds.nextLong());
+            drive(boat, 0.5, 0.5, 300);
+            parts[i] = (100 - boat.batteryPercent()) / (HullConfig.DEFAULT.batteryPercentPerM() * boat.distanceM());
+        }
+
+        assertThat(Arrays.stream(parts).min().orElseThrow()).isBetween(0.9, 0.91);
+        assertThat(Arrays.stream(parts).max().orElseThrow()).isBetween(1.09, 1.1);
+        assertThat(Arrays.stream(parts).average().orElseThrow()).isCloseTo(1, within(0.02));
+    }
+
+    @Test
+    void dischargeIsDrawnAnewAfterEachInterval() {
+        Conditions everyMinute = new Conditions(0, 0, Flow.NONE, Flow.NONE, List.of(), 60);
+        SimulatedHull boat = new SimulatedHull(HullConfig.DEFAULT, everyMinute, FRAME, 0, 0, 3);
+        drive(boat, 0.5, 0.5, 6); // at speed
+        Set<Long> costs = new HashSet<>(); // of a metre, in millionths of the mean
+        for (int step = 0; step < 6000; step++) {
+            double before = boat.batteryPercent();
+            double distance = boat.distanceM();
+            drive(boat, 0.5, 0.5, TICK_S);
+            double mean = HullConfig.DEFAULT.batteryPercentPerM() * (boat.distanceM() - distance);
+            costs.add(Math.round((before - boat.batteryPercent()) / mean * 1e6));
+        }
+
+        assertThat(costs).hasSizeBetween(10, 22); // 11 draws, each rounded to one or two values
+    }
+
+    @Test
+    void withoutAnIntervalTheDrawsAverageOut() {
+        Conditions eachStep = new Conditions(0, 0, Flow.NONE, Flow.NONE, List.of(), 0);
+        SimulatedHull boat = new SimulatedHull(HullConfig.DEFAULT, eachStep, FRAME, 0, 0, 3);
+        drive(boat, 0.5, 0.5, 300);
+
+        double mean = HullConfig.DEFAULT.batteryPercentPerM() * boat.distanceM();
+        assertThat((100 - boat.batteryPercent()) / mean).isCloseTo(1, within(0.005));
     }
 
     @Test
