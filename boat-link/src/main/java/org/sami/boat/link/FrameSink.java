@@ -3,7 +3,7 @@ package org.sami.boat.link;
 /**
  * Where one end of a link puts its outgoing frames: a socket's writer, or the in-memory pipe of the simulator.
  *
- * <p>Frames are whole frames as {@link LinkCodec#encode} makes them, and belong to the sink once sent. A sink does not
+ * <p>Bytes are whole frames as {@link LinkCodec#encode} makes them, and belong to the sink once sent. A sink does not
  * block and does not throw for a link that is down: what cannot be sent is lost, and the host of the link reports the
  * loss.
  */
@@ -11,4 +11,9 @@ public interface FrameSink {
 
     /** Sends one whole frame, in order with the others. */
     void send(byte[] frame);
+
+    /** Sends one frame, in order with the others, as the standard codec writes it; a sink that needs no bytes takes it as it is. */
+    default void send(Frame frame) {
+        send(LinkCodec.STANDARD.encode(frame));
+    }
 }

@@ -69,6 +69,9 @@ public final class LinkCodec {
             .with(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
             .forType(JsonNode.class);
 
+    /** The codec with the default bound on frames. */
+    public static final LinkCodec STANDARD = new LinkCodec();
+
     private final int maxBytes;
 
     /** A codec with the default bound on frames. */

@@ -1,10 +1,12 @@
 package org.sami.crw.operator;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.service.LocalPlane;
 
@@ -19,35 +21,48 @@ final class ApproachCheck {
 
     private final Map<String, Moving> boats = new LinkedHashMap<>();
     private final Map<String, Long> lookedAtMillis = new HashMap<>();
+    private final Map<String, Set<String>> near = new HashMap<>(); // who comes too near to whom, both ways
     private Optional<LocalPlane> plane = Optional.empty();
 
-    private record Moving(double x, double y, double east, double north) {
-        boolean stands() {
-            return Math.hypot(east, north) < MOVING_MPS;
+    private record Moving(double x, double y, double east, double north, boolean stands) {
+        static Moving of(LocalPlane plane, BoatPose pose) {
+            double east = pose.speedMps() * Math.sin(pose.headingRad());
+            double north = pose.speedMps() * Math.cos(pose.headingRad());
+            return new Moving(
+                    plane.x(pose.position()),
+                    plane.y(pose.position()),
+                    east,
+                    north,
+                    Math.hypot(east, north) < MOVING_MPS);
         }
     }
 
     /**
-     * A boat has said where it is and how it moves. Gives for each other boat whether they come too near, in words; empty where nobody
-     * was looked at, as the last look was a moment ago.
+     * A boat has said where it is and how it moves. Gives in words each other boat that it comes too near to, and without words those of whom that is so
+     * no longer. Nobody is looked at again a moment after the last look.
      */
     Map<String, Optional<String>> at(String boat, BoatPose pose, long atMillis) {
         LocalPlane at = plane.orElseGet(() -> new LocalPlane(pose.position()));
         plane = Optional.of(at);
-        Moving one = new Moving(
-                at.x(pose.position()),
-                at.y(pose.position()),
-                pose.speedMps() * Math.sin(pose.headingRad()),
-                pose.speedMps() * Math.cos(pose.headingRad()));
+        Moving one = Moving.of(at, pose);
         boats.put(boat, one);
         if (atMillis - lookedAtMillis.getOrDefault(boat, Long.MIN_VALUE / 2) < PERIOD_MILLIS) {
             return Map.of();
         }
         lookedAtMillis.put(boat, atMillis);
         Map<String, Optional<String>> found = new LinkedHashMap<>();
+        Set<String> neighbours = neighbours(boat);
         boats.forEach((other, two) -> {
             if (!other.equals(boat)) {
-                found.put(other, approach(boat, one, other, two));
+                Optional<String> words = approach(boat, one, other, two);
+                if (words.isPresent()) {
+                    neighbours.add(other);
+                    neighbours(other).add(boat);
+                    found.put(other, words);
+                } else if (neighbours.remove(other)) {
+                    neighbours(other).remove(boat);
+                    found.put(other, words);
+                }
             }
         });
         return found;
@@ -56,6 +71,12 @@ final class ApproachCheck {
     void remove(String boat) {
         boats.remove(boat);
         lookedAtMillis.remove(boat);
+        near.remove(boat);
+        near.values().forEach(others -> others.remove(boat));
+    }
+
+    private Set<String> neighbours(String boat) {
+        return near.computeIfAbsent(boat, id -> new HashSet<>());
     }
 
     private static Optional<String> approach(String boat, Moving one, String other, Moving two) {

@@ -37,6 +37,17 @@ final class BoatExplainer {
         return still(last.cause(), "no mission wants anything of it" + became);
     }
 
+    /** Whether the boat is under way as it should be, so that there is nothing to explain. */
+    boolean isUnderWay() {
+        return driver.isDriving()
+                && proxy.obstacle().isEmpty()
+                && !isBatteryEmpty()
+                && driver.run()
+                        .flatMap(CommandRun::headway)
+                        .filter(ProgressMonitor::isShown)
+                        .isEmpty();
+    }
+
     private boolean isBatteryEmpty() {
         return proxy.status()
                 .battery()

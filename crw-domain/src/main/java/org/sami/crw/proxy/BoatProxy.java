@@ -260,10 +260,19 @@ public final class BoatProxy {
         if (condition.disconnected) {
             return false;
         }
-        Optional<Frame> frame = link.receive(bytes, condition.nowMs);
-        frame.ifPresent(messages::take);
-        settle();
+        Optional<Frame> frame = link.read(bytes);
+        frame.ifPresentOrElse(read -> receive(read, atMs), this::settle);
         return frame.isPresent();
+    }
+
+    /** Takes a frame from a boat whose link carries no bytes. */
+    public void receive(Frame frame, long atMs) {
+        condition.reached(atMs);
+        if (!condition.disconnected) {
+            link.received(condition.nowMs);
+            messages.take(frame);
+            settle();
+        }
     }
 
     /** The boat that answers over this link now, if it is another one. */
@@ -463,6 +472,11 @@ public final class BoatProxy {
     /** Why the boat moves or does not; missions are told by their numbers and plans. */
     public BoatExplanation explain(MissionTitles titles) {
         return new BoatExplainer(this, titles).explain();
+    }
+
+    /** Whether it moves as it should; the same as {@link #explain()} says, without the words. */
+    public boolean isUnderWay() {
+        return new BoatExplainer(this, MissionTitles.NONE).isUnderWay();
     }
 
     // ---- what the explainer asks

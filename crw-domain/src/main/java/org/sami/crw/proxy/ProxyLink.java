@@ -15,7 +15,6 @@ import org.sami.boat.link.Welcome;
 final class ProxyLink {
     private static final long HELLO_MS = 1000;
     private static final long HEARTBEAT_MS = 1000;
-    private static final LinkCodec CODEC = new LinkCodec();
 
     private final String boatId;
     private final FrameSink toBoat;
@@ -60,15 +59,18 @@ final class ProxyLink {
 
     void send(LinkMessage message, long nowMs) {
         lastSentMs = nowMs;
-        toBoat.send(CODEC.encode(new Frame(sequence++, term, message)));
+        toBoat.send(new Frame(sequence++, term, message));
     }
 
-    /** Reads a frame; what cannot be read is counted and does not keep the link alive. */
-    Optional<Frame> receive(byte[] bytes, long nowMs) {
+    /** A frame has come, which keeps the link alive. */
+    void received(long nowMs) {
+        lastReceivedMs = nowMs;
+    }
+
+    /** Reads a frame; what cannot be read is counted. */
+    Optional<Frame> read(byte[] bytes) {
         try {
-            Frame frame = CODEC.decode(bytes);
-            lastReceivedMs = nowMs;
-            return Optional.of(frame);
+            return Optional.of(LinkCodec.STANDARD.decode(bytes));
         } catch (LinkException e) {
             unreadable++;
             return Optional.empty();

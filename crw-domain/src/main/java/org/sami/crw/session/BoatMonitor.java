@@ -2,7 +2,6 @@ package org.sami.crw.session;
 
 import java.util.HashMap;
 import java.util.Map;
-import org.sami.crw.proxy.BoatExplanation;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.MissionTitles;
@@ -21,15 +20,27 @@ final class BoatMonitor {
     private final SessionTelemetry telemetry;
     private final SessionMessages messages;
     private final MissionTitles titles;
+    private final boolean keepsReasons;
     private final Map<String, Standstill> standstills = new HashMap<>();
 
     private record Standstill(String reason, int looks) {}
 
-    BoatMonitor(FleetHistory history, SessionTelemetry telemetry, SessionMessages messages, MissionTitles titles) {
+    /**
+     * A monitor that has looked at nobody.
+     *
+     * @param keepsReasons whether the history is told at each look why each boat moves or does not; else only standstills are explained
+     */
+    BoatMonitor(
+            FleetHistory history,
+            SessionTelemetry telemetry,
+            SessionMessages messages,
+            MissionTitles titles,
+            boolean keepsReasons) {
         this.history = history;
         this.telemetry = telemetry;
         this.messages = messages;
         this.titles = titles;
+        this.keepsReasons = keepsReasons;
     }
 
     /** Looks at all boats; to be called once a second. */
@@ -42,13 +53,15 @@ final class BoatMonitor {
         if (history.uploaded(boat.boatId(), uploads)) {
             telemetry.uploads(boat.boatId(), uploads);
         }
-        BoatExplanation explanation = boat.explain(titles);
-        history.explained(boat.boatId(), explanation.text());
-        boolean stands = !explanation.shouldMove()
+        boolean stands = !boat.isUnderWay()
                 && !boat.isAtRest()
                 && boat.status().link() != LinkState.LOST; // that was said at once
+        String why = stands || keepsReasons ? boat.explain(titles).text() : "";
+        if (keepsReasons) {
+            history.explained(boat.boatId(), why);
+        }
         if (stands) {
-            stands(boat.boatId(), explanation.text());
+            stands(boat.boatId(), why);
         } else {
             standstills.remove(boat.boatId());
         }

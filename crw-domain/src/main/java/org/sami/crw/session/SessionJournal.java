@@ -153,6 +153,11 @@ public final class SessionJournal implements AutoCloseable {
         }
     }
 
+    /** Whether telemetry that is added is kept; else nobody need make it. */
+    boolean keepsTelemetry() {
+        return file.isPresent();
+    }
+
     void addTelemetry(TelemetryRow row) throws IOException {
         if (file.isPresent()) {
             file.get().addTelemetry(List.of(row));

@@ -30,7 +30,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 /** The parts of a session, put together for its runtime. */
 final class SessionParts {
     /** On the caller's one thread nobody waits for a listener but the caller. */
-    private static final long NEVER_SLOW_MILLIS = 3_600_000;
+    private static final long NEVER_SLOW_MILLIS = Long.MAX_VALUE;
 
     private static final long SLOW_MILLIS = 50;
     private static final long LOOK_MS = 1000;
@@ -119,10 +119,12 @@ final class SessionParts {
         connector = connector(setup.runtime());
         events = new FleetEvents(slowMillis);
         boats = new FleetListener(events, history, telemetry, messages, remembered, scheduler::nowMs);
-        monitor = new BoatMonitor(history, telemetry, messages, models.missions()::title);
+        monitor = new BoatMonitor(history, telemetry, messages, models.missions()::title, loop.isPresent());
         poses = new PoseLog(history, telemetry);
         boatLog = new BoatLog(connector::boats, models.missions()::title, telemetry, scheduler::nowMs);
-        events.subscribe(boatLog::take);
+        if (journal.keepsTelemetry()) {
+            events.subscribe(boatLog::take);
+        }
         settings = new SettingReplies(replies);
         events.subscribe(settings::happened);
         connector.open(boats);
@@ -220,8 +222,10 @@ final class SessionParts {
     private void keepLookingAfterBoats() {
         connector.executor().execute(() -> {
             monitor.look(connector.boats());
-            boatLog.look();
-            poses.look(scheduler.nowMs());
+            if (journal.keepsTelemetry()) {
+                boatLog.look();
+                poses.look(scheduler.nowMs());
+            }
         });
         scheduler.after(LOOK_MS, this::keepLookingAfterBoats);
     }

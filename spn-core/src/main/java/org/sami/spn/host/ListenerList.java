@@ -20,6 +20,7 @@ public final class ListenerList<L> {
     private final List<Entry<L>> entries = new CopyOnWriteArrayList<>();
     private final String held;
     private final long slowNanos;
+    private final boolean isTimed;
     private final AtomicLong slow = new AtomicLong();
     private final AtomicLong faults = new AtomicLong();
 
@@ -32,11 +33,12 @@ public final class ListenerList<L> {
      * A list without listeners that must be quick.
      *
      * @param held whom a slow listener holds up, such as {@code the engine}; for the log
-     * @param slowMillis from how many milliseconds on a call is logged and counted as slow
+     * @param slowMillis from how many milliseconds on a call is logged and counted as slow; with {@link Long#MAX_VALUE} none is timed
      */
     public ListenerList(String held, long slowMillis) {
         this.held = Objects.requireNonNull(held, "held");
         this.slowNanos = TimeUnit.MILLISECONDS.toNanos(slowMillis);
+        isTimed = slowMillis < Long.MAX_VALUE;
     }
 
     /** Adds a listener, to be called last. One that is added twice is called twice. */
@@ -63,17 +65,20 @@ public final class ListenerList<L> {
      */
     @SuppressWarnings("CatchingUnchecked") // also what is thrown sneakily must not reach the caller
     public void each(Consumer<? super L> call, BiConsumer<? super L, Throwable> onFault) {
-        List<Runnable> reports = new ArrayList<>(0);
+        List<Runnable> reports = List.of();
         for (Entry<L> entry : entries) {
-            long begin = System.nanoTime();
+            long begin = isTimed ? System.nanoTime() : 0;
             try {
                 call.accept(entry.listener);
             } catch (Exception | LinkageError | StackOverflowError | AssertionError fault) {
                 faults.incrementAndGet();
                 LOG.log(Level.ERROR, () -> "listener " + entry.name() + " threw and was ignored", fault);
+                reports = new ArrayList<>(reports);
                 reports.add(() -> onFault.accept(entry.listener, fault));
             }
-            reportIfSlow(entry, System.nanoTime() - begin);
+            if (isTimed) {
+                reportIfSlow(entry, System.nanoTime() - begin);
+            }
         }
         reports.forEach(Runnable::run);
     }

@@ -17,7 +17,6 @@ import org.sami.boat.link.Goodbye;
 import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.Hello;
 import org.sami.boat.link.HoldPosition;
-import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
@@ -53,7 +52,6 @@ public final class BoatServer {
     private final ServerConfig config;
     private final Vehicle vehicle;
     private final ServerLog log;
-    private final LinkCodec codec = new LinkCodec();
     private final CommandLedger ledger = new CommandLedger();
     private final ModeControl modes;
     private final CommandExecutor executor;
@@ -132,10 +130,6 @@ public final class BoatServer {
 
     String boatId() {
         return config.boatId();
-    }
-
-    LinkCodec codec() {
-        return codec;
     }
 
     /** Also when a frame comes: a process that stood still has not ticked, and what waited for it is late. */

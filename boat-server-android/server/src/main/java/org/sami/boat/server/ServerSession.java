@@ -45,13 +45,11 @@ public final class ServerSession {
 
     /** Takes one whole frame from the client. What cannot be read is counted and, where it names a command, refused. */
     public void receive(byte[] frame, long nowMs) {
-        if (!open || dismissal.isPresent()) {
+        if (isDeaf()) {
             return;
         }
         try {
-            Frame read = server.codec().decode(frame);
-            server.received(this, read, nowMs);
-            lastReceivedMs = nowMs;
+            receive(LinkCodec.STANDARD.decode(frame), nowMs);
         } catch (LinkException e) {
             refusedFrames++;
             if (e.fault() == LinkException.Fault.VERSION && !role.isPresent()) {
@@ -60,6 +58,19 @@ public final class ServerSession {
             }
             send(new Nack(e.commandId(), NackReason.MALFORMED, shortened(e.getMessage())), nowMs);
         }
+    }
+
+    /** Takes a frame from a client whose link carries no bytes. */
+    public void receive(Frame frame, long nowMs) {
+        if (!isDeaf()) {
+            server.received(this, frame, nowMs);
+            lastReceivedMs = nowMs;
+        }
+    }
+
+    /** Whether the boat takes nothing more from this client. */
+    private boolean isDeaf() {
+        return !open || dismissal.isPresent();
     }
 
     /** Said in the client's own frames, which it can read, and in those of this version, of which it can tell the version. */
@@ -158,20 +169,19 @@ public final class ServerSession {
 
     void send(LinkMessage message, long nowMs) {
         lastSentMs = nowMs;
-        toClient.send(server.codec().encode(sequence++, message));
+        toClient.send(new Frame(sequence++, "", message));
     }
 
     void tick(long nowMs) {
         if (!role.isPresent()) {
             return;
         }
-        boolean hasTelemetry = server.knowsWhereItIs();
-        if (hasTelemetry && nowMs >= nextTelemetryMs) {
+        if (nowMs >= nextTelemetryMs && server.knowsWhereItIs()) {
             send(server.telemetry(nowMs), nowMs);
             boolean onTime = nextTelemetryMs > nowMs - telemetryPeriodMs;
             nextTelemetryMs = (onTime ? nextTelemetryMs : nowMs) + telemetryPeriodMs;
         } else if (nowMs - lastSentMs >= HEARTBEAT_MS) {
-            boolean telemetryIsNext = hasTelemetry && nextTelemetryMs - nowMs <= TICK_MS;
+            boolean telemetryIsNext = nextTelemetryMs - nowMs <= TICK_MS && server.knowsWhereItIs();
             if (!telemetryIsNext) {
                 send(new Heartbeat(nowMs), nowMs);
             }

@@ -1,5 +1,6 @@
 package org.sami.crw.sim.bench;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,10 +16,12 @@ import org.sami.figures.Figure;
 import org.sami.figures.FigureFile;
 
 /**
- * Runs the benchmarks of the link, of the services and of hours of a run, prints a table and puts it into the file of all benchmarks. System properties: {@code
- * benchmarks.file}; {@code quick} = true for less than two minutes.
+ * Runs the benchmarks of the simulator, of the link, of the services and of hours of a run, prints tables and puts them into the file of all benchmarks.
+ * System properties: {@code benchmarks.file}; {@code quick} = true for less than two minutes; {@code only} = the beginning of the names of those that
+ * are run, empty for all.
  */
 public final class LinkBenchmarkMain {
+    private static final String SPEED = "sim.speed";
     private static final String PREFIX = "link.";
     private static final String SERVICES = "service.";
     private static final String HEAP = "heap.growth";
@@ -29,21 +32,34 @@ public final class LinkBenchmarkMain {
     /** No arguments. */
     public static void main(String[] args) throws Exception {
         boolean quick = Boolean.getBoolean("quick");
-        List<Figure> figures = new ArrayList<>();
-        figures.addAll(codec(quick));
-        figures.addAll(new FleetBenchmark(250, quick ? 4 : 10, quick ? 8 : 30).run());
-        figures.addAll(new UploadBenchmark(10_000, quick ? 5 : 25).run());
-        FigureFile.print(figures);
         Path file = FigureFile.ofThisBuild();
-        FigureFile.replace(file, PREFIX, figures);
-        List<Figure> services = services(quick);
-        FigureFile.print(services);
-        FigureFile.replace(file, SERVICES, services);
-        List<Figure> growth = new GrowthBenchmark(25, quick ? 3 : 100).run();
-        FigureFile.print(growth);
-        FigureFile.replace(file, HEAP, growth.subList(0, 1));
-        FigureFile.replace(file, JOURNAL, growth.subList(1, 2));
+        if (isWanted(SPEED)) {
+            note(file, SPEED, new SpeedBenchmark(quick ? 3 : 9).run(1, 10, 100, 250));
+        }
+        if (isWanted(PREFIX)) {
+            List<Figure> figures = new ArrayList<>(codec(quick));
+            figures.addAll(new FleetBenchmark(250, quick ? 4 : 10, quick ? 8 : 30).run());
+            figures.addAll(new UploadBenchmark(10_000, quick ? 5 : 25).run());
+            note(file, PREFIX, figures);
+        }
+        if (isWanted(SERVICES)) {
+            note(file, SERVICES, services(quick));
+        }
+        if (isWanted(HEAP)) {
+            List<Figure> growth = new GrowthBenchmark(25, quick ? 3 : 100).run();
+            note(file, HEAP, growth.subList(0, 1));
+            note(file, JOURNAL, growth.subList(1, 2));
+        }
         System.out.println("Written to " + file);
+    }
+
+    private static boolean isWanted(String benchmark) {
+        return benchmark.startsWith(System.getProperty("only", ""));
+    }
+
+    private static void note(Path file, String name, List<Figure> figures) throws IOException {
+        FigureFile.print(figures);
+        FigureFile.replace(file, name, figures);
     }
 
     private static List<Figure> services(boolean quick) throws RunnerException {

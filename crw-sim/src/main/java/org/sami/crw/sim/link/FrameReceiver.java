@@ -1,9 +1,11 @@
 package org.sami.crw.sim.link;
 
+import org.sami.boat.link.Frame;
+
 /** The far end of a pipe. */
 @FunctionalInterface
 public interface FrameReceiver {
 
-    /** Takes one whole frame that has arrived at this virtual time. */
-    void receive(byte[] frame, long nowMs);
+    /** Takes one frame that has arrived at this virtual time. */
+    void receive(Frame frame, long nowMs);
 }

@@ -2,14 +2,17 @@ package org.sami.crw.sim.link;
 
 import java.util.Objects;
 import java.util.SplittableRandom;
+import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
+import org.sami.boat.link.LinkCodec;
+import org.sami.boat.link.LinkException;
 import org.sami.crw.sim.clock.VirtualScheduler;
 
 /**
  * One direction of a simulated link: what is sent arrives after a while of virtual time, in order, unless it is lost.
  *
  * <p>While the pipe is cut, nothing that is sent gets in; what was under way still arrives. Nobody is told, as with a radio
- * out of range.
+ * out of range. Messages are immutable, so frames are passed as they are, unless the {@link PipeConfig} wants them written and read.
  */
 public final class InMemoryPipe implements FrameSink {
     private final VirtualScheduler scheduler;
@@ -48,18 +51,37 @@ public final class InMemoryPipe implements FrameSink {
         return lost;
     }
 
+    /** Sends what is bytes already; what cannot be read is lost. */
     @Override
-    public void send(byte[] frame) {
+    public void send(byte[] bytes) {
+        try {
+            send(LinkCodec.STANDARD.decode(bytes));
+        } catch (LinkException e) {
+            lost++;
+        }
+    }
+
+    @Override
+    public void send(Frame frame) {
         if (cut || isLost()) {
             lost++;
             return;
         }
         long arrivalMs = scheduler.nowMs() + config.latencyMs() + jitter();
         lastArrivalMs = Math.max(lastArrivalMs, arrivalMs);
-        scheduler.at(lastArrivalMs, () -> deliver(frame));
+        Frame arriving = config.isCoded() ? writtenAndRead(frame) : frame;
+        scheduler.at(lastArrivalMs, () -> deliver(arriving));
     }
 
-    private void deliver(byte[] frame) {
+    private static Frame writtenAndRead(Frame frame) {
+        try {
+            return LinkCodec.STANDARD.decode(LinkCodec.STANDARD.encode(frame));
+        } catch (LinkException e) {
+            throw new IllegalStateException("the codec does not read what it has written", e);
+        }
+    }
+
+    private void deliver(Frame frame) {
         delivered++;
         receiver.receive(frame, scheduler.nowMs());
     }

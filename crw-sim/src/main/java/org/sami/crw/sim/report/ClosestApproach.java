@@ -3,6 +3,7 @@ package org.sami.crw.sim.report;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.crw.sim.report.PairOfTracks.Track;
 
 /**
  * How near boats came to one another in a run, by their tracks: every two of them at equal times, as long as both were there. Between two
@@ -26,20 +27,15 @@ public record ClosestApproach(Optional<Approach> ever, Optional<Approach> underW
         Optional<Approach> ever = Optional.empty();
         Optional<Approach> underWay = Optional.empty();
         List<Long> left = boats.stream().map(boat -> leftAt(boat.track())).toList();
+        List<Track> tracks = boats.stream().map(Track::of).toList();
         for (int i = 0; i < boats.size(); i++) {
             for (int j = i + 1; j < boats.size(); j++) {
-                PairOfTracks pair = new PairOfTracks(boats.get(i), boats.get(j));
-                ever = nearer(ever, pair.nearest(0));
-                underWay = nearer(underWay, pair.nearest(Math.max(left.get(i), left.get(j))));
+                PairOfTracks pair = new PairOfTracks(tracks.get(i), tracks.get(j));
+                ever = pair.nearer(ever, 0);
+                underWay = pair.nearer(underWay, Math.max(left.get(i), left.get(j)));
             }
         }
         return new ClosestApproach(ever, underWay);
-    }
-
-    private static Optional<Approach> nearer(Optional<Approach> known, Optional<Approach> other) {
-        boolean isNearer = other.isPresent()
-                && (known.isEmpty() || other.get().distanceM() < known.get().distanceM());
-        return isNearer ? other : known;
     }
 
     /** When a boat had left its first point; never is the end of all time. */

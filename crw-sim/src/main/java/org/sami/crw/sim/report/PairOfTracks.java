@@ -3,34 +3,59 @@ package org.sami.crw.sim.report;
 import java.util.List;
 import java.util.Optional;
 
-/** Two boats' tracks, gone along at equal times. */
+/** Two boats' tracks, gone along at equal times. While they are too far from one another to come near soon, time is leapt over. */
 final class PairOfTracks {
-    private final BoatResult one;
-    private final BoatResult other;
+    private static final double ROUNDING_M = 1e-6;
 
-    PairOfTracks(BoatResult one, BoatResult other) {
+    private final Track one;
+    private final Track other;
+
+    /**
+     * Where a boat was.
+     *
+     * @param fastestMPerMs the most that it covered between two points, in metres a millisecond
+     */
+    record Track(String boat, List<TrackPoint> points, double fastestMPerMs) {
+        static Track of(BoatResult boat) {
+            List<TrackPoint> points = boat.track();
+            double fastest = 0;
+            for (int i = 1; i < points.size(); i++) {
+                TrackPoint from = points.get(i - 1);
+                TrackPoint to = points.get(i);
+                double metres = Math.hypot(to.eastM() - from.eastM(), to.northM() - from.northM());
+                long millis = to.atMillis() - from.atMillis();
+                if (metres > 0) {
+                    fastest = millis > 0 ? Math.max(fastest, metres / millis) : Double.POSITIVE_INFINITY;
+                }
+            }
+            return new Track(boat.id(), points, fastest);
+        }
+    }
+
+    PairOfTracks(Track one, Track other) {
         this.one = one;
         this.other = other;
     }
 
     /**
-     * Where they were nearest, from a time on.
-     *
-     * @return empty where they were never there together after it
+     * Where they were nearest, from a time on, if that is nearer than what is known; else what is known. Nothing is nearer where they were never there
+     * together after that time.
      */
-    Optional<Approach> nearest(long fromMillis) {
-        if (one.track().isEmpty() || other.track().isEmpty()) {
-            return Optional.empty();
+    Optional<Approach> nearer(Optional<Approach> known, long fromMillis) {
+        if (one.points.isEmpty() || other.points.isEmpty()) {
+            return known;
         }
-        Way first = new Way(one.track());
-        Way second = new Way(other.track());
+        Way first = new Way(one.points);
+        Way second = new Way(other.points);
         long at = Math.max(fromMillis, Math.max(first.begin(), second.begin()));
         long end = Math.min(first.end(), second.end());
         if (at > end) {
-            return Optional.empty();
+            return known;
         }
-        double least = Double.MAX_VALUE;
+        double before = known.map(Approach::distanceM).orElse(Double.MAX_VALUE);
+        double least = before;
         double leastAt = at;
+        double closingMPerMs = one.fastestMPerMs + other.fastestMPerMs;
         first.goTo(at);
         second.goTo(at);
         while (true) {
@@ -46,23 +71,25 @@ final class PairOfTracks {
                 least = distance;
                 leastAt = at + part * (next - at);
             }
-            if (next >= end) {
+            double farM = Math.hypot(east + byEast, north + byNorth) - least - ROUNDING_M; // at the end of the leg
+            long soonest = farM > 0 ? next + (long) Math.min(end - next, farM / closingMPerMs) : next;
+            if (soonest >= end) {
                 break;
             }
-            at = next;
-            first.goTo(at);
-            second.goTo(at);
+            first.goTo(soonest);
+            second.goTo(soonest);
+            at = Math.max(next, Math.max(first.legBegin(), second.legBegin()));
         }
-        return Optional.of(approach(Math.round(leastAt), least));
+        return least < before ? Optional.of(approach(Math.round(leastAt), least)) : known;
     }
 
     private Approach approach(long atMillis, double distanceM) {
-        TrackPoint a = new Way(one.track()).at(atMillis);
-        TrackPoint b = new Way(other.track()).at(atMillis);
+        TrackPoint a = new Way(one.points).at(atMillis);
+        TrackPoint b = new Way(other.points).at(atMillis);
         double lonDeg = a.lonDeg() + Math.IEEEremainder(b.lonDeg() - a.lonDeg(), 360) / 2;
         return new Approach(
-                one.id(),
-                other.id(),
+                one.boat,
+                other.boat,
                 atMillis,
                 distanceM,
                 new MapPoint(
@@ -89,11 +116,26 @@ final class PairOfTracks {
             return points.get(points.size() - 1).atMillis();
         }
 
+        long legBegin() {
+            return from().atMillis();
+        }
+
         /** Goes on to the leg in which a time lies; the later one of two. */
         void goTo(long atMillis) {
-            while (leg + 2 < points.size() && points.get(leg + 1).atMillis() <= atMillis) {
-                leg++;
+            int stride = 1;
+            while (isBegun(leg + stride, atMillis)) {
+                leg += stride;
+                stride *= 2;
             }
+            for (; stride > 0; stride /= 2) {
+                if (isBegun(leg + stride, atMillis)) {
+                    leg += stride;
+                }
+            }
+        }
+
+        private boolean isBegun(int other, long atMillis) {
+            return other + 1 < points.size() && points.get(other).atMillis() <= atMillis;
         }
 
         long nextAfter(long atMillis) {

@@ -55,6 +55,20 @@ public record RunReport(
             List<FiringResult> firings,
             List<InterruptResult> interrupts,
             List<NoteResult> notes) {
+        this(header, result, boats, locations, decisions, firings, interrupts, notes, RunMap.of(boats));
+    }
+
+    /** A report of a run without tasks, of boats that measured nothing, with the areas and points of its plan. */
+    public RunReport(
+            RunHeader header,
+            RunResult result,
+            List<BoatResult> boats,
+            List<LocationResult> locations,
+            List<DecisionResult> decisions,
+            List<FiringResult> firings,
+            List<InterruptResult> interrupts,
+            List<NoteResult> notes,
+            RunMap map) {
         this(
                 header,
                 result,
@@ -68,7 +82,7 @@ public record RunReport(
                 List.of(),
                 List.of(),
                 Optional.empty(),
-                RunMap.of(boats),
+                map,
                 RunLog.EMPTY);
     }
 

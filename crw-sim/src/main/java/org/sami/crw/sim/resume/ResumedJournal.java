@@ -93,15 +93,15 @@ public final class ResumedJournal implements RunJournal, EarlierProcesses, AutoC
     }
 
     @Override
-    public void mark(long atMillis, String fingerprint) throws IOException {
+    public void mark(long atMillis, Supplier<String> fingerprint) throws IOException {
         reachedMillis = atMillis;
         MarkText known = marks.get(index);
-        if (known != null && known.contradicts(atMillis, fingerprint)) {
+        if (known != null && known.contradicts(atMillis, fingerprint.get())) {
             throw new JournalMismatchException(
                     index, "the boats are elsewhere " + atMillis / 1000.0 + " s after the start than they were");
         }
         if (isNews(atMillis)) {
-            journal.mark(new MarkText(atMillis, fingerprint).toString());
+            journal.mark(new MarkText(atMillis, fingerprint.get()).toString());
         }
     }
 

@@ -3,6 +3,7 @@ package org.sami.crw.sim.resume;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.OptionalLong;
+import java.util.function.Supplier;
 import org.sami.crw.sim.run.RunJournal;
 import org.sami.spn.host.InputJournal;
 import org.sami.spn.journal.JournalOptions;
@@ -34,8 +35,8 @@ public final class WrittenJournal implements RunJournal, AutoCloseable {
     }
 
     @Override
-    public void mark(long atMillis, String fingerprint) throws IOException {
-        journal.mark(new MarkText(atMillis, fingerprint).toString());
+    public void mark(long atMillis, Supplier<String> fingerprint) throws IOException {
+        journal.mark(new MarkText(atMillis, fingerprint.get()).toString());
     }
 
     @Override

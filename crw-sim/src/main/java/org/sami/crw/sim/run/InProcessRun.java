@@ -310,7 +310,7 @@ public final class InProcessRun {
         }
         markedIndex = index;
         try {
-            journal.mark(now(), water.fingerprint());
+            journal.mark(now(), water::fingerprint);
         } catch (IOException e) {
             lifecycle.fail(e.getMessage());
         }

@@ -12,6 +12,7 @@ import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.MapPoint;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.RunHeader;
+import org.sami.crw.sim.report.RunMap;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunPlace;
 import org.sami.crw.sim.report.RunReport;
@@ -54,6 +55,7 @@ public final class ReportBuilder {
      * @param clicks that the operator made
      * @param boats as they are at the end
      * @param messages what the operator was told, oldest first
+     * @param map the areas and points of the plan, and how near boats came to one another
      */
     public RunReport build(
             End end,
@@ -62,7 +64,8 @@ public final class ReportBuilder {
             List<BoatResult> results,
             List<LocationResult> locations,
             List<InterruptResult> interrupts,
-            List<NoteResult> messages) {
+            List<NoteResult> messages,
+            RunMap map) {
         return new RunReport(
                         new RunHeader(
                                 plan.plan().id(),
@@ -87,7 +90,8 @@ public final class ReportBuilder {
                         recorder.decisions(),
                         recorder.firings(),
                         interrupts,
-                        notes(messages))
+                        notes(messages),
+                        map)
                 .withTasks(recorder.tasks());
     }
 

@@ -2,6 +2,7 @@ package org.sami.crw.sim.run;
 
 import java.io.IOException;
 import java.util.OptionalLong;
+import java.util.function.Supplier;
 import org.sami.spn.host.InputJournal;
 import org.sami.spn.host.NoJournal;
 
@@ -16,10 +17,10 @@ public interface RunJournal {
     /**
      * The world at a moment: after the last input, at a time.
      *
-     * @param fingerprint a hash of the boats' true state
+     * @param fingerprint gives a hash of the boats' true state
      * @throws IOException where it cannot be written, or is not what was written before
      */
-    void mark(long atMillis, String fingerprint) throws IOException;
+    void mark(long atMillis, Supplier<String> fingerprint) throws IOException;
 
     /** The run stops here before its mission is over; whoever takes it up will know how far it came. */
     void stopped(long atMillis) throws IOException;
@@ -48,7 +49,7 @@ public interface RunJournal {
             }
 
             @Override
-            public void mark(long atMillis, String fingerprint) {
+            public void mark(long atMillis, Supplier<String> fingerprint) {
                 // Nobody will compare it.
             }
 

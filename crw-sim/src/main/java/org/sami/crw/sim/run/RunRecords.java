@@ -139,8 +139,8 @@ public final class RunRecords {
                         results,
                         visits.locations(),
                         interrupts.results(),
-                        told(end.atMillis()))
-                .withMap(map.map(results, visits.locations()))
+                        told(end.atMillis()),
+                        map.map(results, visits.locations()))
                 .withReadings(readings.readings())
                 .withLog(new RunLog(
                         phases.results(),

@@ -114,10 +114,10 @@ public final class JournalReport {
                         recorder.decisions(),
                         recorder.firings(),
                         List.of(),
-                        notes(recorder))
+                        notes(recorder),
+                        map.map(results, visits.locations()))
                 .withTasks(recorder.tasks())
                 .withReadings(readings.readings())
-                .withMap(map.map(results, visits.locations()))
                 .withLog(new RunLog(phases.results(), OperatorActions.of(OperatorLogRows.read(rows))));
     }
 

@@ -1,6 +1,7 @@
 package org.sami.crw.sim.fleet;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
 
 import java.util.List;
 import java.util.SplittableRandom;
@@ -13,6 +14,8 @@ import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.crw.proxy.LinkState;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.link.PipeConfig;
 import org.sami.spn.protocol.Priority;
 
@@ -136,6 +139,35 @@ class FleetLinksTest {
                     .extracting(ExecutedCommand::commandId)
                     .doesNotHaveDuplicates();
         }
+    }
+
+    @Test
+    void framesThatTheCodecWritesAndReadsGiveTheSameRun() {
+        PipeConfig lossy = new PipeConfig(30, 40, 0.1);
+        Conditions field = new Conditions(1, 2, new Flow(0.2, 90), Flow.NONE, List.of());
+        SimulatedTestWorld plain = new SimulatedTestWorld(
+                3, 4, FleetConfig.DEFAULT.withConditions(field).withPipe(lossy));
+        SimulatedTestWorld coded = new SimulatedTestWorld(
+                3, 4, FleetConfig.DEFAULT.withConditions(field).withPipe(lossy.coded()));
+        for (SimulatedTestWorld world : List.of(plain, coded)) {
+            world.proxy().submit(world.path(1, 0, 60, 40, 60, 40, 0));
+            world.run(200);
+            world.proxy().teleoperate(0.1, 0.3);
+            world.run(5);
+        }
+
+        for (int i = 0; i < 3; i++) {
+            SimulatedBoat boat = plain.fleet.boats().get(i);
+            SimulatedBoat other = coded.fleet.boats().get(i);
+            assertThat(boat.track()).isEqualTo(other.track());
+            assertThat(boat.proxy().status()).isEqualTo(other.proxy().status());
+            assertThat(boat.executed())
+                    .extracting(ExecutedCommand::timeMs, ExecutedCommand::commandId)
+                    .isEqualTo(other.executed().stream()
+                            .map(e -> tuple(e.timeMs(), e.commandId()))
+                            .toList());
+        }
+        assertThat(plain.reports()).contains("completed m1-boat1").isEqualTo(coded.reports());
     }
 
     @Test

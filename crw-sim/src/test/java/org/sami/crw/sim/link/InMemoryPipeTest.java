@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.sami.boat.link.Frame;
+import org.sami.boat.link.Heartbeat;
 import org.sami.crw.sim.clock.VirtualClock;
 
 class InMemoryPipeTest {
@@ -14,12 +16,12 @@ class InMemoryPipeTest {
 
     private InMemoryPipe pipe(long latencyMs, long jitterMs, double loss) {
         InMemoryPipe pipe = new InMemoryPipe(clock, new PipeConfig(latencyMs, jitterMs, loss), 3);
-        pipe.connect((frame, nowMs) -> arrived.add(frame[0] + "@" + nowMs));
+        pipe.connect((frame, nowMs) -> arrived.add(frame.sequence() + "@" + nowMs));
         return pipe;
     }
 
-    private static byte[] frame(int number) {
-        return new byte[] {(byte) number};
+    private static Frame frame(int number) {
+        return new Frame(number, "", new Heartbeat(0));
     }
 
     @Test
@@ -40,7 +42,7 @@ class InMemoryPipeTest {
     void framesNeverOvertakeOneAnother() {
         InMemoryPipe pipe = pipe(5, 50, 0);
         List<String> order = new ArrayList<>();
-        pipe.connect((frame, nowMs) -> order.add(String.valueOf(frame[0])));
+        pipe.connect((frame, nowMs) -> order.add(String.valueOf(frame.sequence())));
         List<String> sent = new ArrayList<>();
         for (int i = 0; i < 100; i++) {
             pipe.send(frame(i));

@@ -61,7 +61,7 @@ final class CrashingJournal implements RunJournal {
     }
 
     @Override
-    public void mark(long atMillis, String fingerprint) throws IOException {
+    public void mark(long atMillis, Supplier<String> fingerprint) throws IOException {
         real.mark(atMillis, fingerprint);
     }
 
