@@ -56,6 +56,7 @@ public final class BoatServer {
     private final ModeControl modes;
     private final CommandExecutor executor;
     private final SensorWatch sensors;
+    private final BatteryWatch battery;
     private final List<ServerSession> sessions = new ArrayList<>();
     private Optional<ServerSession> commander = Optional.empty();
     private boolean commanderLost;
@@ -75,7 +76,8 @@ public final class BoatServer {
         modes = new ModeControl(config, vehicle);
         executor = new CommandExecutor(config, modes);
         sensors = new SensorWatch(vehicle);
-        reportedLevel = batteryLevel();
+        battery = new BatteryWatch(config, vehicle, modes.home());
+        reportedLevel = battery.level();
     }
 
     /**
@@ -108,8 +110,9 @@ public final class BoatServer {
             broadcast(modes.track().progress(), nowMs);
         }
         modes.takeReport().ifPresent(report -> broadcast(report, nowMs));
-        if (batteryLevel() != reportedLevel) {
-            reportedLevel = batteryLevel();
+        battery.tick(nowMs);
+        if (battery.level() != reportedLevel) {
+            reportedLevel = battery.level();
             broadcast(battery(), nowMs);
         }
         for (ServerSession session : sessions) {
@@ -297,12 +300,8 @@ public final class BoatServer {
         }
     }
 
-    private BatteryLevel batteryLevel() {
-        return BatteryLevel.of(vehicle.batteryPercent(), config.lowBatteryPercent(), config.criticalBatteryPercent());
-    }
-
     private BatteryReport battery() {
-        return new BatteryReport(vehicle.batteryPercent(), batteryLevel());
+        return new BatteryReport(vehicle.batteryPercent(), battery.level());
     }
 
     /** Whether there is telemetry to be sent: a phone without a fix has none. */

@@ -43,6 +43,11 @@ final class ModeControl {
         return mode;
     }
 
+    /** Where the vehicle was when its server started. */
+    LocalFrame home() {
+        return home;
+    }
+
     WaypointTrack track() {
         return track;
     }

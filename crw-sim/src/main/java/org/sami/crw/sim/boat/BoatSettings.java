@@ -90,8 +90,7 @@ public record BoatSettings(
 
     /** The configuration of the boat's server for one start of it. */
     ServerConfig server(String bootId) {
-        return ServerConfig.of(name, bootId)
-                .fullThrustSpeedMps(hull.topSpeedMps())
+        return hull.describeTo(ServerConfig.of(name, bootId))
                 .lostLinkAction(lostLink)
                 .build();
     }

@@ -52,8 +52,7 @@ public final class SimulatedBoat {
         trackEveryMs = config.trackEveryMs();
         hull = new SimulatedHull(config.hull(), config.conditions(), frame, eastM, northM, seeds.hull());
         instruments = new Instruments(hull, config.conditions(), seeds.instruments(), fieldSeed);
-        ServerConfig.Builder defaults = ServerConfig.of(id, id + "-boot1")
-                .fullThrustSpeedMps(config.hull().topSpeedMps());
+        ServerConfig.Builder defaults = config.hull().describeTo(ServerConfig.of(id, id + "-boot1"));
         server = new BoatServer(config.server().apply(defaults).build(), instruments, this::answered);
         toBoat = new InMemoryPipe(clock, config.pipe(), seeds.toBoat());
         toBase = new InMemoryPipe(clock, config.pipe(), seeds.toBase());
