@@ -123,7 +123,8 @@ final class ScreenshotMain {
         SimulatedOperatorDriver driver = new SimulatedOperatorDriver(
                 new SimulatedOperator(session().setup().vocabulary(), defaults, AnswersFile.EMPTY),
                 session().scheduler(),
-                800);
+                800,
+                QUAY);
         session().execute(() -> {
             session().addOperator(driver);
             driver.connect(session());

@@ -78,7 +78,10 @@ public final class InProcessRun {
                 fleet.seed(),
                 fleet.boatNames());
         operator = new SimulatedOperatorDriver(
-                new SimulatedOperator(plan.vocabulary(), defaults, answers), clock, settings.answerAfterMillis());
+                new SimulatedOperator(plan.vocabulary(), defaults, answers),
+                clock,
+                settings.answerAfterMillis(),
+                water.quay());
         InterruptScheduler interrupts = new InterruptScheduler(
                 new PlanInterrupts(plan.vocabulary(), plan.project(), plan.plan())
                         .read(settings.interrupts(), fleet.boatNames()),

@@ -13,10 +13,12 @@ import org.sami.crw.session.Scheduler;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionOperator;
 import org.sami.crw.sim.report.NoteResult;
+import org.sami.spn.engine.EngineView;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.Reading;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
+import org.sami.spn.value.GeoPoint;
 
 /**
  * Lets the simulated operator answer a session's decisions, each a while after it was asked, as they lie in the operator's models then.
@@ -28,9 +30,16 @@ public final class SimulatedOperatorDriver implements SessionOperator {
     /** A decision that is asked and not shown yet is shown within this. */
     private static final long NOT_SHOWN_MILLIS = 20;
 
+    /** Asks for work, of which some is done on boats. */
+    private static final String WORK = "OperatorBackgroundAction";
+
+    /** How often somebody who works looks whether it is done. */
+    private static final long LOOK_MILLIS = 500;
+
     private final SimulatedOperator operator;
     private final Scheduler clock;
     private final long answerAfterMillis;
+    private final GeoPoint quay;
     private final Map<Long, Asked> open = new TreeMap<>();
     private final List<NoteResult> troubles = new ArrayList<>();
     private final Set<Long> thinkingOf = new HashSet<>();
@@ -40,12 +49,14 @@ public final class SimulatedOperatorDriver implements SessionOperator {
     /**
      * An operator who has not been asked yet.
      *
-     * @param answerAfterMillis how long every answer takes; what is work takes its own time beside
+     * @param answerAfterMillis how long every answer takes; what is work takes its own time beside, and where batteries are swapped ends when they are in
+     * @param quay where they are
      */
-    public SimulatedOperatorDriver(SimulatedOperator operator, Scheduler clock, long answerAfterMillis) {
+    public SimulatedOperatorDriver(SimulatedOperator operator, Scheduler clock, long answerAfterMillis, GeoPoint quay) {
         this.operator = operator;
         this.clock = clock;
         this.answerAfterMillis = answerAfterMillis;
+        this.quay = quay;
     }
 
     /**
@@ -92,11 +103,28 @@ public final class SimulatedOperatorDriver implements SessionOperator {
             Optional<PendingDecision> shown = session.get().models().decisions().find(decision);
             if (shown.isEmpty()) {
                 clock.after(NOT_SHOWN_MILLIS, () -> answerIfShown(asked));
+            } else if (isStillAtWork(session.get(), asked)) {
+                clock.after(LOOK_MILLIS, () -> answerIfShown(asked));
             } else {
                 thinkingOf.remove(decision);
                 answer(asked.decision(), shown.get().plan()); // it knows its own quay and area, whatever is proposed
             }
         }
+    }
+
+    private boolean isStillAtWork(Session asking, Asked asked) {
+        Decision decision = asked.decision();
+        return decision.type().equals(WORK)
+                && new BatterySwaps(asking.fleet().history(), quay)
+                        .areUnderWay(
+                                asking.host().ask(view -> boatsOf(decision, view)), clock.nowMs() - asked.atMillis());
+    }
+
+    private static List<String> boatsOf(Decision decision, EngineView view) {
+        return view.openActivations().stream()
+                .filter(activation -> activation.id() == decision.activation())
+                .flatMap(activation -> activation.proxies().stream())
+                .toList();
     }
 
     private void answer(Decision decision, String plan) {

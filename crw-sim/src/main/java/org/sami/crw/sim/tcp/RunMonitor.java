@@ -87,7 +87,10 @@ final class RunMonitor implements SessionListener {
         RunSettings.Fleet size = settings.fleet();
         OperatorDefaults defaults = new OperatorDefaults(centre, size.areaM(), size.locations(), size.seed());
         operator = new SimulatedOperatorDriver(
-                new SimulatedOperator(plan.vocabulary(), defaults, answers), clock, settings.answerAfterMillis());
+                new SimulatedOperator(plan.vocabulary(), defaults, answers),
+                clock,
+                settings.answerAfterMillis(),
+                defaults.quay());
         interrupts = new InterruptScheduler(planned(plan, settings, area), clock);
         records = new RunRecords(plan, settings, session, plane, notes, operator, interrupts);
         lifecycle = new RunLifecycle(plan, settings, parameters, session, records);

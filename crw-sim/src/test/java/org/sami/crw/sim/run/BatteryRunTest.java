@@ -89,6 +89,37 @@ class BatteryRunTest {
         assertThat(report.interrupts()).isNotEmpty().allMatch(InterruptResult::taken);
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"0s", "1s", "5s", "8s", "9s", "10s", "11s", "20s"})
+    void swapEndsWhenTheBatteryIsIn(String swapTime) {
+        RunPlan plan = plan();
+        RunSettings settings = new RunSettings(
+                        plan.plan().id(),
+                        plan.plan().name(),
+                        new RunSettings.Fleet(3, 12, 600, 1).with(InitialCharges.parse("100,37,100")),
+                        Speed.MAX,
+                        OptionalLong.of(7_200_000),
+                        java.util.Map.of("@swapTime", swapTime),
+                        0,
+                        "")
+                .withInterrupts(List.of("recharge@battery"));
+
+        RunReport report = TestRuns.run(plan, settings);
+
+        assertAllVisited(report);
+        assertThat(report.boats()).extracting(BoatResult::recharges).containsExactly(0, 1, 0);
+        long swapped = report.firings().stream()
+                .filter(firing -> firing.transition().equals("Batteries swapped"))
+                .findFirst()
+                .orElseThrow()
+                .atMillis();
+        assertThat(report.boats().get(1).track())
+                .filteredOn(point -> point.atMillis() > swapped)
+                .first()
+                .satisfies(leaving -> assertThat(leaving.batteryPercent()).isGreaterThan(99.9));
+        assertThat(report.interrupts().get(0).takenAtMillis().getAsLong()).isLessThan(swapped);
+    }
+
     @Test
     void onlyTheNamedBoatIsPulledOut() {
         RunReport report = run("30,30,100", "recharge:1@battery");
