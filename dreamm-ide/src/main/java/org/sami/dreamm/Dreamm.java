@@ -1,11 +1,9 @@
 package org.sami.dreamm;
 
-import java.awt.AWTError;
-import java.awt.GraphicsEnvironment;
-import java.awt.HeadlessException;
 import java.util.Arrays;
 import java.util.Set;
 import org.sami.dreamm.start.DreammCommand;
+import org.sami.ui.window.WindowDisplay;
 import picocli.CommandLine;
 
 /** The program. Where there is no display it says so in one line. */
@@ -18,22 +16,13 @@ public final class Dreamm {
     /** Opens the window; the process ends with it. */
     public static void main(String[] args) {
         boolean helped = Arrays.stream(args).anyMatch(HELP::contains);
-        if (!helped && !hasDisplay()) {
+        if (!helped && !WindowDisplay.isThere()) {
             System.err.println("dreamm: there is no display (set DISPLAY, or run under: xvfb-run)");
             System.exit(BROKEN);
         }
         int code = new CommandLine(new DreammCommand(DreammStart::open)).execute(args);
         if (code != 0 || helped) {
             System.exit(code);
-        }
-    }
-
-    private static boolean hasDisplay() {
-        try {
-            return !GraphicsEnvironment.isHeadless()
-                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
-        } catch (HeadlessException | AWTError unreachable) {
-            return false;
         }
     }
 }

@@ -1,11 +1,9 @@
 package org.sami.crw.gui;
 
-import java.awt.AWTError;
-import java.awt.GraphicsEnvironment;
-import java.awt.HeadlessException;
 import java.util.Arrays;
 import org.sami.crw.gui.start.OperatorCommand;
 import org.sami.crw.sim.cli.Crw;
+import org.sami.ui.window.WindowDisplay;
 import picocli.CommandLine;
 
 /**
@@ -25,7 +23,7 @@ public final class OperatorGui {
         }
         CommandLine line = new CommandLine(new OperatorCommand(WindowStart::open));
         boolean helped = Arrays.stream(args).anyMatch(arg -> arg.equals("--help") || arg.equals("-h"));
-        if (!helped && !hasDisplay()) {
+        if (!helped && !WindowDisplay.isThere()) {
             System.err.println(
                     "crw-operator: there is no display (set DISPLAY, or run under: xvfb-run); the headless demonstration runs instead");
             Crw.main(new String[] {DEMO});
@@ -34,15 +32,6 @@ public final class OperatorGui {
         int code = line.execute(args);
         if (code != 0 || helped) {
             System.exit(code);
-        }
-    }
-
-    private static boolean hasDisplay() {
-        try {
-            return !GraphicsEnvironment.isHeadless()
-                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
-        } catch (HeadlessException | AWTError unreachable) {
-            return false;
         }
     }
 }

@@ -8,8 +8,9 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.sami.dreamm.profile.Profile;
 import org.sami.dreamm.profile.ProfileFile;
-import org.sami.ui.look.Theme;
+import org.sami.ui.window.LookOptions;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -61,14 +62,8 @@ public final class DreammCommand implements Callable<Integer> {
                     "Where settings, the arrangement of panels and unsaved work are kept; else the user's data directory.")
     private Path data;
 
-    @Option(names = "--theme", paramLabel = "light|dark|sun", description = "The theme, from now on.")
-    private String theme;
-
-    @Option(
-            names = "--scale",
-            paramLabel = "80..200",
-            description = "The scale of all text and marks in percent, from now on.")
-    private Integer scale;
+    @Mixin
+    private LookOptions look;
 
     /** What opens the window, once the command line is understood. */
     @FunctionalInterface
@@ -108,15 +103,11 @@ public final class DreammCommand implements Callable<Integer> {
     }
 
     private DreammOptions options() throws IOException {
-        Optional<Theme> chosen = Optional.ofNullable(theme)
-                .map(id -> Theme.of(id)
-                        .orElseThrow(() -> new IllegalArgumentException(
-                                "--theme: there is no theme " + id + "; there are light, dark, sun")));
         return new DreammOptions(
                 Optional.ofNullable(open),
                 Optional.ofNullable(domain),
                 profile == null ? Profile.ALL : ProfileFile.read(profile),
-                chosen,
-                Optional.ofNullable(scale));
+                look.theme(),
+                look.scale());
     }
 }

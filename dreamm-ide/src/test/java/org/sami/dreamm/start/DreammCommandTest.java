@@ -66,6 +66,7 @@ class DreammCommandTest {
                 folder.resolve("d").toString());
         assertRefused(4, "--data", "--data", folder.resolve("p.json/data").toString());
         assertRefused(2, "there is no theme pink", "--theme", "pink");
+        assertRefused(2, "--scale: 300 is not from 80 to 200 percent", "--scale", "300");
     }
 
     private void assertRefused(int code, String why, String... args) {

@@ -18,8 +18,12 @@ public final class Look {
     /** The scales that a menu offers, in percent. */
     public static final List<Integer> SCALES = List.of(80, 90, 100, 110, 125, 150, 175, 200);
 
-    private static final int LEAST = 80;
-    private static final int MOST = 200;
+    /** The smallest scale, in percent. */
+    public static final int LEAST = 80;
+
+    /** The largest scale, in percent. */
+    public static final int MOST = 200;
+
     private static final List<Runnable> LISTENERS = new CopyOnWriteArrayList<>();
     private static volatile Theme theme = Theme.LIGHT;
     private static volatile int scalePercent = 100;

@@ -3,14 +3,16 @@ package org.sami.crw.gui.start;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.ui.look.Theme;
+import org.sami.ui.window.LookOptions;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -58,14 +60,8 @@ public final class OperatorCommand implements Callable<Integer> {
                     "Where journals, settings and the arrangement of panels are kept; else the user's data directory.")
     private Path data;
 
-    @Option(names = "--theme", paramLabel = "light|dark|sun", description = "The theme, from now on.")
-    private String theme;
-
-    @Option(
-            names = "--scale",
-            paramLabel = "80..200",
-            description = "The scale of all text and marks in percent, from now on.")
-    private Integer scale;
+    @Mixin
+    private LookOptions look;
 
     @Option(
             names = "--resume",
@@ -131,24 +127,38 @@ public final class OperatorCommand implements Callable<Integer> {
             addresses.add(BoatAddress.parse(text));
         }
         if (boatsFile != null) {
-            for (String line : Files.readAllLines(boatsFile)) {
-                String text = line.replaceAll("#.*", "").strip();
-                if (!text.isEmpty()) {
-                    addresses.add(BoatAddress.parse(text));
-                }
-            }
+            addresses.addAll(addressesIn(boatsFile));
         }
-        Optional<Theme> chosen = Optional.ofNullable(theme)
-                .map(id -> Theme.of(id)
-                        .orElseThrow(() -> new IllegalArgumentException(
-                                "--theme: there is no theme " + id + "; there are light, dark, sun")));
         return new StartOptions(
                 addresses,
                 Optional.ofNullable(project),
-                chosen,
-                Optional.ofNullable(scale),
+                look.theme(),
+                look.scale(),
                 Optional.ofNullable(resume),
                 Optional.ofNullable(replay),
                 Optional.ofNullable(at).map(seconds -> Math.round(seconds * 1000)));
+    }
+
+    private static List<BoatAddress> addressesIn(Path file) throws IOException {
+        List<String> lines;
+        try {
+            lines = Files.readAllLines(file);
+        } catch (NoSuchFileException missing) {
+            throw new IOException("--boats: there is no file " + file);
+        } catch (IOException fault) {
+            throw new IOException("--boats: " + file + " cannot be read: " + fault.getMessage());
+        }
+        List<BoatAddress> addresses = new ArrayList<>();
+        for (int i = 0; i < lines.size(); i++) {
+            String text = lines.get(i).replaceAll("#.*", "").strip();
+            try {
+                if (!text.isEmpty()) {
+                    addresses.add(BoatAddress.parse(text));
+                }
+            } catch (IllegalArgumentException unfit) {
+                throw new IOException("--boats: " + file + " line " + (i + 1) + ": " + unfit.getMessage());
+            }
+        }
+        return addresses;
     }
 }
