@@ -17,8 +17,8 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
 
 /**
- * Draws a net where its author has laid the vertices, with straight lines. All is drawn apart by one factor, so that there is room for
- * words; each label then takes the nearest place that is free.
+ * Draws a net where its author has laid the vertices, with straight lines that bend only around vertices ({@link LineRouting}). All is drawn
+ * apart by one factor, so that there is room for words; each label then takes the nearest place that is free.
  */
 final class GivenLayout {
     private static final double COMFORTABLE = 200;
@@ -67,6 +67,7 @@ final class GivenLayout {
         Set<Ends> ends = new HashSet<>();
         plan.inEdges().forEach(edge -> ends.add(new Ends(edge.place(), edge.transition())));
         plan.outEdges().forEach(edge -> ends.add(new Ends(edge.transition(), edge.place())));
+        LineRouting lines = new LineRouting(vertices.values());
         List<NetDrawing.Edge> edges = new ArrayList<>();
         for (InEdge edge : plan.inEdges()) {
             boolean twin = ends.contains(new Ends(edge.transition(), edge.place()));
@@ -74,7 +75,7 @@ final class GivenLayout {
                     edge.id(),
                     edge.place(),
                     edge.transition(),
-                    NetShapes.line(vertices.get(edge.place()), vertices.get(edge.transition()), twin),
+                    lines.line(vertices.get(edge.place()), vertices.get(edge.transition()), twin),
                     NetShapes.isUnconditional(edge),
                     edge.mode() == Mode.RECOVERY));
         }
@@ -84,7 +85,7 @@ final class GivenLayout {
                     edge.id(),
                     edge.transition(),
                     edge.place(),
-                    NetShapes.line(vertices.get(edge.transition()), vertices.get(edge.place()), twin),
+                    lines.line(vertices.get(edge.transition()), vertices.get(edge.place()), twin),
                     NetShapes.isUnconditional(edge),
                     edge.mode() == Mode.RECOVERY));
         }

@@ -69,16 +69,36 @@ final class LabelPlacement {
 
     /** On the line, or else beside it. */
     void placeAtEdge(Edge edge, TextBlock text) {
-        LayoutPoint from = edge.points().get(0);
-        LayoutPoint to = edge.points().get(edge.points().size() - 1);
         List<LayoutPoint> corners = new ArrayList<>();
         for (double part : ALONG) {
-            double x = from.x() + part * (to.x() - from.x());
-            double y = from.y() + part * (to.y() - from.y());
-            corners.add(new LayoutPoint(x - text.width() / 2, y - text.height() / 2));
+            LayoutPoint at = along(edge.points(), part);
+            corners.add(new LayoutPoint(at.x() - text.width() / 2, at.y() - text.height() / 2));
         }
-        LayoutPoint middle = new LayoutPoint((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
-        place(edge.id(), text, corners, middle, true);
+        place(edge.id(), text, corners, along(edge.points(), 0.5), true);
+    }
+
+    /** The point after a part of the length of a line. */
+    private static LayoutPoint along(List<LayoutPoint> points, double part) {
+        double length = 0;
+        for (int i = 1; i < points.size(); i++) {
+            length += distance(points.get(i - 1), points.get(i));
+        }
+        double left = part * length;
+        for (int i = 1; i < points.size(); i++) {
+            LayoutPoint from = points.get(i - 1);
+            LayoutPoint to = points.get(i);
+            double step = distance(from, to);
+            if (left <= step || i == points.size() - 1) {
+                double share = left / Math.max(1e-9, step);
+                return new LayoutPoint(from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()));
+            }
+            left -= step;
+        }
+        return points.get(0);
+    }
+
+    private static double distance(LayoutPoint a, LayoutPoint b) {
+        return Math.hypot(b.x() - a.x(), b.y() - a.y());
     }
 
     List<Label> placed() {

@@ -23,7 +23,7 @@ public final class NetLayout {
     }
 
     /**
-     * Draws a plan while it is edited: where its author has laid the vertices, with straight lines. A vertex without a point lies beside what
+     * Draws a plan while it is edited: where its author has laid the vertices. A vertex without a point lies beside what
      * it is connected to; a plan without any is drawn in layers. Two vertices may lie on each other.
      *
      * @param scale how many drawing units one unit of the plan's layout is: that of the drawing before, so that nothing moves that nobody

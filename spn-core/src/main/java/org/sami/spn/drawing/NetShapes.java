@@ -1,5 +1,6 @@
 package org.sami.spn.drawing;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.sami.spn.drawing.NetDrawing.Kind;
 import org.sami.spn.drawing.NetDrawing.Vertex;
@@ -54,6 +55,30 @@ final class NetShapes {
         double shiftX = dy / length * aside;
         double shiftY = -dx / length * aside;
         return List.of(rim(from, dx, dy, shiftX, shiftY), rim(to, -dx, -dy, shiftX, shiftY));
+    }
+
+    /**
+     * A line from the rim of one vertex over some bends to the rim of another.
+     *
+     * @param bends none for a straight line
+     */
+    static List<LayoutPoint> line(Vertex from, Vertex to, List<LayoutPoint> bends) {
+        if (bends.isEmpty()) {
+            return line(from, to, false);
+        }
+        List<LayoutPoint> points = new ArrayList<>(bends);
+        points.add(0, towards(from, bends.get(0)));
+        points.add(towards(to, bends.get(bends.size() - 1)));
+        return points;
+    }
+
+    private static LayoutPoint towards(Vertex vertex, LayoutPoint there) {
+        return rim(
+                vertex,
+                there.x() - vertex.centre().x(),
+                there.y() - vertex.centre().y(),
+                0,
+                0);
     }
 
     /** Where a line in a direction leaves a vertex, shifted aside. */
