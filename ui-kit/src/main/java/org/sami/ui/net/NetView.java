@@ -8,7 +8,6 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -32,7 +31,6 @@ import org.sami.ui.canvas.CanvasKey;
 import org.sami.ui.canvas.CanvasMouse;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.IdentityMarks;
-import org.sami.ui.look.SemanticColor;
 
 /**
  * The net of a plan: where its author has laid it out, with tokens, firing, selection, tooltips and an overview in its corner. It pans
@@ -40,20 +38,14 @@ import org.sami.ui.look.SemanticColor;
  * event thread.
  */
 public final class NetView extends JPanel {
-    private static final double PAN_PX = 80;
-    /** The least size at which the words of a net are read. */
-    private static final double READABLE_ZOOM = 0.8;
-
-    private static final double STEP = 1.25;
     private static final int CORNER_PX = 8;
-    private static final double PICTURE_MARGIN = 24;
-    private static final double MOST_PIXELS = 50e6;
 
     private final transient NetPainter painter;
     private final NetViewer viewer = new NetViewer(this::paintNet, this::tip);
     private final transient NetViewport viewport = new NetViewport(viewer, this::viewChanged);
     private final transient NetPulse pulse = new NetPulse(System::nanoTime, viewer::repaint);
     private final NetOverview overview = new NetOverview(this, viewport);
+    private final transient NetNavigation navigation = new NetNavigation(this, viewport, overview);
     private final transient List<NetListener> listeners = new CopyOnWriteArrayList<>();
     private transient NetContent content = NetContent.NONE;
     private transient NetMarking marking = NetMarking.EMPTY;
@@ -66,8 +58,6 @@ public final class NetView extends JPanel {
     private transient NetTool tool = new NetSelectTool(this);
     private transient Function<String, Optional<String>> explanation = id -> Optional.empty();
     private transient Function<Token, String> tokenName = NetTips::name;
-    private boolean toBegin;
-    private boolean following;
     private boolean withOverview = true;
 
     /**
@@ -125,7 +115,7 @@ public final class NetView extends JPanel {
         }
         changed();
         if (another) {
-            begin();
+            navigation.begin();
         }
     }
 
@@ -154,9 +144,9 @@ public final class NetView extends JPanel {
 
     /** Shows what stands where. */
     public void setMarking(NetMarking marking) {
-        Set<String> changed = following ? marking.changedFrom(this.marking) : Set.of();
+        NetMarking before = this.marking;
         this.marking = marking;
-        reveal(changed);
+        navigation.follow(before);
         viewer.repaint();
         overview.repaint();
     }
@@ -214,10 +204,7 @@ public final class NetView extends JPanel {
         content.drawing().vertices().stream()
                 .filter(vertex -> ids.contains(vertex.id()))
                 .findFirst()
-                .filter(vertex -> !viewport.shown()
-                        .contains(vertex.centre().x(), vertex.centre().y()))
-                .ifPresent(vertex ->
-                        viewport.centre(vertex.centre().x(), vertex.centre().y()));
+                .ifPresent(navigation::centre);
         viewer.repaint();
     }
 
@@ -271,8 +258,7 @@ public final class NetView extends JPanel {
 
     /** Shows all that the mode shows, not larger than its own size. */
     public void fit() {
-        toBegin = false;
-        viewport.fit(scene.shownBounds());
+        navigation.fit();
     }
 
     /**
@@ -280,21 +266,7 @@ public final class NetView extends JPanel {
      * whoever watches a mission; an author's view stays where the author put it.
      */
     public void setFollowing(boolean following) {
-        this.following = following;
-        begin();
-    }
-
-    /** Shows a plan for the first time, as soon as the view has a size. */
-    private void begin() {
-        toBegin = getWidth() == 0 || getHeight() == 0;
-        if (toBegin) {
-            return;
-        }
-        fit();
-        if (following && viewport.zoom() < READABLE_ZOOM) {
-            viewport.setZoom(READABLE_ZOOM);
-            reveal(marking.tokens().keySet());
-        }
+        navigation.setFollowing(following);
     }
 
     /**
@@ -302,10 +274,7 @@ public final class NetView extends JPanel {
      * shown; those that the mode hides are left alone.
      */
     public void reveal(Set<String> ids) {
-        if (!toBegin) {
-            scene.boxOfLabels(ids).ifPresent(viewport::reveal);
-            scene.boxOf(ids).ifPresent(viewport::reveal); // last, as in a small view not all words fit
-        }
+        navigation.reveal(ids);
     }
 
     /**
@@ -313,23 +282,17 @@ public final class NetView extends JPanel {
      * them is seen already; what the mode hides is left alone.
      */
     public void revealWhole(Set<String> ids) {
-        if (!toBegin) {
-            scene.boxWithWords(ids).filter(box -> !isSeen(box)).ifPresent(viewport::showWhole);
-        }
-    }
-
-    /** Whether all of a box is in the view, and none of it below the overview. */
-    private boolean isSeen(DrawingBox box) {
-        Rectangle2D pixels = new Rectangle2D.Double();
-        pixels.setFrameFromDiagonal(viewport.pixel(box.x(), box.y()), viewport.pixel(box.maxX(), box.maxY()));
-        return viewer.getBounds().contains(pixels)
-                && !(overview.isVisible() && pixels.intersects(overview.getBounds()));
+        navigation.revealWhole(ids);
     }
 
     /** Shows the overview in the lower right corner while not all of the net is seen, or never. */
     public void setOverview(boolean shown) {
         withOverview = shown;
         viewChanged();
+    }
+
+    void toggleOverview() {
+        setOverview(!withOverview);
     }
 
     /** Where a point of the drawing is, in pixels of {@link #canvas}. */
@@ -356,24 +319,7 @@ public final class NetView extends JPanel {
 
     /** Does what a key does. */
     public void press(NetKey key) {
-        double x = viewer.getWidth() / 2.0;
-        double y = viewer.getHeight() / 2.0;
-        switch (key) {
-            case LEFT -> viewport.pan(-PAN_PX, 0);
-            case RIGHT -> viewport.pan(PAN_PX, 0);
-            case UP -> viewport.pan(0, -PAN_PX);
-            case DOWN -> viewport.pan(0, PAN_PX);
-            case ZOOM_IN -> viewport.scale(STEP, x, y);
-            case ZOOM_OUT -> viewport.scale(1 / STEP, x, y);
-            case ACTUAL_SIZE -> viewport.setZoom(1);
-            case FIT -> fit();
-            case NEXT -> step(1);
-            case PREVIOUS -> step(-1);
-            case OPEN -> selected.stream().findFirst().ifPresent(this::tellOpened);
-            case CLEAR -> select(Set.of());
-            case OVERVIEW -> setOverview(!withOverview);
-            case MODE -> setMode(mode.next());
-        }
+        navigation.press(key);
     }
 
     /**
@@ -382,37 +328,7 @@ public final class NetView extends JPanel {
      * @param scale pixels of a drawing unit; less where the picture would be larger than 50 million pixels
      */
     public BufferedImage picture(double scale) {
-        DrawingBox all = content.drawing().bounds().grown(PICTURE_MARGIN);
-        double bounded = Math.min(scale, Math.sqrt(MOST_PIXELS / (all.width() * all.height())));
-        BufferedImage image = new BufferedImage(
-                Math.max(1, (int) Math.ceil(all.width() * bounded)),
-                Math.max(1, (int) Math.ceil(all.height() * bounded)),
-                BufferedImage.TYPE_INT_RGB);
-        Graphics2D g = image.createGraphics();
-        g.setColor(SemanticColor.NET_CANVAS.get());
-        g.fillRect(0, 0, image.getWidth(), image.getHeight());
-        g.scale(bounded, bounded);
-        g.translate(-all.x(), -all.y());
-        painter.paint(g, bounded, scene, marking, NetLight.NONE);
-        g.dispose();
-        return image;
-    }
-
-    private void step(int by) {
-        Set<Vertex> shown = new HashSet<>(scene.vertices());
-        shown.addAll(scene.silhouettes());
-        List<Vertex> vertices = new ArrayList<>(content.drawing().vertices());
-        vertices.retainAll(shown);
-        if (vertices.isEmpty()) {
-            return;
-        }
-        List<String> ids = vertices.stream().map(Vertex::id).toList();
-        int now = selected.stream().mapToInt(ids::indexOf).max().orElse(-1);
-        Vertex next = vertices.get(Math.floorMod(now < 0 && by < 0 ? -1 : now + by, vertices.size()));
-        select(new LinkedHashSet<>(Set.of(next.id())));
-        if (!viewport.shown().contains(next.centre().x(), next.centre().y())) {
-            viewport.centre(next.centre().x(), next.centre().y());
-        }
+        return NetSnapshot.of(painter, content.drawing().bounds(), scene, marking, scale);
     }
 
     private void paintNet(Graphics2D g, double scale) {
@@ -454,9 +370,7 @@ public final class NetView extends JPanel {
         Dimension size = overview.getPreferredSize();
         overview.setBounds(
                 getWidth() - size.width - CORNER_PX, getHeight() - size.height - CORNER_PX, size.width, size.height);
-        if (toBegin) {
-            begin();
-        }
+        navigation.laidOut();
         viewChanged();
     }
 

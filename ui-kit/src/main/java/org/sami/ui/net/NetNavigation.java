@@ -1,0 +1,132 @@
+package org.sami.ui.net;
+
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.sami.spn.drawing.DrawingBox;
+import org.sami.spn.drawing.NetDrawing.Vertex;
+
+/** Moves the view over a net: to all of it, to what is to be seen, from vertex to vertex, and by keys. On the event thread. */
+final class NetNavigation {
+    private static final double PAN_PX = 80;
+    private static final double STEP = 1.25;
+    /** The least size at which the words of a net are read. */
+    private static final double READABLE_ZOOM = 0.8;
+
+    private final NetView view;
+    private final NetViewport viewport;
+    private final NetOverview overview;
+    private boolean toBegin;
+    private boolean following;
+
+    NetNavigation(NetView view, NetViewport viewport, NetOverview overview) {
+        this.view = view;
+        this.viewport = viewport;
+        this.overview = overview;
+    }
+
+    void fit() {
+        toBegin = false;
+        viewport.fit(view.scene().shownBounds());
+    }
+
+    void setFollowing(boolean following) {
+        this.following = following;
+        begin();
+    }
+
+    /** Shows a plan for the first time, as soon as the view has a size. */
+    void begin() {
+        toBegin = view.getWidth() == 0 || view.getHeight() == 0;
+        if (toBegin) {
+            return;
+        }
+        fit();
+        if (following && viewport.zoom() < READABLE_ZOOM) {
+            viewport.setZoom(READABLE_ZOOM);
+            reveal(view.marking().tokens().keySet());
+        }
+    }
+
+    /** The view has a size now. */
+    void laidOut() {
+        if (toBegin) {
+            begin();
+        }
+    }
+
+    /** Keeps places whose tokens have changed in sight, where somebody watches a mission. */
+    void follow(NetMarking before) {
+        if (following) {
+            reveal(view.marking().changedFrom(before));
+        }
+    }
+
+    void reveal(Set<String> ids) {
+        if (!toBegin) {
+            view.scene().boxOfLabels(ids).ifPresent(viewport::reveal);
+            view.scene().boxOf(ids).ifPresent(viewport::reveal); // last, as in a small view not all words fit
+        }
+    }
+
+    void revealWhole(Set<String> ids) {
+        if (!toBegin) {
+            view.scene().boxWithWords(ids).filter(box -> !isSeen(box)).ifPresent(viewport::showWhole);
+        }
+    }
+
+    /** Whether all of a box is in the view, and none of it below the overview. */
+    private boolean isSeen(DrawingBox box) {
+        Rectangle2D pixels = new Rectangle2D.Double();
+        pixels.setFrameFromDiagonal(viewport.pixel(box.x(), box.y()), viewport.pixel(box.maxX(), box.maxY()));
+        return view.canvas().getBounds().contains(pixels)
+                && !(overview.isVisible() && pixels.intersects(overview.getBounds()));
+    }
+
+    /** Shows a vertex in the middle where it is not seen. */
+    void centre(Vertex vertex) {
+        if (!viewport.shown().contains(vertex.centre().x(), vertex.centre().y())) {
+            viewport.centre(vertex.centre().x(), vertex.centre().y());
+        }
+    }
+
+    void press(NetKey key) {
+        double x = view.canvas().getWidth() / 2.0;
+        double y = view.canvas().getHeight() / 2.0;
+        switch (key) {
+            case LEFT -> viewport.pan(-PAN_PX, 0);
+            case RIGHT -> viewport.pan(PAN_PX, 0);
+            case UP -> viewport.pan(0, -PAN_PX);
+            case DOWN -> viewport.pan(0, PAN_PX);
+            case ZOOM_IN -> viewport.scale(STEP, x, y);
+            case ZOOM_OUT -> viewport.scale(1 / STEP, x, y);
+            case ACTUAL_SIZE -> viewport.setZoom(1);
+            case FIT -> fit();
+            case NEXT -> step(1);
+            case PREVIOUS -> step(-1);
+            case OPEN -> view.selected().stream().findFirst().ifPresent(view::tellOpened);
+            case CLEAR -> view.select(Set.of());
+            case OVERVIEW -> view.toggleOverview();
+            case MODE -> view.setMode(view.mode().next());
+        }
+    }
+
+    /** Selects the vertex so many behind the last of those that are selected, of those that the mode shows. */
+    private void step(int by) {
+        Set<Vertex> shown = new HashSet<>(view.scene().vertices());
+        shown.addAll(view.scene().silhouettes());
+        List<Vertex> vertices = new ArrayList<>(view.drawing().vertices());
+        vertices.retainAll(shown);
+        if (vertices.isEmpty()) {
+            return;
+        }
+        List<String> ids = vertices.stream().map(Vertex::id).toList();
+        int now = view.selected().stream().mapToInt(ids::indexOf).max().orElse(-1);
+        Vertex next = vertices.get(Math.floorMod(now < 0 && by < 0 ? -1 : now + by, vertices.size()));
+        view.select(new LinkedHashSet<>(Set.of(next.id())));
+        centre(next);
+    }
+}
