@@ -6,16 +6,20 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.ListCellRenderer;
 import net.miginfocom.swing.MigLayout;
+import org.sami.ui.look.ElidedText;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
 
 /** Shows something that was found: what it is, and below it where. */
 final class HitCell extends JPanel implements ListCellRenderer<Hit> {
+    private static final int INSET = 12;
+
     private final JLabel title = new JLabel();
     private final JLabel detail = new JLabel();
 
     HitCell() {
-        super(new MigLayout("insets 4 12 4 12, wrap, gap 0", "[grow, fill]"));
+        super(new MigLayout("insets 4 " + INSET + " 4 " + INSET + ", wrap, gap 0", "[grow, fill]"));
         add(title, "wmin 0");
         add(detail, "wmin 0");
     }
@@ -23,14 +27,20 @@ final class HitCell extends JPanel implements ListCellRenderer<Hit> {
     @Override
     public Component getListCellRendererComponent(
             JList<? extends Hit> list, Hit hit, int index, boolean selected, boolean focused) {
-        title.setText(hit.title());
         title.setFont(Fonts.text());
-        detail.setText(hit.detail());
         detail.setFont(Fonts.small());
+        show(title, hit.title(), list);
+        show(detail, hit.detail(), list);
         setToolTipText(hit.title() + ": " + hit.detail());
         setBackground((selected ? SemanticColor.SELECTION : SemanticColor.SURFACE).get());
         title.setForeground((selected ? SemanticColor.ON_SELECTION : SemanticColor.TEXT).get());
         detail.setForeground((selected ? SemanticColor.ON_SELECTION : SemanticColor.MUTED).get());
         return this;
+    }
+
+    private static void show(JLabel label, String text, JList<?> list) {
+        int room = list.getWidth() - 2 * Look.px(INSET);
+        label.setText(
+                list.getWidth() == 0 ? text : ElidedText.middle(text, label.getFontMetrics(label.getFont()), room));
     }
 }

@@ -26,7 +26,12 @@ final class HitList extends JPanel {
     private final transient DreammContext context;
     private final JLabel head = new JLabel();
     private final DefaultListModel<Hit> hits = new DefaultListModel<>();
-    private final JList<Hit> list = new JList<>(hits);
+    private final JList<Hit> list = new JList<>(hits) {
+        @Override
+        public boolean getScrollableTracksViewportWidth() {
+            return true; // names are shortened, not scrolled
+        }
+    };
 
     HitList(DreammContext context, Runnable leave) {
         super(new BorderLayout());

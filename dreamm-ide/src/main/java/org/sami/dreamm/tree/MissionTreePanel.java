@@ -47,7 +47,8 @@ public final class MissionTreePanel extends JPanel {
         search.putClientProperty("JTextField.placeholderText", "Search everything (Ctrl+Shift+F)");
         search.putClientProperty("JTextField.showClearButton", true);
         search.getAccessibleContext().setAccessibleName("Search everything");
-        JScrollPane scroll = new JScrollPane(tree);
+        JScrollPane scroll =
+                new JScrollPane(tree, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
         scroll.setBorder(null);
         middle.add(scroll, TREE);
         middle.add(hits, HITS);

@@ -80,6 +80,11 @@ final class MissionTreeView extends JTree {
                 : Optional.empty();
     }
 
+    /** Lines are shortened to the width that is seen: they are measured anew when that changes. */
+    private void measureAnew() {
+        firePropertyChange(CELL_RENDERER_PROPERTY, null, getCellRenderer());
+    }
+
     /** Shows the project as it is now. */
     void fill() {
         Set<String> expanded = new HashSet<>();
@@ -153,6 +158,20 @@ final class MissionTreeView extends JTree {
         DefaultMutableTreeNode node = new DefaultMutableTreeNode(item);
         item.children().forEach(child -> node.add(node(child)));
         return node;
+    }
+
+    @Override
+    public void setBounds(int x, int y, int width, int height) {
+        boolean another = width != getWidth();
+        super.setBounds(x, y, width, height);
+        if (another) {
+            measureAnew();
+        }
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportWidth() {
+        return true;
     }
 
     @Override

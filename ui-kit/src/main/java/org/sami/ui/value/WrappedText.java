@@ -1,6 +1,7 @@
 package org.sami.ui.value;
 
 import java.awt.Dimension;
+import java.awt.Rectangle;
 import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
 import org.sami.ui.look.Fonts;
@@ -48,6 +49,12 @@ public final class WrappedText extends JTextArea {
     @Override
     public Dimension getMinimumSize() {
         return new Dimension(LEAST_WIDTH, getPreferredSize().height);
+    }
+
+    /** Nothing: its caret would scroll whatever it is put into to each text that is set. */
+    @Override
+    public void scrollRectToVisible(Rectangle region) {
+        // it has no focus, so nobody is led to it
     }
 
     @Override

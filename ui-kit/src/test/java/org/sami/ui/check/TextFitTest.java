@@ -5,9 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Font;
 import javax.swing.JButton;
 import javax.swing.JLabel;
+import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
+import javax.swing.JTree;
+import javax.swing.tree.DefaultMutableTreeNode;
 import org.junit.jupiter.api.Test;
 
 /** The check sees what it is for: each fault is made here once, and seen. */
@@ -93,6 +96,26 @@ class TextFitTest {
         panel.add(table);
 
         assertThat(TextFit.faults(panel)).singleElement().asString().startsWith("table cuts row 0, column 0");
+    }
+
+    @Test
+    void seesARowOfAListThatIsCut() {
+        JList<String> list = new JList<>(new String[] {"a name that needs a lot of room to be read"});
+        list.setName("names");
+        JScrollPane pane = new JScrollPane(list);
+        Layout.layOut(pane, 90, 60);
+
+        assertThat(TextFit.faults(pane)).singleElement().asString().startsWith("names cuts row 0");
+    }
+
+    @Test
+    void seesAShortenedRowWithoutATooltip() {
+        JTree tree = new JTree(new DefaultMutableTreeNode("a na…ead"));
+        tree.setName("tree");
+        JScrollPane pane = new JScrollPane(tree);
+        Layout.layOut(pane, 200, 60);
+
+        assertThat(TextFit.faults(pane)).singleElement().asString().startsWith("tree has no tooltip");
     }
 
     @Test

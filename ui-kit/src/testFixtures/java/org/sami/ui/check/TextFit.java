@@ -7,6 +7,7 @@ import java.awt.FontMetrics;
 import java.awt.Insets;
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.AbstractButton;
@@ -15,12 +16,15 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JLayeredPane;
+import javax.swing.JList;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
+import javax.swing.JTree;
 import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
 import javax.swing.table.TableCellRenderer;
+import javax.swing.tree.TreePath;
 import org.sami.ui.look.Look;
 
 /**
@@ -60,6 +64,10 @@ public final class TextFit {
             return; // its parts are its own
         } else if (component instanceof JTable table) {
             checkCells(table);
+        } else if (component instanceof JList<?> list) {
+            checkRows(list);
+        } else if (component instanceof JTree tree) {
+            checkRows(tree);
         }
         if (component instanceof Container container) {
             checkChildren(container);
@@ -137,6 +145,61 @@ public final class TextFit {
                 }
             }
         }
+    }
+
+    private <T> void checkRows(JList<T> list) {
+        for (int row = 0; row < list.getModel().getSize(); row++) {
+            Component cell = list.getCellRenderer()
+                    .getListCellRendererComponent(list, list.getModel().getElementAt(row), row, false, false);
+            Rectangle bounds = list.getCellBounds(row, row);
+            checkRow(list, cell, bounds, row);
+        }
+    }
+
+    private void checkRows(JTree tree) {
+        for (int row = 0; row < tree.getRowCount(); row++) {
+            TreePath path = tree.getPathForRow(row);
+            boolean leaf = tree.getModel().isLeaf(path.getLastPathComponent());
+            Component cell = tree.getCellRenderer()
+                    .getTreeCellRendererComponent(
+                            tree, path.getLastPathComponent(), false, tree.isExpanded(row), leaf, row, false);
+            checkRow(tree, cell, tree.getRowBounds(row), row);
+        }
+    }
+
+    /** A row of a list or tree is as wide as it wants to be; where it leaves something out, the tooltip says the whole. */
+    private void checkRow(JComponent owner, Component cell, Rectangle bounds, int row) {
+        int room = owner.getParent() instanceof JViewport viewport ? viewport.getWidth() : owner.getWidth();
+        int wanted = bounds.x + cell.getPreferredSize().width;
+        if (wanted > room + SLACK_PX || bounds.height + SLACK_PX < cell.getPreferredSize().height) {
+            faults.add(nameOf(owner) + " cuts row " + row + ", which needs " + wanted + " x "
+                    + cell.getPreferredSize().height + " px: " + bounds.width + " x " + bounds.height + " of " + room);
+        }
+        MouseEvent over = new MouseEvent(
+                owner,
+                MouseEvent.MOUSE_MOVED,
+                0,
+                0,
+                bounds.x + bounds.width / 2,
+                bounds.y + bounds.height / 2,
+                0,
+                false);
+        String tip = owner.getToolTipText(over);
+        texts(cell).stream()
+                .filter(text -> text.contains("…") && (tip == null || tip.length() < text.length()))
+                .forEach(text -> faults.add(nameOf(owner) + " has no tooltip that says the whole of \"" + text + "\""));
+    }
+
+    private static List<String> texts(Component cell) {
+        List<String> texts = new ArrayList<>();
+        if (cell instanceof JLabel label && label.getText() != null) {
+            texts.add(label.getText());
+        } else if (cell instanceof Container container) {
+            for (Component child : container.getComponents()) {
+                texts.addAll(texts(child));
+            }
+        }
+        return texts;
     }
 
     /** Texts lie inside of what holds them, and not on one another. */
