@@ -4,9 +4,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.help.Explained;
+import org.sami.dreamm.help.HelpTopic;
+import org.sami.dreamm.help.HelpTopics;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.FieldEdit;
 import org.sami.spn.model.FieldSource;
@@ -14,26 +20,29 @@ import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.FieldType;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.value.ValueField;
+import org.sami.ui.value.WrappedText;
 
 /**
  * One field of an event: where it comes from – a value, asked of the operator, a variable, the entering task – and into which variable it is
  * written (thesis, Figure 5.3).
  */
-final class FieldRow extends Form {
+final class FieldRow extends Form implements Explained {
     private static final String NEW_VARIABLE = "new variable…";
     private static final String NOWHERE = "no variable";
 
     private final transient DreammContext context;
     private final transient Scope scope;
     private final String event;
+    private final transient EventType type;
     private final transient FieldType field;
     private final String name;
-    private transient Optional<ValueRow> drafted = Optional.empty();
+    private final JPanel below = new JPanel(new MigLayout("insets 0, gap 0 4, fillx, wrap 1", "[grow, fill]"));
 
     /** Where a field of an output event can come from. */
     enum Source {
@@ -65,14 +74,16 @@ final class FieldRow extends Form {
         }
     }
 
-    private FieldRow(DreammContext context, Scope scope, String event, FieldType field) {
+    private FieldRow(DreammContext context, Scope scope, String event, EventType type, FieldType field) {
         this.context = context;
         this.scope = scope;
         this.event = event;
+        this.type = type;
         this.field = field;
         this.name =
                 "field-" + field.name().replaceAll("([a-z0-9])([A-Z])", "$1-$2").toLowerCase(java.util.Locale.ROOT);
         setName(name);
+        below.setOpaque(false);
         JLabel title =
                 new JLabel(ValueField.words(field.name()) + (field.unit().isEmpty() ? "" : " (" + field.unit() + ")"));
         title.setFont(Fonts.strong());
@@ -80,18 +91,24 @@ final class FieldRow extends Form {
         add(title, "span 2, growx, wmin 0, gaptop 4");
     }
 
-    static FieldRow of(DreammContext context, Scope scope, OutputEventSpec spec, FieldType field) {
-        FieldRow row = new FieldRow(context, scope, spec.id(), field);
+    static FieldRow of(DreammContext context, Scope scope, OutputEventSpec spec, EventType type, FieldType field) {
+        FieldRow row = new FieldRow(context, scope, spec.id(), type, field);
         row.source(Optional.ofNullable(spec.fields().get(field.name())));
         row.writes(spec.writes());
         return row;
     }
 
-    static FieldRow of(DreammContext context, Scope scope, InputEventSpec spec, FieldType field) {
-        FieldRow row = new FieldRow(context, scope, spec.id(), field);
+    static FieldRow of(DreammContext context, Scope scope, InputEventSpec spec, EventType type, FieldType field) {
+        FieldRow row = new FieldRow(context, scope, spec.id(), type, field);
         row.writes(spec.writes());
         row.selects(Optional.ofNullable(spec.fields().get(field.name())));
         return row;
+    }
+
+    @Override
+    public Optional<HelpTopic> help() {
+        return Optional.of(
+                new HelpTopics(context.vocabulary(), context.additions().library()).field(field, type.label()));
     }
 
     private void apply(Edit edit) {
@@ -112,9 +129,10 @@ final class FieldRow extends Form {
                 Optional.of(now),
                 s -> s == Source.NOTHING ? nothing() : s.words,
                 chosen -> choose(chosen, source));
+        wide(below);
         switch (now) {
             case NOTHING ->
-                note(
+                say(
                         field.required() ? "▲ Needed: say where it comes from." : nothing() + ".",
                         field.required() ? SemanticColor.CRITICAL : SemanticColor.MUTED);
             case VALUE -> value(source.map(s -> ((FieldSource.Fixed) s).value()), FieldSource.Fixed::new);
@@ -138,7 +156,7 @@ final class FieldRow extends Form {
                                 v,
                                 chosen -> new FieldEdit.SetField(
                                         scope.plan().id(), event, field.name(), new FieldSource.FromVariable(chosen))));
-            case TASK -> note("The field \"" + field.name() + "\" of each task that enters.", SemanticColor.MUTED);
+            case TASK -> say("The field \"" + field.name() + "\" of each task that enters.", SemanticColor.MUTED);
         }
     }
 
@@ -180,17 +198,27 @@ final class FieldRow extends Form {
 
     /** An editor for a value that has to be given before the field can have this source. */
     private void draft(Function<Value, FieldSource> source) {
-        drafted.ifPresent(this::remove); // keys choose each source that they pass
-        drafted = Optional.of(value(Optional.empty(), source));
+        value(Optional.empty(), source);
         revalidate();
         repaint();
     }
 
-    private ValueRow value(Optional<Value> value, Function<Value, FieldSource> source) {
-        ValueField of = ValueField.of(field);
-        ValueRow row = new ValueRow(context.values().editor(of), value, v -> set(source.apply(v)));
-        add(row, "span 2, growx, wmin 0, gapbottom " + Spacing.TIGHT);
-        return row;
+    private void value(Optional<Value> value, Function<Value, FieldSource> source) {
+        edit(value, v -> set(source.apply(v)));
+    }
+
+    /** Puts an editor below the choice that it belongs to, in place of what stood there: keys choose each source that they pass. */
+    private void edit(Optional<Value> value, Consumer<Value> given) {
+        below.removeAll();
+        below.add(
+                new ValueRow(context.values().editor(ValueField.of(field)), value, given),
+                "wmin 0, gapbottom " + Spacing.TIGHT);
+    }
+
+    private void say(String text, SemanticColor color) {
+        WrappedText line = new WrappedText(text);
+        line.setColor(color);
+        below.add(line, "wmin 0");
     }
 
     private List<String> variables() {
@@ -239,23 +267,20 @@ final class FieldRow extends Form {
                 one -> one ? "it is" : field.required() ? "– say which –" : "whatever it is",
                 one -> {
                     if (one) {
-                        input(Optional.empty());
+                        only(Optional.empty());
                         revalidate();
                         repaint();
                     } else {
                         apply(new FieldEdit.ClearField(scope.plan().id(), event, field.name()));
                     }
                 });
+        wide(below);
         if (value.isPresent()) {
-            input(value);
+            only(value);
         }
     }
 
-    private void input(Optional<Value> value) {
-        ValueRow row = new ValueRow(
-                context.values().editor(ValueField.of(field)),
-                value,
-                v -> apply(new FieldEdit.SetInputField(scope.plan().id(), event, field.name(), v)));
-        add(row, "span 2, growx, wmin 0");
+    private void only(Optional<Value> value) {
+        edit(value, v -> apply(new FieldEdit.SetInputField(scope.plan().id(), event, field.name(), v)));
     }
 }

@@ -5,6 +5,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JPanel;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.help.HelpTopic;
+import org.sami.dreamm.help.HelpTopics;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
@@ -61,6 +63,11 @@ final class InRequirementRows extends RequirementRows<InRequirement> {
             case EXACTLY -> "=";
             case ALL -> "All";
         };
+    }
+
+    @Override
+    HelpTopic topic(HelpTopics topics, InRequirement r) {
+        return topics.requirement(r);
     }
 
     @Override

@@ -1,11 +1,8 @@
 package org.sami.dreamm.inspector;
 
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.Dimension;
-import java.awt.KeyboardFocusManager;
+import java.awt.Point;
 import java.awt.Rectangle;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -14,18 +11,16 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.Scrollable;
-import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.EditorListener;
+import org.sami.dreamm.issues.LiveFindings;
 import org.sami.dreamm.palette.PaletteItem;
 import org.sami.dreamm.palette.PaletteList;
-import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
-import org.sami.spn.model.Project;
 import org.sami.spn.model.Transition;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.wizard.AddEvent;
@@ -45,13 +40,21 @@ public final class InspectorPanel extends JPanel {
     private final JScrollPane scrolled =
             new JScrollPane(column, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
     private final JPanel found = new JPanel(new MigLayout("insets 0, wrap 1, fillx", "[grow, fill]"));
-    private transient List<Finding> findings = List.of();
+    private final transient LiveFindings live;
+    private transient List<Finding> shownFindings = List.of();
+    private transient Optional<String> shownPlan = Optional.empty();
+    private transient Set<String> shownSelection = Set.of();
     private boolean giving;
 
-    /** The inspector of a window. */
-    public InspectorPanel(DreammContext context) {
+    /**
+     * The inspector of a window.
+     *
+     * @param live the findings about the document, which all panels share
+     */
+    public InspectorPanel(DreammContext context, LiveFindings live) {
         super(new MigLayout("insets " + Spacing.NORMAL + ", gap 0 4, wrap 1, fill", "[grow, fill]", "[][grow, fill]"));
         this.context = context;
+        this.live = live;
         setName("inspector-panel");
         title.setName("inspector-title");
         found.setOpaque(false);
@@ -61,11 +64,12 @@ public final class InspectorPanel extends JPanel {
         scrolled.getVerticalScrollBar().setUnitIncrement(Look.px(STEP));
         add(title, "wmin 0");
         add(scrolled, "wmin 0, hmin 0");
-        context.document().addListener(change -> changed());
+        context.document().addListener(change -> rebuild());
+        live.addListener(this::findingsChanged);
         context.editor().addListener(new EditorListener() {
             @Override
             public void planOpened() {
-                changed();
+                rebuild();
             }
 
             @Override
@@ -74,7 +78,7 @@ public final class InspectorPanel extends JPanel {
                 rebuild();
             }
         });
-        changed();
+        rebuild();
     }
 
     @Override
@@ -84,15 +88,6 @@ public final class InspectorPanel extends JPanel {
         if (title != null) {
             title.setFont(Fonts.heading());
         }
-    }
-
-    private void changed() {
-        rebuild();
-        Project project = context.document().project();
-        context.background().run("Checking the plan", () -> PlanChecks.check(project, context.vocabulary()), found -> {
-            findings = found;
-            showFindings();
-        });
     }
 
     /** Another vertex was selected before the field was left: what stands in it is taken first. */
@@ -105,22 +100,26 @@ public final class InspectorPanel extends JPanel {
         }
     }
 
-    /** Shows what is selected now; the focus stays in the field of the same name. */
+    /** Shows what is selected now. Of the same selection, what the author works at stays where it is. */
     private void rebuild() {
         if (giving) {
             return;
         }
-        Optional<String> focus = Optional.ofNullable(
-                        KeyboardFocusManager.getCurrentKeyboardFocusManager().getPermanentFocusOwner())
-                .filter(owner -> SwingUtilities.isDescendingFrom(owner, this))
-                .map(Component::getName);
-        int at = scrolled.getVerticalScrollBar().getValue();
+        Optional<String> plan = context.editor().planId();
+        Set<String> selection = Set.copyOf(context.editor().selection());
+        boolean same = plan.equals(shownPlan) && selection.equals(shownSelection);
+        shownPlan = plan;
+        shownSelection = selection;
+        ScrollAnchor anchor = ScrollAnchor.of(scrolled);
         column.removeAll();
         context.editor().plan().ifPresentOrElse(this::fill, () -> title.setText("No plan is open"));
         column.revalidate();
         column.repaint();
-        scrolled.getVerticalScrollBar().setValue(at);
-        focus.flatMap(name -> find(column, name)).ifPresent(Component::requestFocusInWindow);
+        if (same) {
+            anchor.restore();
+        } else {
+            scrolled.getViewport().setViewPosition(new Point());
+        }
     }
 
     private void fill(Plan plan) {
@@ -151,21 +150,28 @@ public final class InspectorPanel extends JPanel {
         }
     }
 
-    /** The findings about what is selected; the fields below are left alone, for somebody may be typing. */
+    /** Findings come a moment after the edit that they are about: what the author works at stays where it is. */
+    private void findingsChanged() {
+        if (!selectedFindings().equals(shownFindings)) {
+            ScrollAnchor anchor = ScrollAnchor.of(scrolled);
+            showFindings();
+            anchor.restore();
+        }
+    }
+
     private void showFindings() {
+        shownFindings = selectedFindings();
         found.removeAll();
-        context.editor().plan().ifPresent(plan -> {
-            Selected selected = Selected.of(plan, context.editor().selection());
-            Set<String> ids = new LinkedHashSet<>(selected.elements());
-            selected.places().forEach(p -> {
-                p.outputs().forEach(o -> ids.add(o.id()));
-                p.subMissions().forEach(s -> ids.add(s.id()));
-            });
-            selected.transitions().forEach(t -> t.inputs().forEach(i -> ids.add(i.id())));
-            found.add(new FindingRows(context, findings, plan.id(), ids), "wmin 0");
-        });
+        found.add(new FindingRows(context, shownFindings), "wmin 0");
         found.revalidate();
         found.repaint();
+    }
+
+    private List<Finding> selectedFindings() {
+        return context.editor()
+                .plan()
+                .map(plan -> Selected.of(plan, context.editor().selection()).findings(plan, live.findings()))
+                .orElse(List.of());
     }
 
     private JComponent lock(Plan plan, Selected selected) {
@@ -216,19 +222,6 @@ public final class InspectorPanel extends JPanel {
                                 context.additions().mode(),
                                 context.additions().library()))));
         column.add(form, "hmin 160");
-    }
-
-    private static Optional<Component> find(Container root, String name) {
-        for (Component child : root.getComponents()) {
-            if (name.equals(child.getName())) {
-                return Optional.of(child);
-            }
-            Optional<Component> found = child instanceof Container inner ? find(inner, name) : Optional.empty();
-            if (found.isPresent()) {
-                return found;
-            }
-        }
-        return Optional.empty();
     }
 
     /** As wide as the panel, as high as what it holds. */

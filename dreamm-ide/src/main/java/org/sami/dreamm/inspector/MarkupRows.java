@@ -11,6 +11,9 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.help.Explained;
+import org.sami.dreamm.help.HelpTopic;
+import org.sami.dreamm.help.HelpTopics;
 import org.sami.spn.edit.EventEdit;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.value.Value;
@@ -35,7 +38,7 @@ final class MarkupRows extends Form {
         this.event = event;
         setName("event-markups");
         for (MarkupSpec markup : markups) {
-            context.vocabulary().markup(markup.type()).ifPresent(type -> show(markup, type));
+            context.vocabulary().markup(markup.type()).ifPresent(type -> wide(new MarkupCard(markup, type)));
         }
         Map<String, MarkupType> others = new TreeMap<>();
         context.vocabulary().markups().values().stream()
@@ -55,28 +58,41 @@ final class MarkupRows extends Form {
         return "markup-" + markup.replaceAll("([a-z0-9])([A-Z])", "$1-$2").toLowerCase(java.util.Locale.ROOT);
     }
 
-    private void show(MarkupSpec markup, MarkupType type) {
-        JPanel head = new JPanel(new MigLayout("insets 4 0 0 0, gap 2, fillx", "[grow, fill][]"));
-        head.setOpaque(false);
-        JLabel title = new JLabel("◆ " + type.label());
-        title.setFont(Fonts.strong());
-        title.setToolTipText(type.help());
-        head.add(title, "wmin 0");
-        head.add(button(
-                "×",
-                name(type.name()) + "-remove",
-                "Remove the markup " + type.label(),
-                () -> context.apply(new EventEdit.RemoveMarkup(plan, event, markup.type()))));
-        wide(head);
-        note(type.help(), SemanticColor.MUTED);
-        for (FieldType option : type.options()) {
-            ValueEditor editor = context.values().editor(field(type, option));
-            Optional<Value> value = markup.option(option.name()).or(option::defaultValue);
-            row(option, new ValueRow(editor, value, v -> {
-                Map<String, Value> options = new LinkedHashMap<>(markup.options());
-                options.put(option.name(), v);
-                context.apply(new EventEdit.SetMarkup(plan, event, new MarkupSpec(markup.type(), options)));
-            }));
+    /** One markup that the event has. */
+    private final class MarkupCard extends Form implements Explained {
+        private final transient MarkupType type;
+
+        MarkupCard(MarkupSpec markup, MarkupType type) {
+            this.type = type;
+            setName(MarkupRows.name(type.name()));
+            JPanel head = new JPanel(new MigLayout("insets 4 0 0 0, gap 2, fillx", "[grow, fill][]"));
+            head.setOpaque(false);
+            JLabel title = new JLabel("◆ " + type.label());
+            title.setFont(Fonts.strong());
+            title.setToolTipText(type.help());
+            head.add(title, "wmin 0");
+            head.add(button(
+                    "×",
+                    MarkupRows.name(type.name()) + "-remove",
+                    "Remove the markup " + type.label(),
+                    () -> context.apply(new EventEdit.RemoveMarkup(plan, event, markup.type()))));
+            wide(head);
+            note(type.help(), SemanticColor.MUTED);
+            for (FieldType option : type.options()) {
+                ValueEditor editor = context.values().editor(field(type, option));
+                Optional<Value> value = markup.option(option.name()).or(option::defaultValue);
+                option(this, option, new ValueRow(editor, value, v -> {
+                    Map<String, Value> options = new LinkedHashMap<>(markup.options());
+                    options.put(option.name(), v);
+                    context.apply(new EventEdit.SetMarkup(plan, event, new MarkupSpec(markup.type(), options)));
+                }));
+            }
+        }
+
+        @Override
+        public Optional<HelpTopic> help() {
+            return Optional.of(
+                    new HelpTopics(context.vocabulary(), context.additions().library()).markup(type));
         }
     }
 
@@ -86,11 +102,11 @@ final class MarkupRows extends Form {
                 type.name() + "." + option.name(), field.label(), field.type(), field.unit(), field.help());
     }
 
-    private void row(FieldType option, ValueRow editor) {
+    private static void option(Form form, FieldType option, ValueRow editor) {
         JLabel caption = new JLabel(ValueField.words(option.name()));
         caption.setToolTipText(option.help());
-        add(caption, "span 2, growx, wmin 0");
-        add(editor, "span 2, growx, wmin 0");
+        form.add(caption, "span 2, growx, wmin 0");
+        form.add(editor, "span 2, growx, wmin 0");
     }
 
     /** Adds a markup at once where all that it needs has a value, else asks for that first. */
@@ -111,7 +127,7 @@ final class MarkupRows extends Form {
         for (FieldType option : needed) {
             ValueEditor editor = context.values().editor(field(type, option));
             editors.put(option.name(), editor);
-            row(option, new ValueRow(editor, Optional.empty(), v -> {}));
+            option(this, option, new ValueRow(editor, Optional.empty(), v -> {}));
         }
         JButton add = button("Add " + type.label(), name(type.name()) + "-add", "Add the markup", () -> {
             Map<String, Value> options = new LinkedHashMap<>();

@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.JPanel;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.help.HelpTopic;
+import org.sami.dreamm.help.HelpTopics;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.OutEdge;
@@ -61,6 +63,11 @@ final class OutRequirementRows extends RequirementRows<OutRequirement> {
             case CONSUME -> "Consume";
             case ADD -> "Add";
         };
+    }
+
+    @Override
+    HelpTopic topic(HelpTopics topics, OutRequirement r) {
+        return topics.requirement(r);
     }
 
     @Override

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
+import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -13,6 +14,9 @@ import javax.swing.JSpinner;
 import javax.swing.SpinnerNumberModel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.help.Explained;
+import org.sami.dreamm.help.HelpTopic;
+import org.sami.dreamm.help.HelpTopics;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.wizard.ComputeRequirements;
@@ -92,9 +96,9 @@ abstract class RequirementRows<R> extends Form {
     }
 
     private JPanel row(int at) {
-        JPanel panel = new JPanel(new MigLayout("insets 0, gap 4, fillx"));
-        panel.setOpaque(false);
         R r = all.get(at);
+        JPanel panel = new Row(() ->
+                topic(new HelpTopics(context.vocabulary(), context.additions().library()), r));
         if (kind(r) != TokenKind.UNCONDITIONAL) {
             quantity(panel, r, at);
         }
@@ -119,6 +123,24 @@ abstract class RequirementRows<R> extends Form {
         }));
         return panel;
     }
+
+    /** What one requirement asks for. */
+    private static final class Row extends JPanel implements Explained {
+        private final transient Supplier<HelpTopic> topic;
+
+        Row(Supplier<HelpTopic> topic) {
+            super(new MigLayout("insets 0, gap 4, fillx"));
+            this.topic = topic;
+            setOpaque(false);
+        }
+
+        @Override
+        public Optional<HelpTopic> help() {
+            return Optional.of(topic.get());
+        }
+    }
+
+    abstract HelpTopic topic(HelpTopics topics, R r);
 
     abstract void quantity(JPanel panel, R r, int at);
 

@@ -3,6 +3,7 @@ package org.sami.dreamm.inspector;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import org.sami.spn.finding.Finding;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.Place;
@@ -62,6 +63,20 @@ record Selected(
         places.forEach(p -> ids.add(p.id()));
         transitions.forEach(t -> ids.add(t.id()));
         return ids;
+    }
+
+    /** Those of some findings that are about what is selected, or about an event or a sub-mission of it. */
+    List<Finding> findings(Plan plan, List<Finding> all) {
+        Set<String> ids = elements();
+        places.forEach(p -> {
+            p.outputs().forEach(o -> ids.add(o.id()));
+            p.subMissions().forEach(s -> ids.add(s.id()));
+        });
+        transitions.forEach(t -> t.inputs().forEach(i -> ids.add(i.id())));
+        return all.stream()
+                .filter(f -> f.plan().equals(plan.id()))
+                .filter(f -> f.elements().stream().anyMatch(ids::contains))
+                .toList();
     }
 
     Set<String> edgeIds() {

@@ -1,6 +1,7 @@
 package org.sami.dreamm.palette;
 
 import java.awt.Component;
+import java.awt.Insets;
 import java.awt.datatransfer.Transferable;
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
@@ -27,13 +28,17 @@ import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.canvas.NetDropTransfer;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.help.Explained;
+import org.sami.dreamm.help.HelpTopic;
+import org.sami.dreamm.help.HelpTopics;
+import org.sami.ui.look.ElidedText;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
 /** A list of what can be added, by groups, with a field above it that narrows it by typing. Items can be dragged; Enter takes one. */
-public final class PaletteList extends JPanel {
+public final class PaletteList extends JPanel implements Explained {
     private static final int ROWS = 8;
 
     private final transient DreammContext context;
@@ -41,7 +46,12 @@ public final class PaletteList extends JPanel {
     private final transient Consumer<PaletteItem> taken;
     private final JTextField search = new JTextField();
     private final DefaultListModel<Object> rows = new DefaultListModel<>();
-    private final JList<Object> list = new JList<>(rows);
+    private final JList<Object> list = new JList<>(rows) {
+        @Override
+        public boolean getScrollableTracksViewportWidth() {
+            return true; // names are shortened, not scrolled
+        }
+    };
 
     /**
      * A list.
@@ -170,6 +180,17 @@ public final class PaletteList extends JPanel {
         return list.getSelectedValue() instanceof PaletteItem item ? Optional.of(item) : Optional.empty();
     }
 
+    @Override
+    public Optional<HelpTopic> help() {
+        return selected()
+                .map(item -> item instanceof PaletteItem.Event event
+                        ? new HelpTopics(
+                                        context.vocabulary(),
+                                        context.additions().library())
+                                .event(event.type())
+                        : new HelpTopic(item.label(), "Can be added to the plan", item.help(), List.of()));
+    }
+
     /** Has somebody told when another item is marked. */
     void whenSelected(Runnable listener) {
         list.addListSelectionListener(e -> listener.run());
@@ -203,7 +224,14 @@ public final class PaletteList extends JPanel {
             if (heading) {
                 label.setForeground(SemanticColor.MUTED.get());
             }
-            label.setToolTipText(row instanceof PaletteItem item ? item.help() : null);
+            Insets insets = label.getInsets();
+            int room = owner.getWidth() - insets.left - insets.right;
+            String shown =
+                    owner.getWidth() == 0 ? text : ElidedText.middle(text, label.getFontMetrics(label.getFont()), room);
+            label.setText(shown);
+            String help = row instanceof PaletteItem item ? item.help() : "";
+            String tip = shown.equals(text) ? help : text + (help.isEmpty() ? "" : ": " + help);
+            label.setToolTipText(tip.isEmpty() ? null : tip);
             return label;
         }
     }

@@ -123,7 +123,9 @@ final class DreammMenus {
                 "deep-never-reached",
                 "deep-stop"));
         bar.add(menus.view(panels));
-        bar.add(menus.help());
+        JMenu help = menus.help();
+        menus.add(help, "", "help-here");
+        bar.add(help);
         return bar;
     }
 }

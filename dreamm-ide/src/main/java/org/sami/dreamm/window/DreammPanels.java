@@ -32,7 +32,7 @@ final class DreammPanels {
                         new DockPanel("mission-tree", "Mission tree", "layers", new MissionTreePanel(context)),
                         new DockPanel("model-view", "Model view", "net", net),
                         new DockPanel("palette", "Palette", "plus", new PalettePanel(context)),
-                        new DockPanel("inspector", "Inspector", "edit", new InspectorPanel(context)),
+                        new DockPanel("inspector", "Inspector", "edit", new InspectorPanel(context, run.live())),
                         new DockPanel("issues", "Issues", "alarm", run.issues()),
                         new DockPanel("try-out", "Try it", "play", run.tryOut()),
                         new DockPanel("replay", "Journal", "clock", run.replay()),

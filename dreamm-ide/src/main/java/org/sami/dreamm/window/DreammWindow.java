@@ -15,6 +15,7 @@ import org.sami.dreamm.export.ExportCommands;
 import org.sami.dreamm.file.FileCommands;
 import org.sami.dreamm.file.RecentProjects;
 import org.sami.dreamm.file.RecoveryFolder;
+import org.sami.dreamm.help.HelpCommands;
 import org.sami.dreamm.start.AuthorDirectory;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandKeys;
@@ -51,6 +52,7 @@ public final class DreammWindow {
         files = new FileCommands(context, frame, new RecentProjects(settings), recovery);
         EditCommands.addTo(context);
         ExportCommands.addTo(context);
+        new HelpCommands(context).addTo(frame);
         run = new RunParts(context);
         DreammPanels panels = new DreammPanels(context, run);
         dock = new DockArea(frame, panels.all(), DreammPanels.FIRST, data.arrangement(context.profile()));

@@ -25,6 +25,7 @@ final class RunParts implements AutoCloseable {
     private final ExecutorService searching = worker("dreamm-search");
     private final ExecutorService replaying = worker("dreamm-replay");
     private final DreammContext context;
+    private final LiveFindings live;
     private final IssueList issues;
     private final IssueCommands issueCommands;
     private final TryOut tryOut;
@@ -40,7 +41,7 @@ final class RunParts implements AutoCloseable {
      */
     RunParts(DreammContext context) {
         this.context = context;
-        LiveFindings live = new LiveFindings(context.document(), checking, EventThread.executor(), System::nanoTime);
+        live = new LiveFindings(context.document(), checking, EventThread.executor(), System::nanoTime);
         DeepSearch deep = new DeepSearch(searching, EventThread.executor());
         issues = new IssueList(context.document(), context.editor(), live, deep);
         tryOut = new TryOut(context.document());
@@ -63,6 +64,11 @@ final class RunParts implements AutoCloseable {
 
     private void show(String panel) {
         context.commands().find(panel).ifPresent(command -> command.run());
+    }
+
+    /** The findings about the document, which all panels share. */
+    LiveFindings live() {
+        return live;
     }
 
     IssueList issueList() {

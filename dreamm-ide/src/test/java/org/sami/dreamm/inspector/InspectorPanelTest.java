@@ -10,6 +10,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -18,8 +19,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.dreamm.OnEventThread;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.ProjectDocument;
+import org.sami.dreamm.issues.LiveFindings;
 import org.sami.dreamm.profile.Profile;
 import org.sami.spn.drawing.RequirementWords;
+import org.sami.spn.edit.FieldEdit;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.InEdge;
@@ -55,7 +58,8 @@ class InspectorPanelTest {
                 library, new ProjectDocument(library.vocabulary(), library.combined(), Optional.empty()), Profile.ALL);
         context.editor().open(plan);
         context.editor().select(List.of(selected));
-        panel = new InspectorPanel(context);
+        panel = new InspectorPanel(
+                context, new LiveFindings(context.document(), Runnable::run, Runnable::run, System::nanoTime));
     }
 
     private Plan plan() {
@@ -158,6 +162,36 @@ class InspectorPanelTest {
         List<ValueRow> rows = new ArrayList<>();
         collect(panel, ValueRow.class, rows);
         assertThat(rows).hasSize(1);
+    }
+
+    /** As with all editors: what is asked for stands below the choice that asks, and above what has nothing to do with it. */
+    @Test
+    void valueThatASourceNeedsIsAskedBelowTheChoiceOfTheSource() {
+        open("crw", "station-keep", "hold");
+        choose("field-duration-source", FieldRow.Source.NOTHING);
+
+        choose("field-duration-source", FieldRow.Source.VALUE);
+
+        Layout.layOut(panel, Look.px(WIDTH), Look.px(HEIGHT));
+        assertThat(top(valueRow("duration")))
+                .isGreaterThan(top(find("field-duration-source", JComboBox.class)))
+                .isLessThan(top(find("field-duration-write", JComboBox.class)));
+    }
+
+    private int top(JComponent component) {
+        return SwingUtilities.convertPoint(component, 0, 0, panel).y;
+    }
+
+    @Test
+    void selectedVertexShowsTheFindingsThatTheIssuesViewShows() {
+        open("crw", "station-keep", "assemble");
+
+        context.apply(new FieldEdit.ClearField("station-keep", event("assemble").id(), "spacing"));
+
+        assertThat(Layout.find(panel, "inspector-findings", JComponent.class)
+                        .orElseThrow()
+                        .getComponentCount())
+                .isPositive();
     }
 
     private ValueRow valueRow(String field) {
