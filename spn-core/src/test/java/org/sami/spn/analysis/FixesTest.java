@@ -44,8 +44,8 @@ class FixesTest {
             "W-VARIABLE-UNREAD",
             "W-WAITS-FOR-NOTHING");
 
-    static List<PlanChecksTest.Case> cases() {
-        List<PlanChecksTest.Case> cases = new ArrayList<>(PlanChecksTest.cases());
+    static List<PlanCheckCase> cases() {
+        List<PlanCheckCase> cases = new ArrayList<>(PlanCheckCases.all());
         cases.add(bad(
                 "E-NO-START", begun().end("end").in("go", "t", "generic >= 1").out("t", "end", "take all any")));
         cases.add(bad(
@@ -64,14 +64,14 @@ class FixesTest {
         return new NetBuilder("plan");
     }
 
-    private static PlanChecksTest.Case bad(String code, NetBuilder net) {
+    private static PlanCheckCase bad(String code, NetBuilder net) {
         Project project = NetBuilder.project(net.build());
-        return new PlanChecksTest.Case(code, project, project);
+        return new PlanCheckCase(code, project, project);
     }
 
     @ParameterizedTest
     @MethodSource("cases")
-    void fixTakesItsFindingAwayAndAddsNoError(PlanChecksTest.Case one) {
+    void fixTakesItsFindingAwayAndAddsNoError(PlanCheckCase one) {
         List<Finding> before = PlanChecks.check(one.bad(), CheckWords.WORDS);
         for (Finding finding : before) {
             for (Fix fix : finding.fixes()) {

@@ -128,7 +128,7 @@ class GeographyChecksTest {
     }
 
     /** For each code a plan that must be found, and one like it that must pass without that finding. */
-    static List<PlanChecksTest.Case> pairs() {
+    static List<PlanCheckCase> pairs() {
         ListValue far = list(at(0, 0), at(100, 0), at(200, 50), at(50_000, 0));
         ListValue near = list(at(0, 0), at(100, 0), at(200, 50), at(3000, 0));
         GeoPoint right = at(300, 0);
@@ -154,8 +154,8 @@ class GeographyChecksTest {
         return Map.of("area", fixed(square(0, 0, 1000)), "spacing", fixed(new RealValue(spacingM)));
     }
 
-    private static PlanChecksTest.Case pair(String code, Map<String, FieldSource> bad, Map<String, FieldSource> good) {
-        return new PlanChecksTest.Case(
+    private static PlanCheckCase pair(String code, Map<String, FieldSource> bad, Map<String, FieldSource> good) {
+        return new PlanCheckCase(
                 code, project(visit(bad).build()), project(visit(good).build()), WORDS);
     }
 
