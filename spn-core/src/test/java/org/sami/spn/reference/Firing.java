@@ -62,6 +62,7 @@ final class Firing {
             places.pulled(m, left, returns);
         }
         nobodys.forEach(places::end);
+        places.askWithoutWithdrawn();
         List<Visit> entered = new ArrayList<>();
         for (OutEdge edge : m.outEdges(t)) {
             List<Token> tokens =

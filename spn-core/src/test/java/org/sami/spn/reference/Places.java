@@ -32,6 +32,7 @@ final class Places {
     private final Attention attention;
     private final Variables variables;
     private final List<Withdrawn> withdrawn = new ArrayList<>();
+    private final Map<Mission, List<String>> boatsWithdrawn = new LinkedHashMap<>();
     private Roles roles;
     private Missions missions;
 
@@ -288,6 +289,9 @@ final class Places {
             m.tokensIn(place).stream().filter(c -> c.token.equals(token)).forEach(copies::add);
         }
         copies.stream().map(c -> new Withdrawn(m, c.visit.place)).distinct().forEach(withdrawn::add);
+        if (!copies.isEmpty() && token instanceof Token.Proxy boat) {
+            boatsWithdrawn.computeIfAbsent(m, key -> new ArrayList<>()).add(boat.proxy());
+        }
         remove(m, copies);
         if (!copies.isEmpty()) {
             world.boatOf(token).ifPresent(boat -> world.effects.add(new Effect.CommandsWithdrawn(m.id, List.of(boat))));
@@ -302,6 +306,12 @@ final class Places {
         List<Withdrawn> places = new ArrayList<>(withdrawn);
         withdrawn.clear();
         places.forEach(w -> lookAfterLeaving(w.mission(), w.place()));
+    }
+
+    /** Who was withdrawn from an instance is offered there no longer (R-DEC-8). */
+    void askWithoutWithdrawn() {
+        roles.askWithout(boatsWithdrawn);
+        boatsWithdrawn.clear();
     }
 
     private void stopTimersOfThoseWhoLeft(Visit visit) {

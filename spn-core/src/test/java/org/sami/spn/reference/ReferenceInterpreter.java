@@ -460,7 +460,10 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
             left.get(m).forEach(place -> places.lookAfterLeaving(m, place));
             struck.get(m).forEach(t -> world.lookAt(m, t));
         }
-        roles.askWithout(proxy, concerned);
+        Map<Mission, List<String>> without = new LinkedHashMap<>();
+        concerned.forEach(m -> without.put(m, List.of(proxy)));
+        roles.askWithout(without);
+        places.askWithoutWithdrawn();
         places.lookAtWithdrawn();
     }
 

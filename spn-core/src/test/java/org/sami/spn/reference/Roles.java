@@ -163,15 +163,13 @@ final class Roles {
     private void open(Visit visit, Activation activation, DecisionType type) {
         Question question = question(visit, activation, type);
         Optional<Answer> automatic = automatic(type, question, activation.markups());
-        Optional<MarkupSpec> trigger = activation.markups().stream()
-                .filter(markup -> markup.type().equals("MixedInitiativeTrigger"))
-                .findFirst();
-        String when = trigger.flatMap(t -> t.option("trigger"))
-                .map(v -> ((EnumValue) v).constant())
-                .orElse("NEVER");
+        String when = trigger(activation.markups());
         OptionalLong deadline = OptionalLong.empty();
         if (when.equals("TIMER")) {
-            long timeout = trigger.flatMap(t -> t.option("timeout"))
+            long timeout = activation.markups().stream()
+                    .filter(markup -> markup.type().equals("MixedInitiativeTrigger"))
+                    .findFirst()
+                    .flatMap(markup -> markup.option("timeout"))
                     .map(v -> ((DurationValue) v).millis())
                     .orElse(0L);
             deadline = OptionalLong.of(world.now + timeout);
@@ -295,16 +293,19 @@ final class Roles {
         });
     }
 
-    /** Choices of missions that offered a boat are asked without it (R-DEC-8). */
-    void askWithout(String boat, List<Mission> missions) {
+    /** Choices that offered boats which their missions have lost are asked without them (R-DEC-8). */
+    void askWithout(Map<Mission, List<String>> lost) {
         for (World.Question q : List.copyOf(world.questions)) {
             Decision old = q.decision();
-            boolean theirs = missions.stream().anyMatch(m -> m.id == old.mission());
-            if (!theirs || !(old.question() instanceof Question.ChooseProxies choice)) {
+            List<String> boats = lost.entrySet().stream()
+                    .filter(entry -> entry.getKey().id == old.mission())
+                    .flatMap(entry -> entry.getValue().stream())
+                    .toList();
+            if (!(old.question() instanceof Question.ChooseProxies choice)) {
                 continue;
             }
             List<String> others = new ArrayList<>(choice.proxies());
-            if (!others.remove(boat)) {
+            if (!others.removeAll(boats)) {
                 continue;
             }
             boolean runs =
@@ -340,8 +341,21 @@ final class Roles {
             }
             if (others.isEmpty()) {
                 world.note(NoteKind.NAMES_NOBODY, old.mission(), "");
+            } else if (decision.automatic().isPresent()
+                    && trigger(old.markups()).equals("IMMEDIATELY")) {
+                world.internal.add(() -> answerByAutonomy(decision.id()));
             }
         }
+    }
+
+    /** When autonomy answers (R-DEC-2). */
+    private static String trigger(List<MarkupSpec> markups) {
+        return markups.stream()
+                .filter(markup -> markup.type().equals("MixedInitiativeTrigger"))
+                .findFirst()
+                .flatMap(t -> t.option("trigger"))
+                .map(v -> ((EnumValue) v).constant())
+                .orElse("NEVER");
     }
 
     Optional<World.Question> find(long decision) {

@@ -93,6 +93,12 @@ class SpoiltEngineTest {
                         "rules.leaving.left(e, before, true);",
                         "rules.leaving.left(e, before, false);"),
                 arguments(
+                        "R-DEC-8",
+                        "who is withdrawn from an instance is still offered there",
+                        "Firing.java",
+                        "rules.robotRemoval.askWithoutWithdrawn();",
+                        ";"),
+                arguments(
                         "R-SHR-7",
                         "who is put back into a place stands in its static instance twice",
                         "SharedInstances.java",

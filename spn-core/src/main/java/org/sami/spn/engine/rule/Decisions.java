@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.sami.spn.engine.net.CompiledOutput;
 import org.sami.spn.engine.state.Instance;
 import org.sami.spn.engine.state.MissionState;
@@ -319,29 +321,38 @@ public final class Decisions {
         return values;
     }
 
-    /** A robot was dropped from missions: choices that offer it are asked anew without it. */
-    void dropped(String robot, List<MissionState> missions) {
+    /**
+     * Robots have gone: choices that offer them are asked anew without them, in the order in which they were asked.
+     *
+     * @param gone by mission, whom its choices are to offer no longer
+     * @param how what became of them, as the end of a sentence: {@code dropped}
+     */
+    void gone(Map<MissionState, Set<String>> gone, String how) {
         for (OpenDecision open : List.copyOf(rules.state.decisions.values())) {
-            if (missions.contains(open.mission)
-                    && open.decision.question() instanceof Question.ChooseProxies choice
-                    && choice.proxies().contains(robot)) {
+            Set<String> without = gone.getOrDefault(open.mission, Set.of());
+            if (open.decision.question() instanceof Question.ChooseProxies choice
+                    && choice.proxies().stream().anyMatch(without::contains)) {
                 List<String> left = choice.proxies().stream()
-                        .filter(other -> !other.equals(robot))
+                        .filter(robot -> !without.contains(robot))
                         .toList();
+                String who = choice.proxies().stream()
+                        .filter(without::contains)
+                        .map(robot -> "'" + robot + "' was " + how)
+                        .collect(Collectors.joining(", "));
                 if (left.isEmpty() && open.purpose == OpenDecision.Purpose.INTERRUPT_CHOICE) {
                     close(open);
                     rules.note(
                             NoteKind.INTERRUPT_REFUSED,
                             open.mission.id,
-                            "Nobody is left for the interrupt '" + open.subject + "': '" + robot + "' was dropped");
+                            "Nobody is left for the interrupt '" + open.subject + "': " + who);
                 } else {
-                    askAnew(open, new Question.ChooseProxies(left, choice.min(), choice.max()), robot);
+                    askAnew(open, new Question.ChooseProxies(left, choice.min(), choice.max()), who);
                 }
             }
         }
     }
 
-    private void askAnew(OpenDecision open, Question.ChooseProxies question, String dropped) {
+    private void askAnew(OpenDecision open, Question.ChooseProxies question, String why) {
         Decision before = open.decision;
         OptionalLong deadline = open.deadline == null ? OptionalLong.empty() : before.deadlineMillis();
         close(open);
@@ -367,7 +378,11 @@ public final class Decisions {
             rules.note(
                     NoteKind.NAMES_NOBODY,
                     open.mission.id,
-                    "Nobody is left to choose for '" + before.prompt() + "': '" + dropped + "' was dropped");
+                    "Nobody is left to choose for '" + before.prompt() + "': " + why);
+        } else if (open.sent != null
+                && open.sent.output.trigger == CompiledOutput.Trigger.IMMEDIATELY
+                && decision.automatic().isPresent()) {
+            rules.post(() -> byAutonomy(again)); // it had not come to answer the one before
         }
     }
 

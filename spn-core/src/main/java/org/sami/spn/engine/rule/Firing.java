@@ -110,6 +110,7 @@ public final class Firing {
             rules.sharedInstances.pulled(selected.removed, returns, before);
         }
         nobody.forEach(rules.visits::end);
+        rules.robotRemoval.askWithoutWithdrawn();
         write(m, used);
         if (ending) {
             rules.missionEnd.lastWords(m);

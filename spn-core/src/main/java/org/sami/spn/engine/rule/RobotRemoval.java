@@ -1,8 +1,12 @@
 package org.sami.spn.engine.rule;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.sami.spn.engine.state.Instance;
 import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.PlaceState;
@@ -17,12 +21,14 @@ import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Token;
 
 /**
- * Takes robots out of missions: dropped by the operator, or withdrawn by an interrupt in a parent.
+ * Takes robots out of missions: dropped by the operator, or withdrawn by an interrupt in a parent. Choices offer them no longer.
  *
  * <p>Implements R-TOK-5, R-TOK-6, R-TOK-7.
  */
 public final class RobotRemoval {
     private final Rules rules;
+    /** Robots that instances have lost, by mission; their choices are to be asked anew. */
+    private final Map<MissionState, Set<String>> withdrawn = new LinkedHashMap<>();
 
     public RobotRemoval(Rules rules) {
         this.rules = rules;
@@ -49,7 +55,10 @@ public final class RobotRemoval {
                 drop(m, token);
             }
         }
-        rules.decisions.dropped(input.proxy(), concerned);
+        withdrawn.clear();
+        Map<MissionState, Set<String>> gone = new LinkedHashMap<>();
+        concerned.forEach(m -> gone.put(m, Set.of(input.proxy())));
+        rules.decisions.gone(gone, "dropped");
         rules.work.addWithdrawn();
         return Optional.empty();
     }
@@ -124,6 +133,9 @@ public final class RobotRemoval {
         if (removed.isEmpty()) {
             return;
         }
+        if (token instanceof Token.Proxy proxy) {
+            withdrawn.computeIfAbsent(m, key -> new LinkedHashSet<>()).add(proxy.proxy());
+        }
         long before = rules.state.stamp;
         rules.leaving.remove(removed);
         withdrawCommands(m, token);
@@ -134,6 +146,14 @@ public final class RobotRemoval {
             rules.leaving.left(e, before, true);
         }
         rules.sharedInstances.pulled(removed, List.of(), before);
+    }
+
+    /** Asks the choices of instances anew that offer robots which were withdrawn from them. */
+    void askWithoutWithdrawn() {
+        if (!withdrawn.isEmpty()) {
+            rules.decisions.gone(withdrawn, "withdrawn");
+            withdrawn.clear();
+        }
     }
 
     private void withdrawCommands(MissionState m, Token token) {
