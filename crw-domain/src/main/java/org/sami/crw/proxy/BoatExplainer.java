@@ -30,7 +30,7 @@ final class BoatExplainer {
             return still(Cause.STOPPING, "no mission wants anything of it; it is being stopped");
         } else if (driver.queue().blockedBy().isPresent()) {
             long blocker = driver.queue().blockedBy().get();
-            return still(Cause.BLOCKED, ExplainedCommand.whose(blocker, titles) + " keeps it where it is" + counted());
+            return still(Cause.BLOCKED, titles.words(blocker) + " keeps it where it is" + counted());
         }
         LastCommandOutcome last = driver.lastWord();
         String became = last.text(titles).map(text -> "; " + text).orElse("");
@@ -115,7 +115,7 @@ final class BoatExplainer {
             text.append("; ")
                     .append(explained(queued).doing())
                     .append(" waits: ")
-                    .append(driver.queue().whyNot(queued));
+                    .append(driver.queue().whyNot(queued).words(titles));
         }
         if (waiting.size() > MOST_NAMED) {
             text.append("; ").append(waiting.size() - MOST_NAMED).append(" more wait");

@@ -54,18 +54,18 @@ final class CommandQueue {
         return Collections.unmodifiableList(waiting);
     }
 
-    /** Why a command that waits does not have its turn, in words. */
-    String whyNot(QueuedCommand waiting) {
+    /** Why a command that waits does not have its turn. */
+    TurnWait whyNot(QueuedCommand waiting) {
         Optional<Long> blocker = blockedBy();
         if (waiting.isInterrupted()) {
-            return "it is interrupted and returns afterwards";
+            return TurnWait.because("it is interrupted and returns afterwards");
         } else if (blocker.isPresent() && blocker.get() != waiting.command().mission()) {
-            return "mission " + blocker.get() + " keeps the boat";
+            return TurnWait.keptBy(blocker.get());
         }
-        return current.map(QueuedCommand::command)
+        return TurnWait.because(current.map(QueuedCommand::command)
                 .filter(running -> running.priority() != waiting.command().priority())
                 .map(running -> "its priority is " + waiting.command().priority() + ", not " + running.priority())
-                .orElse("the other came first");
+                .orElse("the other came first"));
     }
 
     /** Counts the changes of what is queued and of whose turn it is. */

@@ -22,9 +22,9 @@ public record CommandQueueSnapshot(Optional<Entry> current, List<Entry> waiting,
      *
      * @param visited points of its path that are behind the boat
      * @param points points of its path; 0 for a command that has none
-     * @param why why it waits, in words; empty for the current one
+     * @param why why it waits
      */
-    public record Entry(BoatCommand command, int visited, int points, String why) {
+    public record Entry(BoatCommand command, int visited, int points, TurnWait why) {
         public Entry {
             Objects.requireNonNull(command, "command");
             Objects.requireNonNull(why, "why");
@@ -44,14 +44,14 @@ public record CommandQueueSnapshot(Optional<Entry> current, List<Entry> waiting,
 
     static CommandQueueSnapshot of(CommandQueue queue) {
         return new CommandQueueSnapshot(
-                queue.current().map(running -> entry(running, "")),
+                queue.current().map(running -> entry(running, TurnWait.NOT)),
                 queue.waiting().stream()
                         .map(waiting -> entry(waiting, queue.whyNot(waiting)))
                         .toList(),
                 queue.blockedBy().map(OptionalLong::of).orElse(OptionalLong.empty()));
     }
 
-    private static Entry entry(QueuedCommand queued, String why) {
+    private static Entry entry(QueuedCommand queued, TurnWait why) {
         int points = queued.command() instanceof FollowPath path ? path.points().size() : 0;
         return new Entry(queued.command(), queued.visited(), points, why);
     }

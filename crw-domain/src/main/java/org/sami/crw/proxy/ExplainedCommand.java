@@ -1,7 +1,5 @@
 package org.sami.crw.proxy;
 
-import org.sami.spn.protocol.Ids;
-
 /**
  * How explanations speak of a command: what a boat does with it, and for whom.
  *
@@ -23,7 +21,7 @@ record ExplainedCommand(String does, String infinitive, String doing, String don
     private static final ExplainedCommand STOP = new ExplainedCommand("stops", "stop", "stopping", "has stopped");
 
     static ExplainedCommand of(BoatCommand command, MissionTitles titles) {
-        String whose = " for " + whose(command.mission(), titles);
+        String whose = " for " + titles.words(command.mission());
         ExplainedCommand words = words(command);
         return new ExplainedCommand(
                 words.does + whose, words.infinitive + whose, words.doing + whose, words.done + whose);
@@ -36,13 +34,5 @@ record ExplainedCommand(String does, String infinitive, String doing, String don
             return STATION;
         }
         return command instanceof Panorama ? PANORAMA : STOP;
-    }
-
-    /** Names a mission by its number and its plan, or the operator where there is none. */
-    static String whose(long mission, MissionTitles titles) {
-        return mission == Ids.NONE
-                ? "the operator"
-                : "mission " + mission
-                        + titles.title(mission).map(title -> ", " + title).orElse("");
     }
 }

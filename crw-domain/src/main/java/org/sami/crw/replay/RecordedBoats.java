@@ -25,6 +25,7 @@ import org.sami.crw.proxy.BoatReading;
 import org.sami.crw.proxy.CommandQueueSnapshot;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.TurnWait;
 import org.sami.crw.proxy.Withdrawal;
 import org.sami.crw.session.CommandJson;
 import org.sami.crw.session.FleetHistory;
@@ -209,7 +210,7 @@ final class RecordedBoats implements SessionTelemetry.Reader {
                         command,
                         json.path("visited").asInt(),
                         points(command),
-                        json.path("why").asText()));
+                        TurnWait.because(json.path("why").asText())));
     }
 
     private Optional<BoatCommand> command(JsonNode json) {

@@ -115,7 +115,9 @@ final class BoatLog {
     }
 
     private ObjectNode entry(CommandQueueSnapshot.Entry entry) {
-        return of(entry.command()).put("visited", entry.visited()).put("why", entry.why());
+        return of(entry.command())
+                .put("visited", entry.visited())
+                .put("why", entry.why().words(titles));
     }
 
     /** Notes what has changed by itself; to be called once a second. */

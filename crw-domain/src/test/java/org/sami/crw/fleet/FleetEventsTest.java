@@ -6,6 +6,7 @@ import java.lang.reflect.Method;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
@@ -17,6 +18,7 @@ import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.CommandQueueSnapshot;
 import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.MissionTitles;
 import org.sami.crw.proxy.ProxyConfig;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Priority;
@@ -121,7 +123,9 @@ class FleetEventsTest {
         assertThat(queue.blockedBy()).isEqualTo(OptionalLong.of(1));
         assertThat(queue.waiting()).singleElement().satisfies(waiting -> {
             assertThat(waiting.command().commandId()).isEqualTo("c2");
-            assertThat(waiting.why()).isEqualTo("mission 1 keeps the boat");
+            assertThat(waiting.why().words(MissionTitles.NONE)).isEqualTo("mission 1 keeps the boat");
+            assertThat(waiting.why().words(mission -> Optional.of("Survey")))
+                    .isEqualTo("mission 1, Survey keeps the boat");
         });
 
         boat.withdraw(1);

@@ -19,6 +19,7 @@ import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.CommandQueueSnapshot;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.TurnWait;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoArea;
@@ -97,7 +98,7 @@ class AlarmModelTest {
                 "anna",
                 new CommandQueueSnapshot(
                         Optional.of(new CommandQueueSnapshot.Entry(
-                                path, behind, path.points().size(), "")),
+                                path, behind, path.points().size(), TurnWait.NOT)),
                         List.of(),
                         OptionalLong.empty())));
         world.settle();

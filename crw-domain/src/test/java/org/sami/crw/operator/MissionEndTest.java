@@ -12,6 +12,7 @@ import org.sami.crw.operator.MissionEnd.BoatChange;
 import org.sami.crw.proxy.CommandQueueSnapshot;
 import org.sami.crw.proxy.CommandQueueSnapshot.Entry;
 import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.TurnWait;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
@@ -73,7 +74,8 @@ class MissionEndTest {
     }
 
     private static Entry entry(long mission, Priority priority) {
-        return new Entry(FollowPath.goTo("c" + mission, mission, mission, GeoPoint.of(45, 10), priority), 0, 1, "");
+        return new Entry(
+                FollowPath.goTo("c" + mission, mission, mission, GeoPoint.of(45, 10), priority), 0, 1, TurnWait.NOT);
     }
 
     private static MissionSnapshot mission(long id, long parent) {

@@ -138,6 +138,10 @@ class ExplainTest {
 
         assertThat(boat.proxy.explain().text())
                 .endsWith("; following its path for mission 2 waits: mission 1 keeps the boat");
+        assertThat(boat.proxy
+                        .explain(mission -> Optional.of(mission == 1 ? "Survey" : "Return"))
+                        .text())
+                .endsWith("; following its path for mission 2, Return waits: mission 1, Survey keeps the boat");
     }
 
     @Test

@@ -8,6 +8,7 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.BoatCommands;
 import org.sami.crw.operator.BoatCommands.Concluded;
 import org.sami.crw.proxy.CommandQueueSnapshot.Entry;
+import org.sami.crw.proxy.MissionTitles;
 import org.sami.crw.proxy.Upload;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.SemanticColor;
@@ -62,7 +63,7 @@ final class BoatQueue {
         table.show(context.models().commands().snapshot().stream()
                 .filter(commands -> boat.filter(commands.boat()::equals).isPresent())
                 .findFirst()
-                .map(BoatQueue::rows)
+                .map(this::rows)
                 .orElse(List.of()));
         cancel.refresh();
     }
@@ -78,38 +79,44 @@ final class BoatQueue {
                 boat + ": the command is cancelled; its mission hears that it failed"));
     }
 
-    private static List<Row> rows(BoatCommands commands) {
+    private List<Row> rows(BoatCommands commands) {
+        MissionTitles titles = context.models().missions()::title;
         List<Row> rows = new ArrayList<>();
         commands.queue()
                 .current()
-                .ifPresent(
-                        entry -> rows.add(row("in force", entry, state(entry, commands.upload()), SemanticColor.OK)));
+                .ifPresent(entry -> rows.add(row(
+                        "in force",
+                        CommandWords.full(entry, titles),
+                        entry,
+                        state(entry, commands.upload()),
+                        SemanticColor.OK)));
         commands.queue()
                 .blockedBy()
                 .ifPresent(mission -> rows.add(new Row(
                         "block",
-                        "mission " + mission + " keeps the boat for itself",
+                        titles.words(mission) + " keeps the boat for itself",
                         "others wait",
                         SemanticColor.WARNING,
                         Optional.empty())));
         List<Entry> waiting = commands.queue().waiting();
         for (int i = 0; i < waiting.size(); i++) {
-            rows.add(row((i + 1) + ". next", waiting.get(i), waiting.get(i).why(), SemanticColor.MUTED));
+            Entry entry = waiting.get(i);
+            rows.add(row(
+                    (i + 1) + ". next",
+                    CommandWords.full(entry, titles),
+                    entry,
+                    entry.why().words(titles),
+                    SemanticColor.MUTED));
         }
         List<Concluded> gone = commands.concluded();
         for (int i = gone.size() - 1; i >= 0; i--) {
-            rows.add(over(gone.get(i)));
+            rows.add(over(gone.get(i), titles));
         }
         return rows;
     }
 
-    private static Row row(String turn, Entry entry, String state, SemanticColor color) {
-        return new Row(
-                turn,
-                CommandWords.full(entry),
-                state,
-                color,
-                Optional.of(entry.command().commandId()));
+    private static Row row(String turn, String what, Entry entry, String state, SemanticColor color) {
+        return new Row(turn, what, state, color, Optional.of(entry.command().commandId()));
     }
 
     private static String state(Entry entry, Optional<Upload> upload) {
@@ -125,10 +132,11 @@ final class BoatQueue {
         return (entry.points() == 0 ? "running" : entry.visited() + " / " + entry.points()) + sent;
     }
 
-    private static Row over(Concluded gone) {
+    private static Row over(Concluded gone, MissionTitles titles) {
         return new Row(
                 "over",
-                CommandWords.what(gone.command()) + ", " + CommandWords.whose(gone.command()),
+                CommandWords.what(gone.command()) + ", "
+                        + titles.words(gone.command().mission()),
                 gone.end().name().toLowerCase(Locale.ROOT) + (gone.why().isEmpty() ? "" : ": " + gone.why()),
                 gone.end() == BoatCommands.End.FAILED ? SemanticColor.WARNING : SemanticColor.MUTED,
                 Optional.empty());

@@ -5,9 +5,9 @@ import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.CommandQueueSnapshot.Entry;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.KeepStation;
+import org.sami.crw.proxy.MissionTitles;
 import org.sami.crw.proxy.Panorama;
 import org.sami.crw.proxy.Stop;
-import org.sami.spn.protocol.Ids;
 
 /** What panels say of a boat's commands. */
 public final class CommandWords {
@@ -33,15 +33,15 @@ public final class CommandWords {
         return what(entry.command()) + (entry.points() > 1 ? " (" + entry.visited() + " of them done)" : "");
     }
 
-    /** Who wants it. */
+    /** Who wants it; a mission by its number. */
     public static String whose(BoatCommand command) {
-        return command.mission() == Ids.NONE ? "the operator" : "mission " + command.mission();
+        return MissionTitles.NONE.words(command.mission());
     }
 
     /** What is to be done, for whom, how urgent it is, and whether the mission keeps the boat afterwards. */
-    static String full(Entry entry) {
+    static String full(Entry entry, MissionTitles titles) {
         BoatCommand command = entry.command();
-        return what(command) + ", " + whose(command) + ", "
+        return what(command) + ", " + titles.words(command.mission()) + ", "
                 + command.priority().name().toLowerCase(Locale.ROOT)
                 + (command.block() ? ", keeps the boat" : "");
     }
