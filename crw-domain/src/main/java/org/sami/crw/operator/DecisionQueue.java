@@ -7,25 +7,23 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.ToLongFunction;
 import java.util.function.UnaryOperator;
 import org.sami.spn.engine.DecisionCheck;
 import org.sami.spn.host.ListenerList;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
+import org.sami.spn.protocol.Decision;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * Decisions that wait for the operator: the highest priority first, of equal ones the oldest first (thesis 5, markup Priority).
  */
 public final class DecisionQueue extends Model<List<PendingDecision>> {
-    private static final Comparator<PendingDecision> ORDER = Comparator.comparing(
-                    (PendingDecision pending) -> pending.decision().priority())
-            .reversed()
-            .thenComparingLong(PendingDecision::openedAtMillis)
-            .thenComparingLong(pending -> pending.decision().id());
-
-    private final TreeSet<PendingDecision> ordered = new TreeSet<>(ORDER);
+    private final TreeSet<PendingDecision> ordered =
+            new TreeSet<>(order(PendingDecision::decision, PendingDecision::openedAtMillis));
     private final Map<Long, PendingDecision> byId = new HashMap<>();
     private final ListenerList<DecisionListener> listeners = new ListenerList<>();
     private final Consumer<Runnable> inbox;
@@ -38,6 +36,18 @@ public final class DecisionQueue extends Model<List<PendingDecision>> {
     DecisionQueue(Consumer<Runnable> inbox) {
         super(List.of());
         this.inbox = inbox;
+    }
+
+    /**
+     * The order of the queue, for whoever holds decisions in another form.
+     *
+     * @param openedAtMillis when a decision was asked
+     */
+    public static <T> Comparator<T> order(Function<T, Decision> decision, ToLongFunction<T> openedAtMillis) {
+        return Comparator.comparing((T one) -> decision.apply(one).priority())
+                .reversed()
+                .thenComparingLong(openedAtMillis)
+                .thenComparingLong(one -> decision.apply(one).id());
     }
 
     /** Adds a decision; one that waits already stays as it is. */

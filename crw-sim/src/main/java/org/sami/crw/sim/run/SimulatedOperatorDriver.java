@@ -1,13 +1,14 @@
 package org.sami.crw.sim.run;
 
 import java.util.ArrayList;
-import java.util.HashSet;
+import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.TreeMap;
 import org.sami.crw.decision.SimulatedOperator;
+import org.sami.crw.operator.DecisionQueue;
 import org.sami.crw.operator.PendingDecision;
 import org.sami.crw.session.Scheduler;
 import org.sami.crw.session.Session;
@@ -21,7 +22,8 @@ import org.sami.spn.protocol.Decision;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Lets the simulated operator answer a session's decisions, each a while after it was asked, as they lie in the operator's models then.
+ * Lets the simulated operator answer a session's decisions, each a while after it was asked, as they lie in the operator's models then. Of
+ * several whose time has come it answers the first in the order of the queue: by priority, then by age (decision 0218).
  * For the engine's thread.
  */
 public final class SimulatedOperatorDriver implements SessionOperator {
@@ -36,13 +38,15 @@ public final class SimulatedOperatorDriver implements SessionOperator {
     /** How often somebody who works looks whether it is done. */
     private static final long LOOK_MILLIS = 500;
 
+    private static final Comparator<Asked> IN_TURN = DecisionQueue.order(Asked::decision, Asked::atMillis);
+
     private final SimulatedOperator operator;
     private final Scheduler clock;
     private final long answerAfterMillis;
     private final GeoPoint quay;
     private final Map<Long, Asked> open = new TreeMap<>();
     private final List<NoteResult> troubles = new ArrayList<>();
-    private final Set<Long> thinkingOf = new HashSet<>();
+    private final Map<Long, Long> thinkingUntil = new HashMap<>();
     private Optional<Session> session =
             Optional.empty(); // none while the past of a run is gone through: it was answered
 
@@ -66,7 +70,7 @@ public final class SimulatedOperatorDriver implements SessionOperator {
     public void connect(Session answered) {
         session = Optional.of(answered);
         open.values().stream()
-                .filter(asked -> !thinkingOf.contains(asked.decision().id()))
+                .filter(asked -> !thinkingUntil.containsKey(asked.decision().id()))
                 .forEach(this::think);
     }
 
@@ -87,37 +91,55 @@ public final class SimulatedOperatorDriver implements SessionOperator {
     }
 
     private void think(Asked asked) {
-        long decision = asked.decision().id();
-        thinkingOf.add(decision);
-        clock.after(answerAfterMillis + asked.workMillis(), () -> answerIfShown(asked));
+        thinkFor(asked, answerAfterMillis + asked.workMillis());
     }
 
-    private void answerIfShown(Asked asked) {
-        long decision = asked.decision().id();
-        if (!open.containsKey(decision)) {
-            thinkingOf.remove(decision);
-        } else if (session.isEmpty()) {
-            thinkingOf.remove(decision);
-            answer(asked.decision(), asked.plan());
-        } else {
-            Optional<PendingDecision> shown = session.get().models().decisions().find(decision);
-            if (shown.isEmpty()) {
-                clock.after(NOT_SHOWN_MILLIS, () -> answerIfShown(asked));
-            } else if (isStillAtWork(session.get(), asked)) {
-                clock.after(LOOK_MILLIS, () -> answerIfShown(asked));
-            } else {
-                thinkingOf.remove(decision);
-                answer(asked.decision(), shown.get().plan()); // it knows its own quay and area, whatever is proposed
+    private void thinkFor(Asked asked, long millis) {
+        thinkingUntil.put(asked.decision().id(), clock.nowMs() + millis);
+        clock.after(millis, this::answerNext);
+    }
+
+    /** Answers one decision of those that it has thought about long enough: the first in the order of the operator's queue. */
+    private void answerNext() {
+        thinkingUntil.keySet().retainAll(open.keySet());
+        List<Asked> ready = open.values().stream()
+                .filter(asked -> thinkingUntil.getOrDefault(asked.decision().id(), Long.MAX_VALUE) <= clock.nowMs())
+                .sorted(IN_TURN)
+                .toList();
+        Optional<Asked> next =
+                ready.stream().filter(asked -> plan(asked).isPresent()).findFirst();
+        if (next.isEmpty()) {
+            if (!ready.isEmpty()) {
+                clock.after(NOT_SHOWN_MILLIS, this::answerNext);
             }
+        } else if (isStillAtWork(next.get())) {
+            thinkFor(next.get(), LOOK_MILLIS);
+        } else {
+            thinkingUntil.remove(next.get().decision().id());
+            answer(next.get().decision(), plan(next.get()).orElseThrow());
         }
     }
 
-    private boolean isStillAtWork(Session asking, Asked asked) {
+    /** The plan that asks, once its decision is shown; it knows its own quay and area, whatever is proposed. */
+    private Optional<String> plan(Asked asked) {
+        return session.isEmpty()
+                ? Optional.of(asked.plan())
+                : session.get()
+                        .models()
+                        .decisions()
+                        .find(asked.decision().id())
+                        .map(PendingDecision::plan);
+    }
+
+    /** Whether what it does on boats, such as a swap of batteries, is not done yet. */
+    private boolean isStillAtWork(Asked asked) {
         Decision decision = asked.decision();
-        return decision.type().equals(WORK)
-                && new BatterySwaps(asking.fleet().history(), quay)
+        return session.isPresent()
+                && decision.type().equals(WORK)
+                && new BatterySwaps(session.get().fleet().history(), quay)
                         .areUnderWay(
-                                asking.host().ask(view -> boatsOf(decision, view)), clock.nowMs() - asked.atMillis());
+                                session.get().host().ask(view -> boatsOf(decision, view)),
+                                clock.nowMs() - asked.atMillis());
     }
 
     private static List<String> boatsOf(Decision decision, EngineView view) {
@@ -140,7 +162,7 @@ public final class SimulatedOperatorDriver implements SessionOperator {
 
     /** Whether an answer will be given without anything else happening. */
     public boolean isThinking() {
-        return !thinkingOf.isEmpty();
+        return !thinkingUntil.isEmpty();
     }
 
     /** What the operator could not answer, in words, oldest first. */
