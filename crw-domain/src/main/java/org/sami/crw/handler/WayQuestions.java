@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -12,6 +13,7 @@ import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.stream.Collectors;
 import org.sami.crw.decision.DomainQuestion;
+import org.sami.crw.operator.AvoidedAreas;
 import org.sami.crw.proxy.BatteryState;
 import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.BoatProxy;
@@ -76,7 +78,7 @@ final class WayQuestions implements HostListener {
     List<Move> hold(Activation activation, HandlerContext context, List<Move> moves, Sender sender) {
         List<Move> clear = new ArrayList<>();
         Map<DomainQuestion, Held> doubted = new EnumMap<>(DomainQuestion.class);
-        List<GeoArea> avoid = moves.isEmpty() ? List.of() : context.query(view -> PlanAreas.avoided(activation, view));
+        List<GeoArea> avoid = moves.isEmpty() ? List.of() : context.query(view -> avoided(activation, view));
         for (Move move : moves) {
             Optional<WayDoubt> doubt = way(move, avoid).flatMap(WayCheck::doubt);
             if (doubt.isEmpty()) {
@@ -91,6 +93,13 @@ final class WayQuestions implements HostListener {
         }
         doubted.values().forEach(this::askUnlessAnswered);
         return clear;
+    }
+
+    /** The areas that the activation avoids, and its mission. */
+    private static List<GeoArea> avoided(Activation activation, EngineView view) {
+        Set<GeoArea> areas = new LinkedHashSet<>(Restrictions.avoid(activation));
+        areas.addAll(AvoidedAreas.of(activation.mission(), view));
+        return List.copyOf(areas);
     }
 
     private static DomainQuestion question(WayDoubt doubt) {

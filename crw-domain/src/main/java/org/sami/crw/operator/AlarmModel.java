@@ -11,7 +11,9 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.operator.Alarm.Kind;
+import org.sami.crw.proxy.MissionTitles;
 import org.sami.crw.proxy.tcp.LinkAlarm;
+import org.sami.spn.value.GeoArea;
 
 /**
  * The alarms: the worst first, of equal ones the newest. Each kind is raised once a boat, or once two boats, stays while it is so, and is
@@ -29,8 +31,8 @@ public final class AlarmModel extends Model<List<Alarm>> {
     private final Consumer<Runnable> inbox;
     private final CommandModel commands;
     private final OperatorLog log;
-    private final FenceCheck fence = new FenceCheck();
-    private final BoatAlarms boatAlarms = new BoatAlarms(fence);
+    private final FenceCheck fence;
+    private final BoatAlarms boatAlarms;
     private final ApproachCheck approaches = new ApproachCheck();
     private final Map<Key, Alarm> alarms = new LinkedHashMap<>();
     private final Map<String, BoatSnapshot> boats = new LinkedHashMap<>();
@@ -52,8 +54,10 @@ public final class AlarmModel extends Model<List<Alarm>> {
         }
     }
 
-    AlarmModel(Consumer<Runnable> inbox, CommandModel commands, OperatorLog log) {
+    AlarmModel(Consumer<Runnable> inbox, CommandModel commands, OperatorLog log, MissionTitles titles) {
         super(List.of());
+        fence = new FenceCheck(titles);
+        boatAlarms = new BoatAlarms(fence);
         this.inbox = inbox;
         this.commands = commands;
         this.log = log;
@@ -74,6 +78,16 @@ public final class AlarmModel extends Model<List<Alarm>> {
             unusable = Optional.of("No boat is held to the fence: " + crossed.getMessage());
         }
         set(Key.of(Kind.FENCE, ""), unusable, atMillis);
+        boats.values().forEach(boat -> seen(boat, atMillis));
+    }
+
+    /**
+     * From now on boats that carry out a mission's commands raise the same in the areas that it avoids.
+     *
+     * @param avoided by mission; those that avoid nothing may be missing
+     */
+    void setAvoided(Map<Long, List<GeoArea>> avoided, long atMillis) {
+        fence.setAvoided(avoided);
         boats.values().forEach(boat -> seen(boat, atMillis));
     }
 
@@ -145,6 +159,7 @@ public final class AlarmModel extends Model<List<Alarm>> {
         List.copyOf(boats.keySet()).forEach(boat -> removed(boat, 0));
         alarms.clear();
         fence.setWater(Optional.empty());
+        fence.setAvoided(Map.of());
         raised = 0;
         change();
     }

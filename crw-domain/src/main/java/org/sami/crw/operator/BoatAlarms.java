@@ -50,7 +50,7 @@ final class BoatAlarms {
         Optional<PoseCheck.Doubt> doubt = boat.pose().map(pose -> poses.at(id, pose));
         wrong.put(Kind.POSITION_DOUBTFUL, doubt.flatMap(PoseCheck.Doubt::position));
         wrong.put(Kind.COMPASS_DOUBTFUL, doubt.flatMap(PoseCheck.Doubt::heading));
-        wrong.put(Kind.FENCE, boat.pose().flatMap(pose -> fence.position(id, pose.position())));
+        wrong.put(Kind.FENCE, boat.pose().flatMap(pose -> fence.position(id, pose.position(), queue)));
         wrong.put(Kind.FENCE_AHEAD, fence.path(id, boat.pose().map(BoatPose::position), queue));
         return wrong;
     }

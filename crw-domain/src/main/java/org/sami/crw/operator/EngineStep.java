@@ -14,6 +14,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
@@ -25,6 +26,7 @@ import org.sami.spn.value.Value;
  * @param newTasks tasks that came to be with it, by the names of their owners; some may be known before
  * @param marked output and input events with markup that were sent and used up
  * @param globals the project's variables, where the project was changed
+ * @param avoided the areas that missions keep their boats out of, by mission, where they were changed
  */
 record EngineStep(
         long atMillis,
@@ -34,10 +36,17 @@ record EngineStep(
         Map<Long, StartedPlan> plans,
         List<TaskId> newTasks,
         List<MarkedEvent> marked,
-        Optional<Map<String, Value>> globals) {
+        Optional<Map<String, Value>> globals,
+        Optional<Map<Long, List<GeoArea>>> avoided) {
 
     /** On the engine's thread. */
-    static EngineStep of(long atMillis, Input input, List<Effect> effects, EngineView view, RunningPlans running) {
+    static EngineStep of(
+            long atMillis,
+            Input input,
+            List<Effect> effects,
+            EngineView view,
+            RunningPlans running,
+            AvoidedAreas avoided) {
         running.before(effects, view);
         Map<Long, DecisionPresentation> presentations = new HashMap<>();
         Map<Long, StartedPlan> plans = new HashMap<>();
@@ -65,7 +74,8 @@ record EngineStep(
             }
         }
         running.after(effects);
-        return new EngineStep(atMillis, input, effects, presentations, plans, tasks, marked, globals);
+        return new EngineStep(
+                atMillis, input, effects, presentations, plans, tasks, marked, globals, avoided.after(effects, view));
     }
 
     static StartedPlan startedPlan(long mission, Plan plan, EngineView view) {

@@ -30,6 +30,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -66,6 +67,7 @@ public final class OperatorModels implements HostListener, MessageSink {
     private final GeoVariables variables = new GeoVariables();
     private final MapModel map;
     private final RunningPlans plans = new RunningPlans(); // for the engine's thread
+    private final AvoidedAreas avoided = new AvoidedAreas(); // likewise
     private boolean held; // for the owner's thread
     private final AtomicLong steps = new AtomicLong();
     private final AtomicLong stepsLookedAt = new AtomicLong();
@@ -98,7 +100,7 @@ public final class OperatorModels implements HostListener, MessageSink {
         log = new OperatorLog(inbox::post, nowMillis);
         logged = new OperatorSteps(log);
         messages = new MessageList(MESSAGES_KEPT, inbox::post, log, nowMillis);
-        alarms = new AlarmModel(inbox::post, commands, log);
+        alarms = new AlarmModel(inbox::post, commands, log, missions::title);
         map = new MapModel(inbox::post, commands, variables, computing, nowMillis);
         fleet = new FleetModel(inbox::post, new FleetModel.Listener() {
             @Override
@@ -221,7 +223,7 @@ public final class OperatorModels implements HostListener, MessageSink {
     private void take(long atMillis, Input input, List<Effect> effects, EngineView view, boolean isNew) {
         steps.incrementAndGet();
         if (!effects.isEmpty() || !(input instanceof Input.Received)) {
-            EngineStep step = EngineStep.of(atMillis, input, effects, view, plans);
+            EngineStep step = EngineStep.of(atMillis, input, effects, view, plans, avoided);
             inbox.post(() -> {
                 logged.apply(input, effects, isNew);
                 apply(step);
@@ -237,6 +239,7 @@ public final class OperatorModels implements HostListener, MessageSink {
         if (moved || step.globals().isPresent()) {
             operatingAreaChanged();
         }
+        step.avoided().ifPresent(areas -> alarms.setAvoided(areas, nowMillis.getAsLong()));
         map.apply(step);
         communication.apply(step);
         allocation.apply(step.input(), step.effects(), step.newTasks());
@@ -280,6 +283,7 @@ public final class OperatorModels implements HostListener, MessageSink {
         List<DecisionPresentation> open = new ArrayList<>();
         view.decisions().forEach(decision -> open.add(DecisionPresenter.of(decision, view)));
         plans.restore(view);
+        Map<Long, List<GeoArea>> areas = avoided.restore(view);
         Map<Long, StartedPlan> started = new HashMap<>();
         List<TaskId> tasks = new ArrayList<>();
         view.missions().forEach(mission -> {
@@ -301,6 +305,7 @@ public final class OperatorModels implements HostListener, MessageSink {
             communication.restore(marked, atMillis);
             logged.restore(open.stream().map(DecisionPresentation::decision).toList());
             missions.restore(marking, started, atMillis);
+            alarms.setAvoided(areas, atMillis);
             allocation.restore(tasks, robots, complete, queues);
             open.forEach(presentation -> open(presentation, atMillis));
         });
@@ -359,6 +364,7 @@ public final class OperatorModels implements HostListener, MessageSink {
     /** Forgets what happened. What the operator chose to see, and muted, stays. On the engine's thread. */
     void forget(EngineView empty) {
         plans.restore(empty);
+        avoided.restore(empty);
         inbox.post(() -> {
             variables.clear();
             decisions.clear();

@@ -151,6 +151,11 @@ final class ScriptedEngine implements EngineFunction, EngineView {
     }
 
     @Override
+    public Optional<Value> parameter(long mission, String key) {
+        return Optional.empty();
+    }
+
+    @Override
     public Map<TaskId, String> allocation() {
         return Map.of();
     }

@@ -51,7 +51,7 @@ final class ModelWorld implements HostClock {
                 {"id": "o4", "transition": "over", "place": "end", "requirements": [{"action": "take", "n": "all", "kind": "any-token"}]}]}]}
             """;
 
-    final Project project = new ProjectReader(VOCABULARY).read(PLAN).orThrow();
+    final Project project;
     final Queue<Runnable> engineWork = new ConcurrentLinkedQueue<>();
     final ArrayDeque<Runnable> ownerWork = new ArrayDeque<>();
     final AtomicLong nowMillis = new AtomicLong();
@@ -62,12 +62,19 @@ final class ModelWorld implements HostClock {
 
     /** The models work when the test has them do so, and the engine when it is stepped. */
     ModelWorld() {
+        this(PLAN);
+    }
+
+    /** The same with other plans. */
+    ModelWorld(String document) {
+        project = new ProjectReader(VOCABULARY).read(document).orThrow();
         models = new OperatorModels(ownerWork::add, nowMillis::get);
         host = host(engineWork::add);
     }
 
     /** A world with an owner and an engine on threads of their own. */
     ModelWorld(Executor owner, Executor engine) {
+        project = new ProjectReader(VOCABULARY).read(PLAN).orThrow();
         models = new OperatorModels(owner, nowMillis::get);
         host = host(engine);
     }

@@ -60,6 +60,9 @@ public interface EngineView {
     /** A variable as that mission reads it; {@code Ids.NONE} reads global ones only. */
     Optional<Value> variable(long mission, String name);
 
+    /** What was answered, or given, for a field that is asked when a mission starts; its key is {@code eventId.field}. */
+    Optional<Value> parameter(long mission, String key);
+
     /** Tasks of running missions that are allocated, with their robots. */
     Map<TaskId, String> allocation();
 

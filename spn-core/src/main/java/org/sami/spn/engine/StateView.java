@@ -174,6 +174,11 @@ final class StateView implements EngineView {
     }
 
     @Override
+    public Optional<Value> parameter(long mission, String key) {
+        return Optional.ofNullable(state.missions.get(mission)).map(m -> m.parameters.get(key));
+    }
+
+    @Override
     public Map<TaskId, String> allocation() {
         Map<TaskId, String> result = new LinkedHashMap<>();
         for (MissionState m : state.missions.values()) {

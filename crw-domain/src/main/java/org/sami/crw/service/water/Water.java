@@ -76,6 +76,15 @@ public final class Water {
         return union == null ? FACTORY.createPolygon() : union;
     }
 
+    /**
+     * Water in which so much at the rim of what is forbidden is allowed. Areas that are narrower than twice that are gone.
+     *
+     * @param depthM in metres, from 0
+     */
+    public Water shrunk(double depthM) {
+        return new Water(plane, forbidden.buffer(-depthM), world);
+    }
+
     /** The plane of all geometries here. */
     public LocalPlane plane() {
         return plane;

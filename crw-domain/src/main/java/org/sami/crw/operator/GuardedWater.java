@@ -1,0 +1,93 @@
+package org.sami.crw.operator;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.proxy.CommandQueueSnapshot.Entry;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.KeepStation;
+import org.sami.crw.service.water.Water;
+import org.sami.spn.value.GeoPoint;
+
+/** Water in which boats may go, and where the paths that they have leave it. For one thread. */
+final class GuardedWater {
+    private final Water ofPositions;
+    private final Water ofPaths;
+    private final Map<String, Map<String, int[]>> breaches = new HashMap<>(); // by boat and command; segments in order
+
+    /**
+     * Water with what is forbidden in it.
+     *
+     * @param ofPositions where boats may be, by the positions that they tell
+     * @param ofPaths where they may be sent
+     */
+    GuardedWater(Water ofPositions, Water ofPaths) {
+        this.ofPositions = ofPositions;
+        this.ofPaths = ofPaths;
+    }
+
+    void remove(String boat) {
+        breaches.remove(boat);
+    }
+
+    /** Forgets the paths of commands that the boat no longer has. */
+    void retain(String boat, List<String> commands) {
+        breaches.getOrDefault(boat, Map.of()).keySet().retainAll(commands);
+    }
+
+    boolean isForbidden(GeoPoint position) {
+        return !ofPositions.allows(List.of(position));
+    }
+
+    /** Whether a boat that was at one allowed point and is at another went through what is forbidden. */
+    boolean isForbiddenBetween(GeoPoint before, GeoPoint now) {
+        return !before.equals(now) && !isForbidden(before) && !ofPositions.allows(List.of(before, now));
+    }
+
+    /** The point to which the boat goes next, where its way there leads through what is forbidden. */
+    Optional<GeoPoint> wayThere(Optional<GeoPoint> position, Entry entry) {
+        List<GeoPoint> points = points(entry.command());
+        if (position.isEmpty() || entry.visited() >= points.size()) {
+            return Optional.empty();
+        }
+        GeoPoint next = points.get(entry.visited());
+        boolean forbidden = ofPaths.allows(List.of(position.get())) && !ofPaths.allows(List.of(position.get(), next));
+        return forbidden ? Optional.of(next) : Optional.empty();
+    }
+
+    /** Where the first segment ahead begins that is forbidden. */
+    Optional<GeoPoint> segment(String boat, Entry entry) {
+        List<GeoPoint> points = points(entry.command());
+        int[] wrong = breaches.computeIfAbsent(boat, id -> new HashMap<>())
+                .computeIfAbsent(entry.command().commandId(), id -> breaches(points));
+        for (int segment : wrong) {
+            if (segment >= entry.visited()) {
+                return Optional.of(points.get(segment));
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** The segments, by the index of the point at which they begin, and the last point alone. */
+    private int[] breaches(List<GeoPoint> points) {
+        List<Integer> wrong = new ArrayList<>();
+        if (!points.isEmpty() && !ofPaths.allows(points)) {
+            for (int i = 0; i < points.size(); i++) {
+                if (!ofPaths.allows(points.subList(i, Math.min(i + 2, points.size())))) {
+                    wrong.add(i);
+                }
+            }
+        }
+        return wrong.stream().mapToInt(Integer::intValue).toArray();
+    }
+
+    private static List<GeoPoint> points(BoatCommand command) {
+        if (command instanceof FollowPath path) {
+            return path.points();
+        }
+        return command instanceof KeepStation station ? List.of(station.point()) : List.of();
+    }
+}
