@@ -17,6 +17,9 @@ public record NoteResult(long atMillis, String kind, long mission, String messag
     /** What a plan asked and nobody could do. */
     public static final String HANDLER_FAILED = "handler_failed";
 
+    /** A boat was, or was sent, where it may not be. */
+    public static final String FENCE = "fence";
+
     /** What could not be written to the journal. */
     public static final String JOURNAL = "journal";
 

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.LongSupplier;
 import org.sami.crw.decision.MixedInitiative;
+import org.sami.crw.operator.Alarm;
 import org.sami.crw.operator.DecisionListener;
 import org.sami.crw.operator.EngineText;
 import org.sami.crw.operator.MessageEntry;
@@ -17,7 +18,8 @@ import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 
 /**
- * Tells, line by line, what the operator of a run is asked and told: decisions as they open, who answers them and what, messages. Told on
+ * Tells, line by line, what the operator of a run is asked and told: decisions as they open, who answers them and what, messages, alarms
+ * that a boat is or is sent where it may not. Told on
  * the models' thread.
  */
 public final class RunNews implements AutoCloseable {
@@ -29,6 +31,7 @@ public final class RunNews implements AutoCloseable {
     private final List<Registration> registrations;
     private final Map<String, Long> lastToldAt = new HashMap<>(); // by the text of a message
     private long lastMessage;
+    private long lastAlarm;
 
     /**
      * Begins with what is new from now on.
@@ -51,7 +54,8 @@ public final class RunNews implements AutoCloseable {
                         settled(decision, answer, by);
                     }
                 }),
-                models.messages().addListener(this::messages));
+                models.messages().addListener(this::messages),
+                models.alarms().addListener(this::alarms));
     }
 
     private void asked(PendingDecision pending) {
@@ -113,6 +117,13 @@ public final class RunNews implements AutoCloseable {
         if (news.isDetailed() || told == null || atMillis - told >= REPEATED_MILLIS) {
             lastToldAt.put(text, atMillis);
             tell(atMillis, "message: " + text);
+        }
+    }
+
+    private void alarms(List<Alarm> now) {
+        for (Alarm alarm : FenceNotes.raised(now, lastAlarm)) {
+            lastAlarm = alarm.number();
+            tell(alarm.sinceMillis(), "alarm: " + alarm.text());
         }
     }
 

@@ -36,6 +36,7 @@ public final class RunRecords {
     private final ReadingRecorder readings = new ReadingRecorder();
     private final LocationListener locations;
     private final PlanMap map;
+    private final FenceNotes fences;
     private final PhaseRecorder phases;
 
     /**
@@ -62,6 +63,7 @@ public final class RunRecords {
         locations = new LocationListener(visits, plane);
         map = new PlanMap(plane);
         phases = new PhaseRecorder(plan.vocabulary());
+        fences = new FenceNotes(session.models());
         session.addListener((SessionListener) readings);
     }
 
@@ -160,6 +162,7 @@ public final class RunRecords {
                 .map(note -> new NoteResult(note.atMillis(), note.kind(), note.mission(), note.text()))
                 .ifPresent(told::add);
         told.addAll(tracks.notes(atMillis));
+        told.addAll(fences.all());
         return told;
     }
 }
