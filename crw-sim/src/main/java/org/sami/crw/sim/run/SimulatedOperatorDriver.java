@@ -124,11 +124,7 @@ public final class SimulatedOperatorDriver implements SessionOperator {
     private Optional<String> plan(Asked asked) {
         return session.isEmpty()
                 ? Optional.of(asked.plan())
-                : session.get()
-                        .models()
-                        .decisions()
-                        .find(asked.decision().id())
-                        .map(PendingDecision::plan);
+                : session.get().models().decisions().find(asked.decision().id()).map(PendingDecision::plan);
     }
 
     /** Whether what it does on boats, such as a swap of batteries, is not done yet. */
