@@ -5,6 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Function;
 import org.sami.crw.event.Allocation;
 import org.sami.crw.operator.MessageSink;
 import org.sami.crw.operator.OperatorMessage;
@@ -25,7 +27,7 @@ import org.sami.spn.value.Value;
 
 /**
  * Allocation Request: divides locations or tasks among boats by the algorithm that serves the markup Optimize best, in as many ways
- * as the markup Selection Options asks for. What nobody can do is named in the answer and told to the operator; a boat whose
+ * as the markup Selection Options asks for, no path longer than its boat's charge lasts where that can be. What nobody can do is named in the answer and told to the operator; a boat whose
  * position is not known yet gets nothing, and the operator is told.
  */
 final class AllocationHandler implements ActivationHandler {
@@ -33,20 +35,31 @@ final class AllocationHandler implements ActivationHandler {
 
     private final AllocationService service;
     private final BoatPositions positions;
+    private final Function<String, OptionalDouble> rangesM;
     private final MessageSink messages;
     private final Computations computations;
 
+    /**
+     * A handler.
+     *
+     * @param rangesM how far the charge of each boat is sure to take it, in metres; empty for one that has not said
+     */
     AllocationHandler(
-            AllocationService service, BoatPositions positions, MessageSink messages, Computations computations) {
+            AllocationService service,
+            BoatPositions positions,
+            Function<String, OptionalDouble> rangesM,
+            MessageSink messages,
+            Computations computations) {
         this.service = service;
         this.positions = positions;
+        this.rangesM = rangesM;
         this.messages = messages;
         this.computations = computations;
     }
 
     @Override
     public void handle(Activation activation, HandlerContext context) throws Exception {
-        AllocationQuestion question = AllocationQuestion.of(activation, context, positions);
+        AllocationQuestion question = AllocationQuestion.of(activation, context, positions, rangesM);
         if (!question.unknown().isEmpty()) {
             tell(
                     activation,

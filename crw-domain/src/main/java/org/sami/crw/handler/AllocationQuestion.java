@@ -6,7 +6,9 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.Function;
 import org.sami.crw.event.Allocation;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.service.BoatPositions;
@@ -42,8 +44,14 @@ record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, 
     /**
      * Reads the question. The work is: what is left of the field {@code previous}; else the field {@code locations}; else the entering
      * tasks. The boats are those that entered, or where only tasks did those of the mission.
+     *
+     * @param rangesM how far the charge of each boat is sure to take it, in metres; empty for one that has not said
      */
-    static AllocationQuestion of(Activation activation, HandlerContext context, BoatPositions positions) {
+    static AllocationQuestion of(
+            Activation activation,
+            HandlerContext context,
+            BoatPositions positions,
+            Function<String, OptionalDouble> rangesM) {
         Optional<Allocation> previous = activation.value(PREVIOUS).map(Allocation::of);
         Map<String, TaskId> tasks =
                 previous.isPresent() || activation.value(LOCATIONS).isPresent() ? Map.of() : tasks(activation);
@@ -58,7 +66,8 @@ record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, 
             positions
                     .positionOf(boat)
                     .ifPresentOrElse(
-                            at -> candidates.add(new Candidate(boat, at, offers(boat, activation), begun)),
+                            at -> candidates.add(
+                                    new Candidate(boat, at, offers(boat, activation), begun, rangesM.apply(boat))),
                             () -> unknown.add(boat));
         }
         if (candidates.isEmpty()) {

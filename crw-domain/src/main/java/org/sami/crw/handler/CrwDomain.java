@@ -5,16 +5,19 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import org.sami.crw.fleet.FleetEvents;
 import org.sami.crw.operator.MessageSink;
+import org.sami.crw.proxy.BatteryState;
 import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatListeners;
 import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.BoatPositions;
+import org.sami.crw.service.reach.Range;
 import org.sami.crw.task.TaskNews;
 import org.sami.crw.task.TaskQueues;
 import org.sami.spn.host.ActivationHandler;
@@ -89,7 +92,8 @@ public final class CrwDomain implements AutoCloseable {
         handlers.put(VelocityMultiplierHandler.TYPE, new VelocityMultiplierHandler(settings));
         handlers.put(
                 AllocationHandler.TYPE,
-                new AllocationHandler(services.allocation(), positions, messages, computations));
+                new AllocationHandler(
+                        services.allocation(), positions, boat -> rangeM(boats, boat), messages, computations));
         handlers.put(PathHandler.TYPE, new PathHandler(services.paths(), positions, messages, computations));
         handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions));
         handlers.put(
@@ -120,6 +124,12 @@ public final class CrwDomain implements AutoCloseable {
         registrations.add(host.addListener(batteries));
         registrations.add(host.addListener(areas));
         registrations.add(host.addListener(measurements));
+    }
+
+    private static OptionalDouble rangeM(ProxyRegistry boats, String boat) {
+        Optional<BatteryState> battery =
+                boats.find(boat).flatMap(proxy -> proxy.status().battery());
+        return battery.isPresent() ? OptionalDouble.of(Range.sureM(battery.get().percent())) : OptionalDouble.empty();
     }
 
     /** The handlers of what moves boats or keeps them: what they ask can be withdrawn. */

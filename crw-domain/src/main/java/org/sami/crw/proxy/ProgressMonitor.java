@@ -1,6 +1,7 @@
 package org.sami.crw.proxy;
 
-import org.sami.crw.service.Geodesy;
+import java.util.Optional;
+import org.sami.crw.service.LocalPlane;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -16,6 +17,7 @@ final class ProgressMonitor {
 
     private static final double LEAST_M = 2; // what the noise of positions does not feign again and again
 
+    private Optional<LocalPlane> around = Optional.empty(); // the next point
     private double nearestM = Double.POSITIVE_INFINITY;
     private int next = -1;
     private long sinceMs;
@@ -35,7 +37,10 @@ final class ProgressMonitor {
 
     /** The boat is at a position, on its way to the point with this index. */
     void at(GeoPoint position, int index, GeoPoint point, long atMs) {
-        double leftM = Geodesy.distanceM(position, point);
+        if (index != next || around.isEmpty()) {
+            around = Optional.of(new LocalPlane(point));
+        }
+        double leftM = Math.hypot(around.get().x(position), around.get().y(position));
         if (index != next || leftM < nearestM - LEAST_M) {
             next = index;
             nearestM = leftM;

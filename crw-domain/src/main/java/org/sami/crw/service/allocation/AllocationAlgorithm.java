@@ -9,11 +9,14 @@ import org.sami.crw.service.choice.DeclaredAlgorithm;
  */
 public abstract class AllocationAlgorithm implements DeclaredAlgorithm<AllocationProblem> {
 
-    /** A division in which each work that a boat can do is on exactly one path, of a boat that can do it. */
+    /**
+     * A division in which each work that a boat can do is on exactly one path, of a boat that can do it; no path is longer than its boat's charge
+     * lasts where {@link ShortenedPaths} finds a way.
+     */
     public final Division divide(AllocationProblem problem) {
         AllocationProblem possible = problem.possible();
         DistanceTable legs = new DistanceTable(possible);
-        List<List<Integer>> shares = shares(possible, legs);
+        List<List<Integer>> shares = ShortenedPaths.of(possible, legs, shares(possible, legs));
         return Division.of(problem, possible, shares, legs, name());
     }
 

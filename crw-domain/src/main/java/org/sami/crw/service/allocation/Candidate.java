@@ -2,6 +2,7 @@ package org.sami.crw.service.allocation;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeSet;
 import org.sami.spn.value.GeoPoint;
@@ -12,13 +13,25 @@ import org.sami.spn.value.GeoPoint;
  * @param at where it is
  * @param offers its capabilities; in the order of the alphabet
  * @param begun the work that it has begun and keeps, in its order: it does that first, and what it gets comes after
+ * @param rangeM how far its charge is sure to take it, in metres; empty where that is not known
  */
-public record Candidate(String boat, GeoPoint at, Set<String> offers, List<WorkItem> begun) {
+public record Candidate(String boat, GeoPoint at, Set<String> offers, List<WorkItem> begun, OptionalDouble rangeM) {
     public Candidate {
         Objects.requireNonNull(boat, "boat");
         Objects.requireNonNull(at, "at");
         offers = java.util.Collections.unmodifiableSet(new TreeSet<>(offers));
         begun = List.copyOf(begun);
+        Objects.requireNonNull(rangeM, "rangeM");
+    }
+
+    /** A boat of whose charge nothing is known. */
+    public Candidate(String boat, GeoPoint at, Set<String> offers, List<WorkItem> begun) {
+        this(boat, at, offers, begun, OptionalDouble.empty());
+    }
+
+    /** The same boat with a charge that is sure to take it so far, in metres. */
+    public Candidate within(double metres) {
+        return new Candidate(boat, at, offers, begun, OptionalDouble.of(metres));
     }
 
     /** A boat that has begun nothing and offers nothing in particular. */

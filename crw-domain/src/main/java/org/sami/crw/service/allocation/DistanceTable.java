@@ -49,9 +49,9 @@ final class DistanceTable {
         }
     }
 
-    /** The algorithm came to its limit; what became of the rest, in words. */
+    /** The division came to a limit; what became of the rest, in words. */
     void fallShort(String words) {
-        shortfall = Optional.of(words);
+        shortfall = Optional.of(shortfall.map(before -> before + "; ").orElse("") + words);
     }
 
     Optional<String> shortfall() {

@@ -72,14 +72,14 @@ public final class WayCheck {
         }
         double lengthM = Geodesy.lengthM(from, way.points());
         double percent = way.batteryPercent().getAsDouble();
-        double rangeM = percent * METRES_PER_PERCENT;
+        double rangeM = Range.sureM(percent);
         return lengthM <= rangeM
                 ? Optional.empty()
                 : Optional.of(new WayDoubt(
                         WayDoubt.Kind.CHARGE,
                         String.format(
                                 Locale.ROOT,
-                                "%s is to go %s, and its charge of %.0f %% lasts for about %s",
+                                "%s is to go %s, and its charge of %.0f %% is sure to last for %s",
                                 way.boat(),
                                 kilometres(lengthM),
                                 percent,

@@ -55,10 +55,10 @@ class WayCheckTest {
 
     @Test
     void wayThatIsLongerThanTheChargeLastsIsDoubted() {
-        assertThat(doubt(20, List.of(), at(690, 0))).isEmpty();
-        assertThat(doubt(20, List.of(), at(360, 0), at(0, 0)))
+        assertThat(doubt(20, List.of(), at(630, 0))).isEmpty();
+        assertThat(doubt(20, List.of(), at(330, 0), at(0, 0))) // 700 m on the average
                 .contains(new WayDoubt(
-                        WayDoubt.Kind.CHARGE, "anna is to go 720 m, and its charge of 20 % lasts for about 700 m"));
+                        WayDoubt.Kind.CHARGE, "anna is to go 660 m, and its charge of 20 % is sure to last for 636 m"));
     }
 
     @Test

@@ -206,7 +206,9 @@ public final class InProcessRun {
     private void begin(RunObserver observer) {
         session.begin();
         repeat(LOOK_MILLIS, () -> {
-            records.visits().look(now(), water.boats());
+            if (records.visits().isLookingOut()) {
+                records.visits().look(now(), water.boats());
+            }
             observer.progress().accept(records.progress(catchingUp ? "catching up" : "running"));
         });
         repeat(TRACK_MILLIS, () -> records.tracks().look(now(), water.boats()));

@@ -25,9 +25,14 @@ public final class VisitRecorder {
         }
     }
 
+    /** Whether nobody has been at some of the locations yet. */
+    public boolean isLookingOut() {
+        return visited < locations.size();
+    }
+
     /** Looks where the boats are. Returns the locations that were visited just now. */
     public List<LocationResult> look(long nowMillis, List<BoatState> boats) {
-        if (visited == locations.size()) {
+        if (!isLookingOut()) {
             return List.of();
         }
         List<LocationResult> news = new ArrayList<>();
@@ -43,7 +48,10 @@ public final class VisitRecorder {
 
     private static Optional<String> visitor(LocationResult location, List<BoatState> boats) {
         for (BoatState boat : boats) {
-            if (Math.hypot(boat.eastM() - location.eastM(), boat.northM() - location.northM()) <= RADIUS_M) {
+            double eastM = boat.eastM() - location.eastM();
+            double northM = boat.northM() - location.northM();
+            boolean mayBeNear = Math.abs(eastM) <= RADIUS_M && Math.abs(northM) <= RADIUS_M;
+            if (mayBeNear && Math.hypot(eastM, northM) <= RADIUS_M) {
                 return Optional.of(boat.id());
             }
         }

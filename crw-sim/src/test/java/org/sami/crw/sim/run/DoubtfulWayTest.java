@@ -70,7 +70,7 @@ class DoubtfulWayTest {
         assertThat(asked(report))
                 .singleElement()
                 .asString()
-                .matches("LongWay: boat1 is to go \\d+ m, and its charge of 1 % lasts for about 35 m. Send it\\?");
+                .matches("LongWay: boat1 is to go \\d+ m, and its charge of 1 % is sure to last for 32 m. Send it\\?");
         assertThat(report.decisions()).extracting(DecisionResult::answer).containsExactly("yes");
         assertThat(report.distanceM()).isPositive();
     }

@@ -1,0 +1,144 @@
+package org.sami.crw.service.allocation;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+
+/**
+ * Takes work from boats whose paths are longer than their charges last and gives it to boats that have charge left for it, one after another, each time
+ * what makes all paths together least longer. Where that does not help everybody the rest stays where it is, and the division says so.
+ */
+final class ShortenedPaths {
+    /** So many distances may be measured for it: less than a second's worth. */
+    private static final long LIMIT = 40_000_000;
+
+    private static final double ROUNDING_M = 1e-9;
+
+    private final AllocationProblem problem;
+    private final DistanceTable legs;
+    private final List<List<Integer>> shares = new ArrayList<>();
+    private final double[] lengthM;
+
+    /** Work that changes its boat. */
+    private record Move(int from, int at, int to, int before, double costM) {}
+
+    private ShortenedPaths(AllocationProblem problem, DistanceTable legs, List<List<Integer>> given) {
+        this.problem = problem;
+        this.legs = legs;
+        given.forEach(share -> shares.add(new ArrayList<>(share)));
+        lengthM = new double[given.size()];
+        for (int boat = 0; boat < lengthM.length; boat++) {
+            lengthM[boat] = legs.begun(boat);
+            for (int i = 0; i < shares.get(boat).size(); i++) {
+                lengthM[boat] += legs.leg(boat, stop(boat, i - 1), stop(boat, i));
+            }
+        }
+    }
+
+    /** The shares, changed where a path is longer than its boat's charge lasts. */
+    static List<List<Integer>> of(AllocationProblem problem, DistanceTable legs, List<List<Integer>> given) {
+        if (problem.boats().stream().map(Candidate::rangeM).allMatch(OptionalDouble::isEmpty)) {
+            return given;
+        }
+        ShortenedPaths paths = new ShortenedPaths(problem, legs, given);
+        for (int boat = 0; boat < given.size(); boat++) {
+            paths.shorten(boat);
+        }
+        paths.sayWhatIsTooLong();
+        return paths.shares;
+    }
+
+    private double leftM(int boat) {
+        return problem.boats().get(boat).rangeM().orElse(Double.POSITIVE_INFINITY) - lengthM[boat];
+    }
+
+    private void shorten(int boat) {
+        long end = legs.measured() + LIMIT / lengthM.length;
+        while (leftM(boat) < 0 && legs.measured() < end) {
+            Move move = cheapest(boat);
+            if (move == null) {
+                return;
+            }
+            int work = shares.get(boat).remove(move.at);
+            shares.get(move.to).add(move.before, work);
+            lengthM[boat] = lengthOf(boat);
+            lengthM[move.to] = lengthOf(move.to);
+        }
+    }
+
+    private double lengthOf(int boat) {
+        double metres = legs.begun(boat);
+        for (int i = 0; i < shares.get(boat).size(); i++) {
+            metres += legs.leg(boat, stop(boat, i - 1), stop(boat, i));
+        }
+        return metres;
+    }
+
+    /** The work of a boat that others can do at the least cost, in metres of all paths together; null where nobody can. */
+    private Move cheapest(int from) {
+        Move best = null;
+        for (int at = 0; at < shares.get(from).size(); at++) {
+            double savedM = savedM(from, at);
+            int work = shares.get(from).get(at);
+            for (int to = 0; savedM > ROUNDING_M && to < lengthM.length; to++) {
+                if (to != from && problem.boats().get(to).canDo(problem.work().get(work))) {
+                    best = cheaper(best, from, at, to, savedM);
+                }
+            }
+        }
+        return best;
+    }
+
+    private Move cheaper(Move known, int from, int at, int to, double savedM) {
+        Move best = known;
+        int work = shares.get(from).get(at);
+        for (int before = 0; before <= shares.get(to).size(); before++) {
+            double addedM = addedM(to, before, work);
+            if (addedM <= leftM(to) && (best == null || addedM - savedM < best.costM)) {
+                best = new Move(from, at, to, before, addedM - savedM);
+            }
+        }
+        return best;
+    }
+
+    private double savedM(int boat, int at) {
+        double metres = legs.leg(boat, stop(boat, at - 1), stop(boat, at));
+        if (at + 1 < shares.get(boat).size()) {
+            metres += legs.between(stop(boat, at), stop(boat, at + 1))
+                    - legs.leg(boat, stop(boat, at - 1), stop(boat, at + 1));
+        }
+        return metres;
+    }
+
+    private double addedM(int boat, int before, int work) {
+        double metres = legs.leg(boat, stop(boat, before - 1), work);
+        if (before < shares.get(boat).size()) {
+            metres +=
+                    legs.between(work, stop(boat, before)) - legs.leg(boat, stop(boat, before - 1), stop(boat, before));
+        }
+        return metres;
+    }
+
+    /** Below zero where the boat is free. */
+    private int stop(int boat, int index) {
+        return index < 0 ? -1 : shares.get(boat).get(index);
+    }
+
+    private void sayWhatIsTooLong() {
+        String words = IntStream.range(0, lengthM.length)
+                .filter(boat -> leftM(boat) < 0)
+                .mapToObj(boat -> String.format(
+                        Locale.ROOT,
+                        "%s is to go %.0f m, and its charge is sure to last for %.0f m",
+                        problem.boats().get(boat).boat(),
+                        lengthM[boat],
+                        lengthM[boat] + leftM(boat)))
+                .collect(Collectors.joining("; "));
+        if (!words.isEmpty()) {
+            legs.fallShort(words + ": nobody else has charge left for it, and its battery is to be swapped on the way");
+        }
+    }
+}

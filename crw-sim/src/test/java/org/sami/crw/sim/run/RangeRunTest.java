@@ -1,0 +1,54 @@
+package org.sami.crw.sim.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Map;
+import java.util.OptionalLong;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.crw.sim.report.DecisionResult;
+import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+
+/** Charges are taken into account when locations are divided: no boat stops dead on its way. */
+class RangeRunTest {
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
+    void noBoatIsSentFartherThanItsChargeLastsWhereOthersCanGo(long seed) {
+        RunReport report = run("100,14,100", seed);
+
+        assertThat(report.result().outcome()).as(report.result().reason()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.locations()).hasSize(20).allMatch(LocationResult::visited);
+        assertThat(report.boats())
+                .allSatisfy(
+                        boat -> assertThat(boat.batteryPercent()).as(boat.id()).isPositive());
+        assertThat(report.decisions()).extracting(DecisionResult::type).doesNotContain("LongWay");
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2})
+    void operatorIsAskedBeforeTheStartWhereNoDivisionIsWithinTheCharges(long seed) {
+        RunReport report = run("8,8,8", seed);
+
+        assertThat(report.decisions()).extracting(DecisionResult::type).contains("LongWay");
+        assertThat(report.notes())
+                .extracting(NoteResult::message)
+                .anyMatch(text -> text.startsWith("Allocation: ") && text.contains("is sure to last for 255 m"));
+    }
+
+    private static RunReport run(String charges, long seed) {
+        RunPlan plan = TestRuns.plan("clv");
+        RunSettings settings = new RunSettings(
+                plan.plan().id(),
+                plan.plan().name(),
+                new RunSettings.Fleet(3, 20, 600, seed).with(InitialCharges.parse(charges)),
+                Speed.MAX,
+                OptionalLong.of(7_200_000),
+                Map.of(),
+                5_000,
+                "");
+        return TestRuns.run(plan, settings);
+    }
+}
