@@ -72,7 +72,7 @@ final class PairOfTracks {
                 leastAt = at + part * (next - at);
             }
             double farM = Math.hypot(east + byEast, north + byNorth) - least - ROUNDING_M; // at the end of the leg
-            long soonest = farM > 0 ? next + (long) Math.min(end - next, farM / closingMPerMs) : next;
+            long soonest = farM > 0 ? next + (long) Math.min((double) (end - next), farM / closingMPerMs) : next;
             if (soonest >= end) {
                 break;
             }
