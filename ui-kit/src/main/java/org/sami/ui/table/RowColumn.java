@@ -14,6 +14,7 @@ import org.sami.ui.look.SemanticColor;
  * @param text what stands in it
  * @param color of the text
  * @param icon before the text
+ * @param spare whether it is left out where the table is too narrow for all columns
  */
 public record RowColumn<R>(
         String title,
@@ -21,7 +22,8 @@ public record RowColumn<R>(
         boolean right,
         Function<R, String> text,
         Function<R, SemanticColor> color,
-        Function<R, Optional<Icon>> icon) {
+        Function<R, Optional<Icon>> icon,
+        boolean spare) {
     public RowColumn {
         Objects.requireNonNull(title, "title");
         Objects.requireNonNull(text, "text");
@@ -31,21 +33,26 @@ public record RowColumn<R>(
 
     /** Words. */
     public static <R> RowColumn<R> words(String title, int width, Function<R, String> text) {
-        return new RowColumn<>(title, width, false, text, row -> SemanticColor.TEXT, row -> Optional.empty());
+        return new RowColumn<>(title, width, false, text, row -> SemanticColor.TEXT, row -> Optional.empty(), false);
     }
 
     /** A number with its unit. */
     public static <R> RowColumn<R> number(String title, int width, Function<R, String> text) {
-        return new RowColumn<>(title, width, true, text, row -> SemanticColor.TEXT, row -> Optional.empty());
+        return new RowColumn<>(title, width, true, text, row -> SemanticColor.TEXT, row -> Optional.empty(), false);
     }
 
     /** The same in colours that say something. */
     public RowColumn<R> colored(Function<R, SemanticColor> by) {
-        return new RowColumn<>(title, width, right, text, by, icon);
+        return new RowColumn<>(title, width, right, text, by, icon, spare);
     }
 
     /** The same with icons. */
     public RowColumn<R> withIcon(Function<R, Optional<Icon>> by) {
-        return new RowColumn<>(title, width, right, text, color, by);
+        return new RowColumn<>(title, width, right, text, color, by, spare);
+    }
+
+    /** The same, left out where the table is too narrow for all columns; of several the last one first. */
+    public RowColumn<R> asSpare() {
+        return new RowColumn<>(title, width, right, text, color, icon, true);
     }
 }

@@ -2,9 +2,9 @@ package org.sami.ui.table;
 
 import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.Graphics;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -16,26 +16,28 @@ import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.SwingConstants;
 import javax.swing.table.AbstractTableModel;
-import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableColumn;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
+import org.sami.ui.value.WrappedText;
 
 /**
- * A table of immutable rows. When they are replaced, the selection stays with what was selected. An empty table says what would appear in
- * it. On the event thread.
+ * A table of immutable rows. When they are replaced, the selection stays with what was selected. Words that do not fit their column go on
+ * in further lines; a narrow table leaves spare columns out. An empty table says what would appear in it. On the event thread.
  *
  * @param <R> type of the rows
  */
 public final class RowTable<R> extends JScrollPane {
-    private static final int ROW_HEIGHT = 30;
+    private static final int LEAST_WORDS = 84;
+    private static final int LEAST_REST = 170; // logical pixels of a column that has what is left
 
     private final Function<R, Object> key;
     private final List<RowColumn<R>> columns;
     private final Rows model = new Rows();
     private final JTable table;
+    private final List<TableColumn> all;
     private final List<Runnable> selectionListeners = new ArrayList<>();
     private List<R> rows = List.of();
     private boolean replacing;
@@ -50,8 +52,9 @@ public final class RowTable<R> extends JScrollPane {
     public RowTable(String name, String nothingYet, Function<R, Object> key, List<RowColumn<R>> columns) {
         this.key = key;
         this.columns = List.copyOf(columns);
-        table = new View(nothingYet);
-        table.setName(name);
+        table = new View(name, nothingYet);
+        table.setAutoCreateColumnsFromModel(false);
+        all = Collections.list(table.getColumnModel().getColumns());
         table.setFillsViewportHeight(true);
         table.setShowVerticalLines(false);
         table.setDefaultRenderer(Object.class, new Cell());
@@ -72,7 +75,8 @@ public final class RowTable<R> extends JScrollPane {
         return (view, value, selected, focused, row, column) -> {
             Component cell = standard.getTableCellRendererComponent(view, value, selected, focused, row, column);
             if (cell instanceof JLabel label) {
-                boolean right = columns.get(column).right();
+                boolean right =
+                        columns.get(view.convertColumnIndexToModel(column)).right();
                 label.setHorizontalAlignment(right ? SwingConstants.RIGHT : SwingConstants.LEFT);
                 label.setBorder(BorderFactory.createEmptyBorder(
                         Look.px(Spacing.TIGHT),
@@ -107,6 +111,7 @@ public final class RowTable<R> extends JScrollPane {
         }
         select(selected);
         replacing = false;
+        fitRows();
     }
 
     private void select(Set<Object> keys) {
@@ -156,9 +161,9 @@ public final class RowTable<R> extends JScrollPane {
     }
 
     private void scale() {
-        table.setRowHeight(Look.px(ROW_HEIGHT));
+        table.setRowHeight(RowCell.leastHeight());
         for (int i = 0; i < columns.size(); i++) {
-            TableColumn column = table.getColumnModel().getColumn(i);
+            TableColumn column = all.get(i);
             int width = columns.get(i).width();
             if (width > 0) {
                 column.setPreferredWidth(Look.px(width));
@@ -191,28 +196,38 @@ public final class RowTable<R> extends JScrollPane {
     }
 
     private final class View extends JTable {
-        private final JLabel nothing;
+        private final WrappedText hint;
 
-        View(String nothingYet) {
+        View(String name, String nothingYet) {
             super(model);
-            nothing = new JLabel(
-                    "<html><div style='text-align:center'>" + nothingYet + "</div></html>", SwingConstants.CENTER);
+            setName(name);
+            hint = new WrappedText(nothingYet);
+            hint.setName(name + "-empty");
+            hint.setColor(SemanticColor.MUTED);
+            add(hint);
             setPreferredScrollableViewportSize(new Dimension(0, 0));
         }
 
+        /** An empty table is as high as its hint, so that it scrolls in a low panel. */
         @Override
-        protected void paintComponent(Graphics g) {
-            super.paintComponent(g);
-            if (getRowCount() == 0) {
-                int inset = Look.px(Spacing.WIDE);
-                nothing.setForeground(SemanticColor.MUTED.get());
-                nothing.setFont(getFont());
-                nothing.setSize(Math.max(0, getWidth() - 2 * inset), getHeight());
-                Graphics own = g.create();
-                own.translate(inset, 0);
-                nothing.paint(own);
-                own.dispose();
-            }
+        public Dimension getPreferredSize() {
+            Dimension size = super.getPreferredSize();
+            return hint == null || getRowCount() > 0
+                    ? size
+                    : new Dimension(size.width, hint.getPreferredSize().height + 2 * Look.px(Spacing.NORMAL));
+        }
+
+        @Override
+        public void doLayout() {
+            fitColumns(getWidth());
+            super.doLayout();
+            fitRows();
+            int inset = Look.px(Spacing.WIDE);
+            int width = Math.max(1, getWidth() - 2 * inset);
+            hint.setVisible(getRowCount() == 0);
+            hint.setSize(width, Short.MAX_VALUE);
+            int height = hint.getPreferredSize().height;
+            hint.setBounds(inset, Math.max(Look.px(Spacing.NORMAL), (getHeight() - height) / 2), width, height);
         }
 
         @Override
@@ -223,23 +238,77 @@ public final class RowTable<R> extends JScrollPane {
         }
     }
 
-    private final class Cell extends DefaultTableCellRenderer {
+    /** Leaves out as many spare columns as others need room, the last one first. */
+    private void fitColumns(int width) {
+        int needed = columns.stream()
+                .mapToInt(column -> Look.px(column.width() > 0 ? column.width() : LEAST_REST))
+                .sum();
+        Set<Integer> out = new HashSet<>();
+        for (int i = columns.size() - 1; i >= 0 && needed > width && width > 0; i--) {
+            if (columns.get(i).spare()) {
+                out.add(i);
+                needed -= Look.px(columns.get(i).width());
+            }
+        }
+        shrinkWords(needed - width);
+        for (int i = 0, at = 0; i < all.size(); i++) {
+            boolean there =
+                    at < table.getColumnCount() && table.getColumnModel().getColumn(at) == all.get(i);
+            if (there && out.contains(i)) {
+                table.removeColumn(all.get(i));
+            } else if (!there && !out.contains(i)) {
+                table.addColumn(all.get(i));
+                table.moveColumn(table.getColumnCount() - 1, at);
+            }
+            at += out.contains(i) ? 0 : 1;
+        }
+    }
+
+    /** Words go on in further lines: where even so not all has room, columns of words become narrower. */
+    private void shrinkWords(int missing) {
+        int words = columns.stream()
+                .filter(column -> !column.right())
+                .mapToInt(column -> Look.px(column.width()))
+                .sum();
+        for (int i = 0; i < columns.size(); i++) {
+            int width = Look.px(columns.get(i).width());
+            if (!columns.get(i).right() && width > 0) {
+                int fair = missing <= 0 ? width : width - missing * width / words;
+                int given = Math.max(Math.min(width, Look.px(LEAST_WORDS)), fair);
+                all.get(i).setMinWidth(given);
+                all.get(i).setPreferredWidth(given);
+            }
+        }
+    }
+
+    /** Makes each row as high as its words need at the width of their columns. */
+    private void fitRows() {
+        if (table.getWidth() == 0) {
+            return; // its layout will do it
+        }
+        for (int row = 0; row < rows.size(); row++) {
+            int height = RowCell.leastHeight();
+            for (int at = 0; at < table.getColumnCount(); at++) {
+                TableColumn column = table.getColumnModel().getColumn(at);
+                height = Math.max(
+                        height,
+                        RowCell.height(table, columns.get(column.getModelIndex()), rows.get(row), column.getWidth()));
+            }
+            if (table.getRowHeight(row) != height) {
+                table.setRowHeight(row, height);
+            }
+        }
+    }
+
+    private final class Cell implements TableCellRenderer {
+        private final RowCell<R> cell = new RowCell<>();
+
         @Override
         public Component getTableCellRendererComponent(
-                JTable view, Object value, boolean selected, boolean focused, int row, int column) {
-            super.getTableCellRendererComponent(view, value, selected, false, row, column);
-            RowColumn<R> how = columns.get(column);
-            R what = rows.get(row);
-            setHorizontalAlignment(how.right() ? SwingConstants.RIGHT : SwingConstants.LEFT);
-            setForeground(
-                    selected
-                            ? SemanticColor.ON_SELECTION.get()
-                            : how.color().apply(what).get());
-            setBackground((selected ? SemanticColor.SELECTION : SemanticColor.SURFACE).get());
-            setIcon(how.icon().apply(what).orElse(null));
-            setIconTextGap(Look.px(Spacing.NORMAL));
-            setBorder(BorderFactory.createEmptyBorder(0, Look.px(Spacing.NORMAL), 0, Look.px(Spacing.NORMAL)));
-            return this;
+                JTable view, Object value, boolean selected, boolean focused, int row, int at) {
+            TableColumn column = view.getColumnModel().getColumn(at);
+            cell.show(view, columns.get(column.getModelIndex()), rows.get(row), selected, column.getWidth());
+            return cell;
         }
     }
 }

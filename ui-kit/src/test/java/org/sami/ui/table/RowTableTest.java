@@ -2,16 +2,19 @@ package org.sami.ui.table;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.sami.ui.check.Layout;
+import org.sami.ui.check.TextFit;
 
 class RowTableTest {
     private record Row(String id, int value) {}
 
     private final RowTable<Row> table = new RowTable<>(
             "numbers",
-            "Numbers appear here",
+            "Numbers appear here, one below the other, as soon as somebody has counted something",
             Row::id,
             List.of(RowColumn.words("Name", 0, Row::id), RowColumn.number("Value", 80, row -> row.value() + " m")));
 
@@ -42,5 +45,54 @@ class RowTableTest {
         table.table().setRowSelectionInterval(0, 0);
         assertThat(told[0]).isPositive();
         assertThat(table.table().getValueAt(0, 1)).isEqualTo("1 m");
+    }
+
+    @Test
+    void wordsThatDoNotFitGoOnInFurtherLines() {
+        table.show(
+                List.of(new Row("short", 1), new Row("a text of which no letter is to be lost in a narrow table", 2)));
+
+        Layout.layOut(table, 220, 200);
+
+        assertThat(TextFit.faults(table)).isEmpty();
+        assertThat(table.table().getRowHeight(1)).isGreaterThan(table.table().getRowHeight(0) + 10);
+
+        Layout.layOut(table, 700, 200);
+        assertThat(table.table().getRowHeight(1)).isEqualTo(table.table().getRowHeight(0));
+    }
+
+    @Test
+    void aNarrowTableLeavesSpareColumnsOutTheLastOneFirst() {
+        RowTable<Row> spare = new RowTable<>(
+                "numbers",
+                "Numbers appear here",
+                Row::id,
+                List.of(
+                        RowColumn.words("Name", 0, Row::id),
+                        RowColumn.<Row>number("One", 80, row -> "1").asSpare(),
+                        RowColumn.<Row>number("Two", 80, row -> "2").asSpare(),
+                        RowColumn.number("Value", 80, row -> row.value() + " m")));
+        spare.show(List.of(new Row("a", 1)));
+
+        assertThat(heads(spare, 430)).containsExactly("Name", "One", "Two", "Value");
+        assertThat(heads(spare, 350)).containsExactly("Name", "One", "Value");
+        assertThat(heads(spare, 260)).containsExactly("Name", "Value");
+        assertThat(spare.table().getValueAt(0, 1)).isEqualTo("1 m");
+        assertThat(heads(spare, 430)).containsExactly("Name", "One", "Two", "Value");
+    }
+
+    @Test
+    void theHintOfAnEmptyTableScrollsInALowPanel() {
+        Layout.layOut(table, 160, 40);
+
+        assertThat(TextFit.faults(table)).isEmpty();
+        assertThat(table.getVerticalScrollBar().isVisible()).isTrue();
+    }
+
+    private static List<String> heads(RowTable<?> table, int width) {
+        Layout.layOut(table, width, 200);
+        return Collections.list(table.table().getColumnModel().getColumns()).stream()
+                .map(column -> column.getHeaderValue().toString())
+                .toList();
     }
 }

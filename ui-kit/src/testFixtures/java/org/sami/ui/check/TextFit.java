@@ -22,7 +22,9 @@ import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTree;
 import javax.swing.JViewport;
+import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
+import javax.swing.table.JTableHeader;
 import javax.swing.table.TableCellRenderer;
 import javax.swing.tree.TreePath;
 import org.sami.ui.look.Look;
@@ -34,6 +36,7 @@ import org.sami.ui.look.Look;
 public final class TextFit {
     private static final int LEAST_PX = 12;
     private static final int SLACK_PX = 1;
+    private static final int LEAST_SHORTENED = 12; // letters and dots
 
     private final List<String> faults = new ArrayList<>();
     private final int leastPx = Math.round(LEAST_PX * Look.scalePercent() / 100f);
@@ -107,10 +110,20 @@ public final class TextFit {
                 new Rectangle(),
                 gap);
         int free = component.getHeight() + SLACK_PX;
-        if (!seen.equals(text) || free < metrics.getAscent() + metrics.getDescent()) {
+        boolean whole = seen.equals(text) || isShortened(component, text, seen);
+        if (!whole || free < metrics.getAscent() + metrics.getDescent()) {
             faults.add(nameOf(component) + " is cut: \"" + text + "\" in " + component.getWidth() + " x "
                     + component.getHeight() + " px");
         }
+    }
+
+    /** Whether a text of any length, not the name of a command, is shortened so that much of it is read, and the tooltip has all of it. */
+    private static boolean isShortened(JComponent component, String text, String seen) {
+        boolean fromOutside = component instanceof JLabel
+                || component instanceof AbstractButton button
+                        && button.getHorizontalAlignment() == SwingConstants.LEADING;
+        String tooltip = component.getToolTipText();
+        return fromOutside && tooltip != null && tooltip.contains(text) && seen.length() > LEAST_SHORTENED;
     }
 
     private void checkSize(JComponent component, String text, FontMetrics metrics) {
@@ -134,6 +147,7 @@ public final class TextFit {
     }
 
     private void checkCells(JTable table) {
+        checkHeads(table);
         for (int row = 0; row < table.getRowCount(); row++) {
             for (int column = 0; column < table.getColumnCount(); column++) {
                 TableCellRenderer renderer = table.getCellRenderer(row, column);
@@ -200,6 +214,23 @@ public final class TextFit {
             }
         }
         return texts;
+    }
+
+    private void checkHeads(JTable table) {
+        JTableHeader header = table.getTableHeader();
+        for (int column = 0;
+                header != null && header.getParent() != null && column < table.getColumnCount();
+                column++) {
+            TableCellRenderer renderer = header.getDefaultRenderer();
+            Object title = table.getColumnName(column);
+            int wanted = renderer.getTableCellRendererComponent(table, title, false, false, -1, column)
+                    .getPreferredSize()
+                    .width;
+            int width = table.getColumnModel().getColumn(column).getWidth();
+            if (width + SLACK_PX < wanted) {
+                faults.add(nameOf(table) + " cuts the head of column " + column + ": \"" + title + "\"");
+            }
+        }
     }
 
     /** Texts lie inside of what holds them, and not on one another. */

@@ -1,0 +1,108 @@
+package org.sami.ui.table;
+
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.FontMetrics;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Insets;
+import java.util.List;
+import javax.swing.BorderFactory;
+import javax.swing.Icon;
+import javax.swing.JTable;
+import javax.swing.SwingConstants;
+import javax.swing.plaf.basic.BasicGraphicsUtils;
+import javax.swing.table.DefaultTableCellRenderer;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.Spacing;
+
+/** Draws the cells of a {@link RowTable}: words in as many lines as they need, numbers at the right in one. */
+final class RowCell<R> extends DefaultTableCellRenderer {
+    private static final int LEAST_HEIGHT = 30;
+    private static final int MOST_LINES = 4; // the rest is in the tooltip
+    private static final int AIR = 12;
+
+    private List<String> lines = List.of();
+
+    /** Makes it the cell of a row and column. */
+    void show(JTable view, RowColumn<R> column, R row, boolean selected, int width) {
+        super.getTableCellRendererComponent(view, "", selected, false, 0, 0);
+        setHorizontalAlignment(column.right() ? SwingConstants.RIGHT : SwingConstants.LEFT);
+        Color color = (selected ? SemanticColor.ON_SELECTION : column.color().apply(row)).get();
+        setForeground(color);
+        setBackground((selected ? SemanticColor.SELECTION : SemanticColor.SURFACE).get());
+        setIcon(column.icon().apply(row).orElse(null));
+        setIconTextGap(Look.px(Spacing.NORMAL));
+        setBorder(BorderFactory.createEmptyBorder(0, Look.px(Spacing.NORMAL), 0, Look.px(Spacing.NORMAL)));
+        String text = column.text().apply(row);
+        lines = lines(view, column, row, width);
+        setText(lines.size() > 1 ? "" : lines.get(0));
+        getAccessibleContext().setAccessibleName(text);
+    }
+
+    /** How high a row has to be for a cell, in pixels. */
+    static <R> int height(JTable view, RowColumn<R> column, R row, int width) {
+        int count = column.right() ? 1 : lines(view, column, row, width).size();
+        return heightOf(count, view.getFontMetrics(view.getFont()));
+    }
+
+    /** How high a row of one line is, in pixels. */
+    static int leastHeight() {
+        return Look.px(LEAST_HEIGHT);
+    }
+
+    private static int heightOf(int lines, FontMetrics metrics) {
+        return Math.max(leastHeight(), lines * metrics.getHeight() + Look.px(AIR));
+    }
+
+    private static <R> List<String> lines(JTable view, RowColumn<R> column, R row, int width) {
+        String text = column.text().apply(row);
+        if (column.right()) {
+            return List.of(text);
+        }
+        int icon = column.icon()
+                .apply(row)
+                .map(Icon::getIconWidth)
+                .map(wide -> wide + Look.px(Spacing.NORMAL))
+                .orElse(0);
+        int room = Math.max(1, width - icon - 2 * Look.px(Spacing.NORMAL));
+        return TextLines.of(text, view.getFontMetrics(view.getFont()), room, MOST_LINES);
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        if (lines.size() < 2) {
+            return super.getPreferredSize();
+        }
+        FontMetrics metrics = getFontMetrics(getFont());
+        int widest = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0);
+        return new Dimension(left() + widest + getInsets().right, heightOf(lines.size(), metrics));
+    }
+
+    /** Where words begin. */
+    private int left() {
+        Icon icon = getIcon();
+        return getInsets().left + (icon == null ? 0 : icon.getIconWidth() + getIconTextGap());
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        super.paintComponent(graphics);
+        if (lines.size() < 2) {
+            return;
+        }
+        Graphics2D g = (Graphics2D) graphics;
+        g.setFont(getFont());
+        g.setColor(getForeground());
+        FontMetrics metrics = g.getFontMetrics();
+        Insets insets = getInsets();
+        int y = insets.top
+                + (getHeight() - insets.top - insets.bottom - lines.size() * metrics.getHeight()) / 2
+                + metrics.getAscent();
+        for (String line : lines) {
+            BasicGraphicsUtils.drawString(this, g, line, left(), y);
+            y += metrics.getHeight();
+        }
+    }
+}

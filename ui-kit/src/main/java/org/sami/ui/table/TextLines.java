@@ -1,0 +1,77 @@
+package org.sami.ui.table;
+
+import java.awt.FontMetrics;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Breaks a text into lines of a width, between words where it can. */
+final class TextLines {
+    private static final String MORE = "…";
+
+    private TextLines() {}
+
+    /**
+     * The lines of a text; one at least.
+     *
+     * @param width in pixels; a word that is wider is broken
+     * @param most how many lines there are at most; where there would be more, the last one ends in dots
+     */
+    static List<String> of(String text, FontMetrics metrics, int width, int most) {
+        if (metrics.stringWidth(text) <= width && text.indexOf('\n') < 0) {
+            return List.of(text);
+        }
+        List<String> lines = new ArrayList<>();
+        for (String paragraph : text.split("\n", -1)) {
+            int from = 0;
+            do {
+                int end = end(paragraph, from, metrics, width);
+                lines.add(paragraph.substring(from, end).stripTrailing());
+                from = end;
+                while (from < paragraph.length() && paragraph.charAt(from) == ' ') {
+                    from++;
+                }
+            } while (from < paragraph.length() && lines.size() <= most);
+        }
+        if (lines.size() > most) {
+            lines.subList(most, lines.size()).clear();
+            lines.set(most - 1, withMore(lines.get(most - 1), metrics, width));
+        }
+        return List.copyOf(lines);
+    }
+
+    /** Where the line ends that begins at a letter. */
+    private static int end(String text, int from, FontMetrics metrics, int width) {
+        if (metrics.stringWidth(text.substring(from)) <= width) {
+            return text.length();
+        }
+        int best = -1;
+        int wordsFrom = from;
+        while (wordsFrom < text.length() && text.charAt(wordsFrom) == ' ') {
+            wordsFrom++; // what a line is indented by is no place to break it
+        }
+        for (int space = text.indexOf(' ', wordsFrom); space >= 0; space = text.indexOf(' ', space + 1)) {
+            if (metrics.stringWidth(text.substring(from, space)) > width) {
+                break;
+            }
+            best = space;
+        }
+        return best > 0 ? best : broken(text, from, metrics, width);
+    }
+
+    /** Where a word is broken that does not fit. */
+    private static int broken(String text, int from, FontMetrics metrics, int width) {
+        int end = from + 1;
+        while (end < text.length() && metrics.stringWidth(text.substring(from, end + 1)) <= width) {
+            end++;
+        }
+        return end;
+    }
+
+    private static String withMore(String line, FontMetrics metrics, int width) {
+        String kept = line;
+        while (!kept.isEmpty() && metrics.stringWidth(kept + MORE) > width) {
+            kept = kept.substring(0, kept.length() - 1);
+        }
+        return kept.stripTrailing() + MORE;
+    }
+}
