@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Optional;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
+import org.sami.ui.geo.Mercator;
 import org.sami.ui.geo.Snapping;
 import org.sami.ui.look.SemanticColor;
 
@@ -77,12 +78,44 @@ public final class AreaLayer extends MapLayer {
                 g.draw(path);
             }
         }
-        if (!shown.area().name().isEmpty()) {
-            paint.font(MapPaint.PLAIN);
-            Rectangle2D bounds = path.getBounds2D();
-            paint.write(
-                    shown.area().name(),
-                    paint.plate(shown.area().name(), bounds.getX() + NAME_PX, bounds.getY() + NAME_PX));
+    }
+
+    @Override
+    protected void paintNames(MapPaint paint) {
+        areas.stream()
+                .filter(shown -> !shown.area().name().isEmpty())
+                .forEach(shown -> paint.paint(shown.area().id(), () -> write(paint, shown)));
+    }
+
+    /** In a corner of what is seen of the area, or just outside of one that is small. */
+    private static void write(MapPaint paint, Shown shown) {
+        MapFrame frame = paint.frame();
+        Rectangle2D seen = shown.rings()
+                .get(0)
+                .bounds()
+                .map(box -> new Rectangle2D.Double(
+                                frame.px(Mercator.x(box.westDeg())),
+                                frame.py(Mercator.y(box.northDeg())),
+                                (Mercator.x(box.eastDeg()) - Mercator.x(box.westDeg())) * frame.worldPx(),
+                                (Mercator.y(box.southDeg()) - Mercator.y(box.northDeg())) * frame.worldPx())
+                        .createIntersection(new Rectangle2D.Double(0, 0, frame.width(), frame.height())))
+                .orElse(new Rectangle2D.Double());
+        if (seen.isEmpty()) {
+            return;
+        }
+        paint.font(MapPaint.PLAIN);
+        Rectangle2D size = paint.plate(shown.area().name(), 0, 0);
+        double left = seen.getMinX() + NAME_PX;
+        double right = seen.getMaxX() - NAME_PX - size.getWidth();
+        double top = seen.getMinY() + NAME_PX;
+        double bottom = seen.getMaxY() - NAME_PX - size.getHeight();
+        double above = seen.getMinY() - NAME_PX - size.getHeight();
+        double below = seen.getMaxY() + NAME_PX;
+        if (right < left || bottom < top) {
+            paint.writeName(shown.area().name(), left, above, left, below, right, above, right, below);
+        } else {
+            paint.writeName(
+                    shown.area().name(), left, top, right, top, left, bottom, right, bottom, left, above, left, below);
         }
     }
 

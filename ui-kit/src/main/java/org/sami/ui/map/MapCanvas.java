@@ -6,6 +6,7 @@ import java.awt.GraphicsDevice;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.geom.Point2D;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.jxmapviewer.JXMapViewer;
@@ -22,6 +23,10 @@ import org.sami.ui.look.Theme;
 final class MapCanvas extends JXMapViewer {
     private static final int MARGIN_PX = 48;
     private static final int SMALL = 8; // a margin is at most this part of a small map
+    private static final double MOST_MAGNIFIED = 1.999;
+    private static final double FINER_FROM = Math.sqrt(2);
+    private static final int SCALE_WIDE = 150;
+    private static final int SCALE_HIGH = 44;
     private static final double POINT_ALONE_M = 60; // what is shown around one point
 
     private final transient MapLayers layers = new MapLayers(this::repaint);
@@ -32,7 +37,11 @@ final class MapCanvas extends JXMapViewer {
     private transient MapTool tool = new MapTool() {};
     private transient Set<String> highlighted = Set.of();
     private transient Optional<GeoBounds> toFit = Optional.empty();
+    private final transient MapLabels labels = new MapLabels();
+    private transient Optional<GeoBounds> fitted = Optional.empty();
+    private transient MapFrame fittedAt;
     private boolean grid = true;
+    private double magnification = 1; // of the zoom, less than 2
 
     MapCanvas() {
         setName("map-canvas");
@@ -103,7 +112,8 @@ final class MapCanvas extends JXMapViewer {
     MapFrame frame() {
         double world = worldPx(getZoom());
         Point2D centre = getCenter();
-        return new MapFrame(centre.getX() / world, centre.getY() / world, world, getWidth(), getHeight());
+        return new MapFrame(
+                centre.getX() / world, centre.getY() / world, world * magnification, getWidth(), getHeight());
     }
 
     private static double worldPx(int zoom) {
@@ -137,7 +147,7 @@ final class MapCanvas extends JXMapViewer {
         double x = before.centreX() + (px - getWidth() / 2.0) / before.worldPx();
         double y = before.centreY() + (py - getHeight() / 2.0) / before.worldPx();
         setZoom(zoom);
-        double world = worldPx(zoom);
+        double world = worldPx(zoom) * magnification;
         centre(x - (px - getWidth() / 2.0) / world, y - (py - getHeight() / 2.0) / world);
     }
 
@@ -148,6 +158,7 @@ final class MapCanvas extends JXMapViewer {
             return;
         }
         toFit = Optional.empty();
+        fitted = Optional.of(box);
         double west = Mercator.x(box.westDeg());
         double east = Mercator.x(box.eastDeg());
         double north = Mercator.y(box.northDeg());
@@ -163,13 +174,28 @@ final class MapCanvas extends JXMapViewer {
             zoom++;
         }
         setZoom(zoom);
+        double larger =
+                Math.min((getWidth() - across) / (wide * worldPx(zoom)), (getHeight() - down) / (high * worldPx(zoom)));
+        magnification = Math.max(1, Math.min(MOST_MAGNIFIED, larger));
         centre((west + east) / 2, (north + south) / 2);
+        fittedAt = frame();
     }
 
+    /** Whether nobody has moved the map since a box was fitted into it. */
+    private boolean isFitted() {
+        MapFrame now = frame();
+        return fitted.isPresent()
+                && now.worldPx() == fittedAt.worldPx()
+                && now.centreX() == fittedAt.centreX()
+                && now.centreY() == fittedAt.centreY();
+    }
+
+    /** What was fitted stays so while the map becomes larger or smaller, until somebody moves it. */
     @Override
     public void setBounds(int x, int y, int width, int height) {
+        boolean again = (width != getWidth() || height != getHeight()) && getWidth() > 0 && isFitted();
         super.setBounds(x, y, width, height);
-        toFit.ifPresent(this::fit);
+        (again ? fitted : toFit).ifPresent(this::fit);
     }
 
     /** Paints it in memory first: a screen draws many small shapes slowly, and copies one image quickly. */
@@ -205,24 +231,61 @@ final class MapCanvas extends JXMapViewer {
                 highlighted,
                 Look.theme(),
                 Look.scalePercent());
-        still.paint((Graphics2D) g, now, getWidth(), getHeight(), own -> paintStill(own, zoom, viewport));
+        still.paint((Graphics2D) g, now, getWidth(), getHeight(), own -> paintStill(own, zoom));
     }
 
-    private void paintStill(Graphics2D g, int zoom, Rectangle viewport) {
+    private void paintStill(Graphics2D g, int zoom) {
         g.setColor(SemanticColor.MAP_WATER.get());
         g.fillRect(0, 0, getWidth(), getHeight());
         MapPaint paint = paint(g);
-        tiles().paint(g, zoom, viewport);
+        paintTiles(g, zoom);
         if (grid) {
             scale.paintGrid(paint);
         }
         layers.visible().forEach(layer -> layer.paintStill(paint));
     }
 
+    /** Tiles of the level whose pixels are nearest to those of the screen, larger or smaller as the map is magnified. */
+    private void paintTiles(Graphics2D graphics, int zoom) {
+        boolean finer = magnification > FINER_FROM && zoom > 0;
+        double scale = finer ? magnification / 2 : magnification;
+        int level = finer ? zoom - 1 : zoom;
+        MapFrame frame = frame();
+        double left = frame.centreX() * worldPx(level) - getWidth() / 2.0 / scale;
+        double top = frame.centreY() * worldPx(level) - getHeight() / 2.0 / scale;
+        Rectangle part = new Rectangle(
+                (int) Math.floor(left),
+                (int) Math.floor(top),
+                (int) Math.ceil(getWidth() / scale) + 1,
+                (int) Math.ceil(getHeight() / scale) + 1);
+        Graphics2D g = (Graphics2D) graphics.create();
+        g.scale(scale, scale);
+        g.translate(part.x - left, part.y - top);
+        tiles().paint(g, level, part);
+        g.dispose();
+    }
+
+    /** No name is written over the scale, or half beside the map. */
+    private void reserve() {
+        int w = getWidth();
+        int h = getHeight();
+        labels.clear();
+        labels.add(0, h - Look.px(SCALE_HIGH), Look.px(SCALE_WIDE), Look.px(SCALE_HIGH));
+        labels.add(-w, -h, w, 3.0 * h);
+        labels.add(w, -h, w, 3.0 * h);
+        labels.add(0, -h, w, h);
+        labels.add(0, h, w, h);
+    }
+
     private void paintLayers(Graphics2D graphics) {
         Graphics2D g = (Graphics2D) graphics.create();
         MapPaint paint = paint(g);
-        layers.visible().forEach(layer -> layer.paint(paint));
+        List<MapLayer> shown = layers.visible();
+        reserve();
+        shown.forEach(layer -> layer.paint(paint));
+        for (int i = shown.size() - 1; i >= 0; i--) {
+            shown.get(i).paintNames(paint);
+        }
         tool.paint(paint);
         scale.paint(paint, tiles().source().map(TileSource::attribution).orElse(""));
         message.paint(paint);
@@ -234,6 +297,6 @@ final class MapCanvas extends JXMapViewer {
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         g.setFont(Fonts.small());
-        return new MapPaint(g, frame(), highlighted);
+        return new MapPaint(g, frame(), highlighted, labels);
     }
 }

@@ -77,6 +77,9 @@ public abstract class MapLayer {
     /** Paints what moves, if something does. */
     protected void paint(MapPaint paint) {}
 
+    /** Writes names, after all layers were painted: those of the topmost layer first, so that others make room for them. */
+    protected void paintNames(MapPaint paint) {}
+
     /** The box around what it shows; none where it has no place of its own. */
     public Optional<GeoBounds> bounds() {
         return Optional.empty();

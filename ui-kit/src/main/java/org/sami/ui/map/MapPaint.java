@@ -15,8 +15,9 @@ import org.sami.ui.look.SemanticColor;
  *
  * @param frame which pixels are which points
  * @param highlighted ids of what is spoken of; where there are any, everything else is dimmed
+ * @param labels where something is written already
  */
-public record MapPaint(Graphics2D g, MapFrame frame, Set<String> highlighted) {
+public record MapPaint(Graphics2D g, MapFrame frame, Set<String> highlighted, MapLabels labels) {
     private static final float DIMMED = 0.3f;
     private static final int PAD = 4;
 
@@ -53,6 +54,21 @@ public record MapPaint(Graphics2D g, MapFrame frame, Set<String> highlighted) {
                 text,
                 (int) plate.getX() + PAD,
                 (int) plate.getY() + g.getFontMetrics().getAscent());
+    }
+
+    /**
+     * Writes a name at the first of some places where it hides nothing; leaves it out where it would hide something everywhere.
+     *
+     * @param corners x and y of the left upper corner of each place
+     */
+    void writeName(String name, double... corners) {
+        Rectangle2D room = plate(name, 0, 0);
+        int place = labels.place(corners, room.getWidth(), room.getHeight(), 0);
+        if (place >= 0) {
+            Rectangle2D plate = plate(name, corners[2 * place], corners[2 * place + 1]);
+            labels.add(plate.getX(), plate.getY(), plate.getWidth(), plate.getHeight());
+            write(name, plate);
+        }
     }
 
     /** Writes from now on in the font of that style. */

@@ -25,7 +25,7 @@ final class MapStatusBar extends JPanel {
     private static final int ROOMY_PX = 860;
     private static final GeoPoint LONGEST = GeoPoint.of(-88.888888, -178.888888);
 
-    private final JButton coordinates = new JButton(" ");
+    private final JButton coordinates = new JButton("Pointer: –");
     private final JComboBox<CoordinateNotation> notations = new JComboBox<>(CoordinateNotation.values());
     private final JTextField field = new JTextField(18);
     private final transient BiConsumer<String, Boolean> says;
@@ -39,6 +39,7 @@ final class MapStatusBar extends JPanel {
         coordinates.setToolTipText(
                 "Coordinates under the pointer. A click copies them, as does " + MapKey.COPY.keyText());
         coordinates.setHorizontalAlignment(JButton.LEFT);
+        coordinates.putClientProperty("JButton.buttonType", "toolBarButton");
         coordinates.addActionListener(e -> copy.run());
         notations.setName("map-notation");
         notations.setToolTipText("How coordinates are written");
@@ -150,7 +151,7 @@ final class MapStatusBar extends JPanel {
     }
 
     private void showLast() {
-        coordinates.setText(last.map(notation()::format).orElse("–"));
+        coordinates.setText(last.map(notation()::format).orElse("Pointer: –"));
         reserve();
     }
 }

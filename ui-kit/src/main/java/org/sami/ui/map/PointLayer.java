@@ -51,11 +51,34 @@ public final class PointLayer extends MapLayer {
         double arm = Painting.px(ARM);
         cross(paint, x, y, arm, 4.5, SemanticColor.MAP_HALO);
         cross(paint, x, y, arm, 2, SemanticColor.MAP_AREA);
-        if (!point.name().isEmpty()) {
-            paint.font(MapPaint.PLAIN);
-            Rectangle2D size = paint.plate(point.name(), 0, 0);
-            paint.write(point.name(), paint.plate(point.name(), x + arm + 3, y - size.getHeight() / 2));
-        }
+        paint.labels().add(x - arm, y - arm, 2 * arm, 2 * arm);
+    }
+
+    @Override
+    protected void paintNames(MapPaint paint) {
+        points.values().stream()
+                .filter(point -> !point.name().isEmpty() && paint.frame().isShown(point.at()))
+                .forEach(point -> paint.paint(point.id(), () -> write(paint, point)));
+    }
+
+    private static void write(MapPaint paint, MapPoint point) {
+        paint.font(MapPaint.PLAIN);
+        Rectangle2D size = paint.plate(point.name(), 0, 0);
+        double x = paint.frame().px(point.at());
+        double y = paint.frame().py(point.at());
+        double apart = Painting.px(ARM) + 3;
+        double w = size.getWidth();
+        double h = size.getHeight();
+        paint.writeName(
+                point.name(),
+                x + apart,
+                y - h / 2,
+                x - apart - w,
+                y - h / 2,
+                x - w / 2,
+                y + apart,
+                x - w / 2,
+                y - apart - h);
     }
 
     private static void cross(MapPaint paint, double x, double y, double arm, double width, SemanticColor color) {

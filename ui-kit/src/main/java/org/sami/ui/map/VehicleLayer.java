@@ -32,13 +32,16 @@ public final class VehicleLayer extends MapLayer {
 
     @Override
     protected void paint(MapPaint paint) {
-        List<ShownVehicle> near = vehicles.stream()
+        vehicles.stream()
                 .filter(vehicle -> isNear(paint.frame(), vehicle, VehicleHulls.reachPx(paint, vehicle)))
-                .toList();
-        near.forEach(vehicle -> paint.paint(vehicle.id(), () -> hulls.paint(paint, vehicle)));
+                .forEach(vehicle -> paint.paint(vehicle.id(), () -> hulls.paint(paint, vehicle)));
+    }
+
+    @Override
+    protected void paintNames(MapPaint paint) {
         names.paint(
                 paint,
-                near.stream()
+                vehicles.stream()
                         .filter(vehicle -> isNear(paint.frame(), vehicle, VehicleHulls.halfPx()))
                         .toList());
     }

@@ -2,48 +2,56 @@ package org.sami.ui.map;
 
 import java.awt.Font;
 import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import org.sami.ui.look.SemanticColor;
 import org.sami.ui.map.Sprites.Sprite;
 
 /**
- * Writes the names of vehicles beside their hulls, each where it hides least. In a crowd, a name that would hide others is left out until
- * somebody looks nearer; the names of vehicles that are chosen, spoken of or silent are always written.
+ * Writes the names of vehicles, each beside its hull where it hides nothing, or a little away with a line to it. A name that would hide
+ * others wherever it stands is left out until somebody looks nearer; the names of vehicles that are chosen, spoken of or silent are
+ * always written, and have the first choice.
  */
 final class VehicleNames {
-    private static final int CROWD = 30;
-    private static final double MOST_HIDDEN_IN_A_CROWD = 0.25; // of a name's plate
+    private static final double MOST_HIDDEN = 0.2; // of a name's plate
+    private static final int FEW = 8; // of so many, each has its name, if need be away from its hull
+    private static final int PLACES = 8; // around a hull
 
     private final Sprites<Name> sprites = new Sprites<>();
-    private final Taken taken = new Taken();
+    private final Map<String, Integer> before = new HashMap<>(); // at which place a name stood last, so that it stays
 
     private record Name(String text, boolean bold) {}
 
     /** Writes the names of vehicles that are on the map. */
     void paint(MapPaint paint, List<ShownVehicle> vehicles) {
         double half = VehicleHulls.halfPx();
-        taken.clear();
         for (ShownVehicle vehicle : vehicles) {
-            taken.add(paint.frame().px(vehicle.at()) - half, paint.frame().py(vehicle.at()) - half, 2 * half, 2 * half);
+            paint.labels()
+                    .add(
+                            paint.frame().px(vehicle.at()) - half,
+                            paint.frame().py(vehicle.at()) - half,
+                            2 * half,
+                            2 * half);
         }
-        boolean crowd = vehicles.size() > CROWD;
         List<ShownVehicle> order = new ArrayList<>(vehicles);
-        if (crowd) {
-            order.sort(Comparator.comparing(vehicle -> !isImportant(paint, vehicle))); // these have the first choice
-        }
-        for (ShownVehicle vehicle : order) {
-            double most = crowd && !isImportant(paint, vehicle) ? MOST_HIDDEN_IN_A_CROWD : Double.POSITIVE_INFINITY;
-            paint.paint(vehicle.id(), () -> write(paint, vehicle, most));
-        }
+        order.sort(Comparator.comparing(vehicle -> !isImportant(paint, vehicle)));
+        order.forEach(vehicle -> paint.paint(
+                vehicle.id(), () -> write(paint, vehicle, isImportant(paint, vehicle), vehicles.size() <= FEW)));
     }
 
+    /** Where many are spoken of, none of them is more important than others. */
     private static boolean isImportant(MapPaint paint, ShownVehicle vehicle) {
-        return vehicle.selected() || vehicle.isStale() || paint.isHighlighted(vehicle.id());
+        return vehicle.selected()
+                || vehicle.isStale()
+                || (paint.highlighted().size() <= FEW && paint.isHighlighted(vehicle.id()));
     }
 
-    private void write(MapPaint paint, ShownVehicle vehicle, double mostHidden) {
+    private void write(MapPaint paint, ShownVehicle vehicle, boolean important, boolean few) {
         String text = vehicle.isStale()
                 ? vehicle.shortName() + " · " + Math.round(vehicle.ageS()) + " s old"
                 : vehicle.shortName();
@@ -53,42 +61,69 @@ final class VehicleNames {
         double w = plate.width();
         double h = plate.height();
         double apart = VehicleHulls.halfPx() + (vehicle.selected() ? VehicleHulls.RING_PX + 3 : 3);
-        double[] corners = {
-            x + apart,
-            y - h / 2,
-            x - apart - w,
-            y - h / 2,
-            x - w / 2,
-            y + apart,
-            x - w / 2,
-            y - apart - h,
-            x + apart,
-            y + apart / 2,
-            x + apart,
-            y - apart / 2 - h,
-            x - apart - w,
-            y + apart / 2,
-            x - apart - w,
-            y - apart / 2 - h
-        };
-        double least = mostHidden * w * h;
-        int best = -1;
-        for (int i = 0; i < corners.length && least > 0; i += 2) {
-            double hidden = taken.hidden(corners[i], corners[i + 1], w, h, least);
-            if (hidden < least) {
-                least = hidden;
-                best = i;
+        double[] corners = corners(x, y, w, h, apart, important || few ? 3 : 1);
+        int last = before.getOrDefault(vehicle.id(), PLACES);
+        int place = last < PLACES && paint.labels().isFree(corners[2 * last], corners[2 * last + 1], w, h)
+                ? last
+                : paint.labels().place(corners, w, h, important ? 1 : MOST_HIDDEN);
+        if (place >= 0) {
+            double left = corners[2 * place];
+            double top = corners[2 * place + 1];
+            before.put(vehicle.id(), place);
+            paint.labels().add(left, top, w, h);
+            if (place >= PLACES) {
+                lead(paint, x, y, new Rectangle2D.Double(left, top, w, h));
             }
+            plate.paint(paint.g(), left, top);
         }
-        if (best >= 0) {
-            taken.add(corners[best], corners[best + 1], w, h);
-            plate.paint(paint.g(), corners[best], corners[best + 1]);
+    }
+
+    /** The left upper corners of places around a hull, in rings, the nearest first. */
+    private static double[] corners(double x, double y, double w, double h, double apart, int rings) {
+        double[] corners = new double[2 * PLACES * rings];
+        int at = 0;
+        for (int ring = 0; ring < rings; ring++) {
+            double far = apart + ring * 1.7 * h;
+            double aside = ring == 0 ? far / 2 : far - h; // the outer ones stand around, not in a column
+            double[] places = {
+                x + far,
+                y - h / 2,
+                x - far - w,
+                y - h / 2,
+                x - w / 2,
+                y + far,
+                x - w / 2,
+                y - far - h,
+                x + far,
+                y + aside,
+                x + far,
+                y - aside - h,
+                x - far - w,
+                y + aside,
+                x - far - w,
+                y - aside - h
+            };
+            System.arraycopy(places, 0, corners, at, places.length);
+            at += places.length;
         }
+        return corners;
+    }
+
+    /** A thin line from a hull to a name that stands away from it. */
+    private static void lead(MapPaint paint, double x, double y, Rectangle2D plate) {
+        Graphics2D g = paint.g();
+        g.setColor(SemanticColor.TEXT.withAlpha(150));
+        g.setStroke(Painting.butt(1));
+        g.draw(new Line2D.Double(
+                x,
+                y,
+                Math.max(plate.getMinX(), Math.min(plate.getMaxX(), x)),
+                Math.max(plate.getMinY(), Math.min(plate.getMaxY(), y))));
     }
 
     private Sprite plate(MapPaint paint, Name name) {
         Graphics2D g = paint.g();
-        Font before = g.getFont();
+        Font font = g.getFont();
         paint.font(name.bold() ? Font.BOLD : Font.PLAIN);
         Rectangle2D room = paint.plate(name.text(), 0, 0);
         Sprite plate = sprites.get(
@@ -96,41 +131,8 @@ final class VehicleNames {
                 name,
                 room.getWidth(),
                 room.getHeight(),
-                own -> new MapPaint(own, paint.frame(), paint.highlighted()).write(name.text(), room));
-        g.setFont(before);
+                own -> new MapPaint(own, paint.frame(), paint.highlighted(), paint.labels()).write(name.text(), room));
+        g.setFont(font);
         return plate;
-    }
-
-    /** Rectangles that are painted on already. */
-    private static final class Taken {
-        private double[] edges = new double[256]; // left, top, right, bottom of each
-        private int used;
-
-        void clear() {
-            used = 0;
-        }
-
-        void add(double left, double top, double width, double height) {
-            if (used + 4 > edges.length) {
-                edges = java.util.Arrays.copyOf(edges, 2 * edges.length);
-            }
-            edges[used++] = left;
-            edges[used++] = top;
-            edges[used++] = left + width;
-            edges[used++] = top + height;
-        }
-
-        /** How much of them a rectangle would hide, in square pixels; counted until it is not less than {@code enough}. */
-        double hidden(double left, double top, double width, double height, double enough) {
-            double hidden = 0;
-            for (int i = 0; i < used && hidden < enough; i += 4) {
-                double across = Math.min(left + width, edges[i + 2]) - Math.max(left, edges[i]);
-                if (across > 0) {
-                    double down = Math.min(top + height, edges[i + 3]) - Math.max(top, edges[i + 1]);
-                    hidden += across * Math.max(0, down);
-                }
-            }
-            return hidden;
-        }
     }
 }

@@ -16,9 +16,12 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
+import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.GeoMeasure;
 import org.sami.ui.geo.GeoShape;
 import org.sami.ui.geo.GeoSketch;
+import org.sami.ui.geo.MapFrame;
+import org.sami.ui.geo.Mercator;
 
 class MapViewTest {
     private final MapView map = MapScenes.fleet(20, 100);
@@ -39,6 +42,23 @@ class MapViewTest {
         VehicleLayer vehicles = (VehicleLayer) map.layers().find("vehicles").orElseThrow();
 
         assertThat(vehicles.vehicles()).allMatch(vehicle -> map.frame().isShown(vehicle.at()));
+    }
+
+    @Test
+    void whatIsFittedFillsTheMap() {
+        GeoBounds all = map.layers().bounds().orElseThrow();
+
+        for (int width : List.of(500, 700, 900, 1200)) {
+            MapScenes.size(map, width, 800);
+            map.fit(all);
+            MapFrame frame = map.frame();
+            double wide = frame.px(Mercator.x(all.eastDeg())) - frame.px(Mercator.x(all.westDeg()));
+            double high = frame.py(Mercator.y(all.southDeg())) - frame.py(Mercator.y(all.northDeg()));
+
+            assertThat(Math.max(wide / frame.width(), high / frame.height()))
+                    .as("part of a map %s px wide", width)
+                    .isBetween(0.7, 1.0);
+        }
     }
 
     @Test

@@ -74,7 +74,10 @@ final class MapFeed {
                 .map(place ->
                         new PointLayer.MapPoint(place.mission() + "/" + place.name(), place.name(), place.point()))
                 .toList());
-        boats.show(map.boats().stream().map(this::vehicle).toList());
+        boolean some = map.boats().stream().anyMatch(boat -> !boat.highlighted()); // who stands out among none does not
+        boats.show(map.boats().stream()
+                .map(boat -> vehicle(boat, some && boat.highlighted()))
+                .toList());
     }
 
     /** The first leg begins at the boat. */
@@ -109,7 +112,7 @@ final class MapFeed {
         return track;
     }
 
-    private ShownVehicle vehicle(ShownBoat boat) {
+    private ShownVehicle vehicle(ShownBoat boat, boolean standsOut) {
         return new ShownVehicle(
                 boat.boat(),
                 boat.boat(),
@@ -119,7 +122,7 @@ final class MapFeed {
                 boat.headingRad(),
                 boat.speedMps(),
                 Math.max(0, context.nowMillis() - boat.poseAtMillis()) / 1000.0,
-                context.boats().contains(boat.boat()) || boat.highlighted());
+                context.boats().contains(boat.boat()) || standsOut);
     }
 
     /** The grid counts its rows from the south, the map from the north. */

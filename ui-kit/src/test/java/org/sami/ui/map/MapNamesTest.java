@@ -1,0 +1,123 @@
+package org.sami.ui.map;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.sami.spn.value.GeoPoint;
+import org.sami.ui.geo.MapFrame;
+import org.sami.ui.geo.Mercator;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.IdentityMark;
+
+/** Names of vehicles, points and areas that lie close to one another: none hides another. */
+class MapNamesTest {
+    private static final int WIDTH = 900;
+    private static final int HEIGHT = 500;
+    private static final double WORLD_PX = Math.scalb(256.0, 16); // about 1.7 m a pixel
+
+    private final List<Rectangle2D> names = new ArrayList<>();
+
+    /** Remembers where names are written; hulls are as high as wide. */
+    private final class Written extends MapLabels {
+        @Override
+        void add(double left, double top, double width, double height) {
+            super.add(left, top, width, height);
+            if (Math.abs(width - height) > 0.5) {
+                names.add(new Rectangle2D.Double(left, top, width, height));
+            }
+        }
+    }
+
+    @Test
+    void atTheQuayNoNameHidesAnother() {
+        VehicleLayer boats = new VehicleLayer("boats", "Boats");
+        boats.show(row(6, ""));
+        PointLayer places = new PointLayer("places", "Places");
+        places.show(List.of(
+                new PointLayer.MapPoint("home", "@home", MapScenes.at(-6, 4)),
+                new PointLayer.MapPoint("station", "@station", MapScenes.at(30, -10)),
+                new PointLayer.MapPoint("safe", "@safePlace", MapScenes.at(4, -30))));
+        AreaLayer areas = new AreaLayer("areas", "Areas");
+        areas.show(List.of(
+                new ShownArea("water", "@water", MapScenes.square(0, 0, 200), ShownArea.Kind.FENCE),
+                new ShownArea("area", "@area", MapScenes.square(20, -20, 30), ShownArea.Kind.WORK)));
+
+        paint(areas, places, boats);
+
+        assertThat(names).as("six boats, the areas, and points that have room").hasSizeBetween(8, 11);
+        assertNoneHidesAnother();
+    }
+
+    @Test
+    void ofManyBoatsTheNamesThatHaveRoomAreWritten() {
+        VehicleLayer boats = new VehicleLayer("boats", "Boats");
+        boats.show(row(20, "the boat of crew "));
+
+        paint(boats);
+
+        assertThat(names).hasSizeGreaterThan(6);
+        assertNoneHidesAnother();
+    }
+
+    @Test
+    void aNameThatHasRoomStaysWhereItStood() {
+        VehicleLayer boats = new VehicleLayer("boats", "Boats");
+        boats.show(List.of(boat("anna", MapScenes.at(0, 0)), boat("bert", MapScenes.at(12, 0))));
+        paint(boats);
+        Rectangle2D before = names.get(1);
+
+        boats.show(List.of(boat("anna", MapScenes.at(-80, 60)), boat("bert", MapScenes.at(12, 0))));
+        paint(boats);
+
+        assertThat(names.get(1)).isEqualTo(before);
+    }
+
+    private void assertNoneHidesAnother() {
+        for (int i = 0; i < names.size(); i++) {
+            for (Rectangle2D other : names.subList(i + 1, names.size())) {
+                Rectangle2D both = names.get(i).createIntersection(other);
+                double hidden = both.isEmpty() ? 0 : both.getWidth() * both.getHeight();
+                assertThat(hidden / (other.getWidth() * other.getHeight()))
+                        .as("part of a name that another hides")
+                        .isLessThanOrEqualTo(0.2);
+            }
+        }
+    }
+
+    private static List<ShownVehicle> row(int count, String prefix) {
+        List<ShownVehicle> row = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            row.add(boat(prefix + "b" + i, MapScenes.at(0, -22 * i)));
+        }
+        return row;
+    }
+
+    private static ShownVehicle boat(String name, GeoPoint at) {
+        return new ShownVehicle(name, name, new IdentityMark(0), at, 0, 0, 0, 0, false);
+    }
+
+    /** As a map paints them: the lowest layer first, the names of the topmost first. */
+    private void paint(MapLayer... layers) {
+        names.clear();
+        BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.setFont(Fonts.small());
+        MapFrame frame = new MapFrame(
+                Mercator.x(MapScenes.LAKE.lonDeg()), Mercator.y(MapScenes.LAKE.latDeg()), WORLD_PX, WIDTH, HEIGHT);
+        MapPaint paint = new MapPaint(g, frame, Set.of(), new Written());
+        for (MapLayer layer : layers) {
+            layer.paint(paint);
+        }
+        names.clear();
+        for (int i = layers.length - 1; i >= 0; i--) {
+            layers[i].paintNames(paint);
+        }
+        g.dispose();
+    }
+}
