@@ -2,12 +2,8 @@ package org.sami.crw.gui;
 
 import java.awt.Rectangle;
 import java.awt.Robot;
-import java.io.IOException;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -15,8 +11,6 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import javax.imageio.ImageIO;
-import org.sami.boat.link.SteadyClock;
-import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.OperatorDefaults;
 import org.sami.crw.decision.SimulatedOperator;
@@ -25,10 +19,7 @@ import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.BoatSnapshot;
 import org.sami.crw.proxy.LinkState;
-import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
-import org.sami.crw.sim.boat.BoatOnTcp;
-import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.crw.sim.run.SimulatedOperatorDriver;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoPoint;
@@ -41,14 +32,11 @@ import org.sami.ui.look.Theme;
  * theme: what the README and the operator's guide show.
  */
 final class ScreenshotMain {
-    private static final GeoPoint QUAY = GeoPoint.of(25.3597, 51.5268);
     private static final GeoPoint CENTRE = GeoPoint.of(25.3597, 51.5290);
-    private static final double APART_DEG = 0.0002;
     private static final List<String> NAMES = List.of("anna", "bert", "carl", "dora", "emil");
 
     private final Path pictures;
     private final WindowRobot robot = new WindowRobot();
-    private final List<BoatOnTcp> boats = new ArrayList<>();
     private OperatorWindow window;
 
     private ScreenshotMain(Path pictures) {
@@ -66,12 +54,9 @@ final class ScreenshotMain {
     }
 
     private void run() throws Exception {
-        List<BoatAddress> addresses = new ArrayList<>();
-        for (String name : NAMES) {
-            addresses.add(launch(name));
-        }
+        LoopbackFleet boats = new LoopbackFleet(NAMES);
         StartOptions options = new StartOptions(
-                addresses, Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
+                boats.addresses(), Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
         window = WindowStart.open(options, DataDirectory.open(Files.createTempDirectory("crw-pictures")), code -> {});
         robot.untilSaid("boats-count", "5 of 5");
         robot.clickRow("plans-table", "Connect Boat");
@@ -102,29 +87,19 @@ final class ScreenshotMain {
         session().press("team avoid boat", Ids.NONE, List.of());
         pass(8);
         picture("interrupt");
-        boats.get(NAMES.size() - 1).close();
+        boats.end("emil");
         robot.until("emil is lost", () -> boat("emil").link() == LinkState.LOST);
         pass(3);
         picture("loss-of-communication");
     }
 
-    private BoatAddress launch(String name) throws IOException {
-        GeoPoint at = GeoPoint.of(QUAY.latDeg() - boats.size() * APART_DEG, QUAY.lonDeg());
-        InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
-        BoatOnTcp boat = new BoatOnTcp(
-                BoatSettings.of(name, anyPort, at, boats.size()), SteadyClock.ofThisMachine(), TcpServerListener.NONE);
-        boats.add(boat);
-        return new BoatAddress(
-                boat.address().getAddress().getHostAddress(), boat.address().getPort());
-    }
-
     private void answer() {
-        OperatorDefaults defaults = new OperatorDefaults(QUAY, CENTRE, 150, 6, 1, NAMES);
+        OperatorDefaults defaults = new OperatorDefaults(LoopbackFleet.QUAY, CENTRE, 150, 6, 1, NAMES);
         SimulatedOperatorDriver driver = new SimulatedOperatorDriver(
                 new SimulatedOperator(session().setup().vocabulary(), defaults, AnswersFile.EMPTY),
                 session().scheduler(),
                 800,
-                QUAY);
+                LoopbackFleet.QUAY);
         session().execute(() -> {
             session().addOperator(driver);
             driver.connect(session());

@@ -9,6 +9,8 @@ import io.github.andrewauclair.moderndocking.exception.DockingLayoutException;
 import io.github.andrewauclair.moderndocking.settings.Settings;
 import java.awt.BorderLayout;
 import java.awt.Component;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -19,9 +21,11 @@ import javax.swing.JPanel;
 import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.UIManager;
 import javax.swing.plaf.InputMapUIResource;
+import org.sami.ui.look.Look;
 
 /**
- * Where the panels of a window lie. The arrangement is kept in a file as it changes; a file that cannot be used gives the first one.
+ * Where the panels of a window lie. The arrangement is kept in a file as it changes; a file that cannot be used gives the program's own, which
+ * fits the window's size and the size of letters, and changes with them as long as nobody has moved a panel.
  * One a process, and no second one after it: Modern Docking keeps state
  * for the process. On the event thread.
  */
@@ -31,16 +35,25 @@ public final class DockArea extends JPanel implements AutoCloseable {
     private static final LayoutFocusTraversalPolicy FIRST_IN = new LayoutFocusTraversalPolicy();
 
     private final Map<String, DockPanel> panels = new LinkedHashMap<>();
-    private final Arrangement first;
+    private final JFrame frame;
+    private final Arrangements offered;
+    private final Runnable adapting = this::adapt;
+    private Optional<Arrangement> fitted = Optional.empty();
+
+    /** An area whose panels lie alike at first in windows of all sizes. */
+    public DockArea(JFrame frame, List<DockPanel> panels, Arrangement first, Path remembered) {
+        this(frame, panels, Arrangements.of(first), remembered);
+    }
 
     /**
      * An area in a frame. Its arrangement is made by {@link #arrange}, once the frame has its size.
      *
-     * @param first how they lie at first; panels that it names and that are not there leave their place to the next
+     * @param offered how they lie at first; panels that it names and that are not there leave their place to the next
      * @param remembered the file of the arrangement
      */
-    public DockArea(JFrame frame, List<DockPanel> panels, Arrangement first, Path remembered) {
+    public DockArea(JFrame frame, List<DockPanel> panels, Arrangements offered, Path remembered) {
         super(new BorderLayout());
+        this.frame = frame;
         setName("dock-area");
         // function keys are the window's commands': split panes of Swing's would take F6 and F8
         UIManager.put("SplitPane.ancestorInputMap", new InputMapUIResource());
@@ -54,13 +67,39 @@ public final class DockArea extends JPanel implements AutoCloseable {
             this.panels.put(panel.getPersistentID(), panel);
             Docking.registerDockable(panel);
         });
-        this.first = first.of(this.panels.keySet());
+        this.offered = offered.of(this.panels.keySet());
         AppState.setPersistFile(remembered.toFile());
-        AppState.setDefaultApplicationLayout(this.first.layout());
+        addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent resized) {
+                adapt();
+            }
+        });
+        Look.addListener(adapting);
+    }
+
+    private Arrangement fitting() {
+        return offered.fitting(getWidth() > 0 ? getSize() : frame.getSize());
+    }
+
+    /** Where panels lie as the program has put them, and another of its arrangements fits better by now, that one is taken. */
+    private void adapt() {
+        if (!AppState.isAutoPersist() || fitted.equals(Optional.of(fitting()))) {
+            return;
+        }
+        Arrangement fit = fitting();
+        fitted = Optional.of(fit);
+        String now = DockShape.of(DockingState.getApplicationLayout());
+        boolean another = offered.all().stream()
+                .anyMatch(one -> DockShape.of(one.layout()).equals(now));
+        if (another && !DockShape.of(fit.layout()).equals(now)) {
+            DockingState.restoreApplicationLayout(fit.layout());
+        }
     }
 
     /** Arranges the panels as they were left; as the program wants it where that is not known. From now on changes are kept. */
     public void arrange() {
+        AppState.setDefaultApplicationLayout(fitting().layout());
         try {
             AppState.restore();
         } catch (DockingLayoutException unfit) {
@@ -71,11 +110,13 @@ public final class DockArea extends JPanel implements AutoCloseable {
             reset();
         }
         AppState.setAutoPersist(true);
+        adapt();
     }
 
     /** Arranges the panels as the program wants it. */
     public void reset() {
-        DockingState.restoreApplicationLayout(first.layout());
+        fitted = Optional.of(fitting());
+        DockingState.restoreApplicationLayout(fitting().layout());
     }
 
     /** Brings a panel to the front, back into the window if it was closed, and the keyboard's focus to the first thing in it. */
@@ -93,6 +134,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
     /** Keeps the arrangement, and gives up the process's docking. */
     @Override
     public void close() {
+        Look.removeListener(adapting);
         AppState.persist();
         AppState.setAutoPersist(false);
         Docking.deregisterAllDockables();

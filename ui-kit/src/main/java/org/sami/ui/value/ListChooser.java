@@ -157,6 +157,11 @@ final class ListChooser extends ValueChooser {
     }
 
     @Override
+    void leaveMessage() {
+        panel.remove(message);
+    }
+
+    @Override
     void mark(int option) {
         rows.get(option).button().setSelected(true);
     }

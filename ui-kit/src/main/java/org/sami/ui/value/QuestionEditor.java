@@ -67,6 +67,7 @@ public final class QuestionEditor {
                 : Offer.one(rows);
         ValueType option = question instanceof Question.ChooseProxies ? ValueType.Simple.PROXY : ValueType.Simple.ANY;
         ValueChooser chooser = editors.chooser(chosen, ValueField.of(name, new ValueType.ListOf(option)), offer);
+        chooser.leaveMessage();
         List<Integer> selected = IntStream.range(0, offered.size())
                 .filter(i -> offered.get(i).selected())
                 .boxed()

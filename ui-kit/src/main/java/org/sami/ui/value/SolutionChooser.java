@@ -93,6 +93,11 @@ final class SolutionChooser extends ValueChooser {
     }
 
     @Override
+    void leaveMessage() {
+        panel.remove(message);
+    }
+
+    @Override
     void mark(int option) {
         buttons.get(option).setSelected(true);
         details.show(option);

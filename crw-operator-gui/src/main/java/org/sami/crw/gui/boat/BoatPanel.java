@@ -12,11 +12,13 @@ import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.value.WidthTrackingPanel;
 import org.sami.crw.operator.BoatSnapshot;
 import org.sami.crw.proxy.BoatTuning;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Look;
 import org.sami.ui.look.MarkIcon;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
@@ -26,6 +28,9 @@ import org.sami.ui.look.Spacing;
  * else can be done with it.
  */
 public final class BoatPanel extends JPanel {
+    private static final String HEAD = "insets 8 12 8 12, fillx, hidemode 3";
+    private static final int LOW = 240;
+
     private final OperatorContext context;
     private final JLabel name = new JLabel();
     private final JLabel why = new JLabel();
@@ -37,6 +42,9 @@ public final class BoatPanel extends JPanel {
     private Optional<BoatTuning> tuning = Optional.empty();
     private Optional<String> tuned = Optional.empty();
     private boolean asking;
+    private final MigLayout headLayout = new MigLayout(HEAD + ", wrap 1", "[grow]", "[]4[]4[]");
+    private final JPanel head = new JPanel(headLayout);
+    private boolean isLow;
 
     /** The panel of whichever boat is selected first. */
     public BoatPanel(OperatorContext context) {
@@ -47,29 +55,42 @@ public final class BoatPanel extends JPanel {
         settings = new SettingsForm(context);
         launch = new LaunchPanel(context);
         byHand = new ByHandPanel(control.teleoperation());
-        JPanel head = new JPanel(new MigLayout("insets 8 12 8 12, wrap 1, fillx, hidemode 3", "[grow]", "[]4[]4[]"));
         name.setName("boat-name");
         why.setName("boat-why");
         facts.setName("boat-facts");
-        head.add(name, "wmin 0");
+        head.add(name, "shrink 0");
         head.add(why, "wmin 0");
         head.add(facts, "wmin 0");
         JTabbedPane tabs = new JTabbedPane();
         tabs.setName("boat-tabs");
-        JPanel commands = new JPanel(new BorderLayout());
-        tabs.addTab("Commands", commands);
-        tabs.addTab("Before launch", launch);
-        tabs.addTab("By hand", byHand);
+        JPanel commands = new JPanel(new MigLayout("insets 0, gap 0, fill, wrap 1", "[grow,fill]", "[grow,fill][]"));
+        tabs.addTab("Commands", WidthTrackingPanel.fromLeastHeight(commands));
+        tabs.addTab("Before launch", WidthTrackingPanel.fromLeastHeight(launch));
+        tabs.addTab("By hand", WidthTrackingPanel.fromLeastHeight(byHand));
         tabs.addTab("Settings", scrolled(settings));
         CommandRow buttons = new CommandRow();
         control.commands().forEach(command -> buttons.left(new CommandButton(command)));
         buttons.left(new CommandButton(queue.cancelCommand()));
         add(head, BorderLayout.NORTH);
         add(tabs);
-        commands.add(queue.table());
-        commands.add(buttons, BorderLayout.SOUTH);
+        commands.add(queue.table(), "hmin 96");
+        commands.add(buttons);
         context.boats().addListener(this::refresh);
         refresh();
+    }
+
+    /** A low panel has one line above its tabs, and says the facts in a tooltip. */
+    @Override
+    public void doLayout() {
+        boolean low = getHeight() < Look.px(LOW);
+        if (low != isLow) {
+            isLow = low;
+            headLayout.setLayoutConstraints(HEAD + (low ? "" : ", wrap 1"));
+            headLayout.setColumnConstraints(low ? "[]16[grow]" : "[grow]");
+            facts.setVisible(!low && !facts.getText().isEmpty());
+            head.revalidate();
+        }
+        super.doLayout();
     }
 
     private static JScrollPane scrolled(JPanel form) {
@@ -111,7 +132,9 @@ public final class BoatPanel extends JPanel {
             name.setText("No boat is selected");
             name.setIcon(null);
             why.setText("Select one in the list or on the map.");
+            why.setToolTipText(why.getText());
             why.setForeground(SemanticColor.MUTED.get());
+            facts.setText("");
             facts.setVisible(false);
             return;
         }
@@ -121,8 +144,10 @@ public final class BoatPanel extends JPanel {
         why.setText(BoatWords.state(now));
         why.setToolTipText(why.getText());
         why.setForeground(BoatWords.color(BoatWords.trouble(now)).get());
-        facts.setVisible(true);
         facts.setText(facts(now));
+        facts.setVisible(!isLow);
+        facts.setToolTipText(facts.getText());
+        name.setToolTipText(facts.getText());
         facts.setForeground(SemanticColor.MUTED.get());
     }
 

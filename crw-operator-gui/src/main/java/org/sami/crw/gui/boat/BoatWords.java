@@ -38,14 +38,16 @@ public final class BoatWords {
         };
     }
 
-    /** What it does, or why it stands: one or two words before the reason. */
+    /** What it does, or why it stands, without its name, which stands beside or above it wherever this is read. */
     public static String state(BoatSnapshot boat) {
         String mark = switch (trouble(boat)) {
             case 3 -> "▲ ";
             case 2, 1 -> "△ ";
             default -> "";
         };
-        return mark + boat.why().text();
+        String text = boat.why().text();
+        String name = boat.boat() + " ";
+        return mark + (text.startsWith(name) ? text.substring(name.length()) : text);
     }
 
     /** Its charge in percent. */

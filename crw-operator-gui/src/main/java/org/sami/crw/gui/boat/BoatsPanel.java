@@ -43,9 +43,11 @@ public final class BoatsPanel extends JPanel {
                                 .colored(shown -> BoatWords.color(BoatWords.trouble(shown.boat()))),
                         number("Battery", 76, shown -> BoatWords.battery(shown.boat()))
                                 .colored(shown -> batteryColor(shown)),
-                        number("Speed", 84, shown -> BoatWords.speed(shown.boat())),
-                        number("Path", 72, shown -> BoatWords.path(shown.boat())),
-                        RowColumn.<Shown>number("Link", 96, Shown::link)
+                        number("Speed", 84, shown -> BoatWords.speed(shown.boat()))
+                                .asSpare(),
+                        number("Path", 72, shown -> BoatWords.path(shown.boat()))
+                                .asSpare(),
+                        RowColumn.<Shown>number("Link", 104, Shown::link)
                                 .colored(shown -> shown.stale() ? SemanticColor.CRITICAL : SemanticColor.TEXT)));
         table.addSelectionListener(() -> context.boats()
                 .select(table.allSelected().stream()

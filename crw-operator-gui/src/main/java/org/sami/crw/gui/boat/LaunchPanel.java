@@ -1,10 +1,10 @@
 package org.sami.crw.gui.boat;
 
-import java.awt.BorderLayout;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.BoatSnapshot;
 import org.sami.crw.operator.LaunchCheck;
@@ -27,7 +27,7 @@ final class LaunchPanel extends JPanel {
     private final RowTable<Item> table;
 
     LaunchPanel(OperatorContext context) {
-        super(new BorderLayout());
+        super(new MigLayout("insets 0, gap 0, fill, wrap 1", "[grow,fill]", "[][grow,fill]"));
         this.context = context;
         motor = new MotorTrial(context);
         setName("boat-launch");
@@ -42,8 +42,8 @@ final class LaunchPanel extends JPanel {
         summary.setName("boat-launch-summary");
         CommandRow head = new CommandRow();
         head.left(summary).right(new CommandButton(motor.command()));
-        add(head, BorderLayout.NORTH);
-        add(table);
+        add(head);
+        add(table, "hmin 96");
     }
 
     /** Shows how a boat stands now. */

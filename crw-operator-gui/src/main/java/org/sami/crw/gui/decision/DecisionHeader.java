@@ -37,9 +37,9 @@ final class DecisionHeader extends JPanel {
         countdown.setName("decision-autonomy");
         autonomy.add(countdown, "wmin 60");
         autonomy.add(stop, "hmin " + Spacing.HIT_TARGET_FIELD);
-        add(asker, "split 2, growx 0, wmin 0, shrinkprio 200"); // its tooltip has all of it
-        add(age, "growx 0, gapleft 12");
-        add(title, "wmin 60");
+        add(title, "split 2, wmin 60, growx");
+        add(age, "growx 0, aligny top, gapleft 12, gaptop 2");
+        add(asker, "wmin 0"); // its tooltip has all of it
         add(autonomy);
         dress();
     }
@@ -65,6 +65,11 @@ final class DecisionHeader extends JPanel {
         return description;
     }
 
+    /** Leaves who asks to the tooltip of what is asked, or says it in a line. */
+    void setLow(boolean low) {
+        asker.setVisible(!low);
+    }
+
     /** Shows a decision as it is now. */
     void show(PendingDecision pending, long nowMillis) {
         set(title, DecisionWords.heading(pending.presentation()));
@@ -73,6 +78,7 @@ final class DecisionHeader extends JPanel {
         description.setVisible(!lines.isEmpty());
         asker.setText(DecisionWords.asker(pending.presentation()));
         asker.setToolTipText(asker.getText());
+        title.setToolTipText(asker.getText());
         Priority priority = pending.decision().priority();
         age.setText(DecisionWords.age(pending, nowMillis));
         age.setForeground((priority == Priority.CRITICAL

@@ -31,13 +31,15 @@ import org.sami.ui.value.WrappedText;
 
 /**
  * What waits for the operator: the most urgent decision in full, with the components that are chosen for it, and the others as a list. Digits
- * choose options, Enter gives the answer that is filled in, Escape leaves. Why an answer would be refused stands above the button
+ * choose options, Enter gives the answer that is filled in, Escape leaves. Why an answer would be refused stands beside the button
  * before it is given. On the event thread.
  */
 public final class DecisionsPanel extends JPanel {
     private static final String NONE = "none";
     private static final String ONE = "one";
     private static final int BLINK_MS = 500;
+    private static final int LOW = 230;
+    private static final int NARROW = 440;
 
     private final DecisionActions actions;
     private final DecisionMap map;
@@ -107,7 +109,7 @@ public final class DecisionsPanel extends JPanel {
         JPanel column = new JPanel(new MigLayout(
                 "novisualpadding, insets 8 12 8 12, gap 8 8, fill, hidemode 3, wrap 1",
                 "[grow,fill]",
-                "[][grow,fill][][]"));
+                "[][grow,fill][]"));
         column.setOpaque(false);
         JScrollPane scroll = new JScrollPane(new WidthTrackingPanel(scrolled()));
         scroll.setBorder(BorderFactory.createEmptyBorder());
@@ -116,7 +118,6 @@ public final class DecisionsPanel extends JPanel {
         problem.setColor(SemanticColor.MUTED);
         column.add(header);
         column.add(scroll, "hmin 0");
-        column.add(problem, "wmin 60");
         column.add(buttons());
         return column;
     }
@@ -133,14 +134,24 @@ public final class DecisionsPanel extends JPanel {
         return scrolled;
     }
 
+    /** Who asks is said in a tooltip where the panel is so low that what is asked would have no room. */
+    @Override
+    public void doLayout() {
+        header.setLow(getHeight() < Look.px(LOW));
+        position.setVisible(getWidth() >= Look.px(NARROW));
+        super.doLayout();
+    }
+
     private JComponent buttons() {
-        JPanel buttons = new JPanel(new MigLayout("novisualpadding, insets 0, gap 8, hidemode 3", "[][]push[][][]"));
+        JPanel buttons = new JPanel(new MigLayout(
+                "novisualpadding, insets 0, gap 8, fillx, hidemode 3", "[][][grow,fill][][][]", "[center]"));
         buttons.setOpaque(false);
         position.setName("decision-position");
         CommandButton answer = new CommandButton(commands.answer());
         answer.putClientProperty("JButton.buttonType", "default");
         buttons.add(answer);
         buttons.add(refuse);
+        buttons.add(problem, "wmin 80");
         buttons.add(position);
         buttons.add(CommandButton.iconOnly(commands.earlier()));
         buttons.add(CommandButton.iconOnly(commands.later()));

@@ -31,6 +31,19 @@ final class WaitingList extends JPanel {
         more.setName("decisions-more");
     }
 
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (ages != null) {
+            ages.forEach(WaitingList::dress);
+        }
+    }
+
+    private static void dress(JLabel age) {
+        age.setFont(Fonts.small());
+        age.setForeground(SemanticColor.MUTED.get());
+    }
+
     /** Shows these; what is shown already stays where it is. */
     void show(List<PendingDecision> others, long nowMillis) {
         if (!ids(others).equals(ids(shown))) {
@@ -66,8 +79,7 @@ final class WaitingList extends JPanel {
         row.addActionListener(event -> selected.accept(pending.decision().id()));
         JLabel age = new JLabel();
         age.setName("decision-waiting-age-" + (ages.size() + 1));
-        age.setFont(Fonts.small());
-        age.setForeground(SemanticColor.MUTED.get());
+        dress(age);
         ages.add(age);
         add(row, "wmin 0, hmin " + Spacing.HIT_TARGET);
         add(age);

@@ -44,6 +44,7 @@ import org.sami.ui.value.PlacesOnMap;
 /** The map of the session: boats, ways, areas, measured fields; boats are chosen on it and sent somewhere. */
 public final class MapPanel extends JPanel {
     private static final String HOME = "@home";
+    private static final int LOW = 330;
     private static final int SHOW_MS =
             50; // boats of a large fleet are seen at all times: what comes meanwhile is shown together
 
@@ -227,6 +228,8 @@ public final class MapPanel extends JPanel {
         String text = none
                 ? "Select boats to send them without a plan: a click, or a box with Shift held."
                 : guided.consequence();
+        consequence.setVisible(
+                !none || getHeight() >= Look.px(LOW)); // a hint that costs a fifth of a low map helps nobody
         consequence.setText(text);
         consequence.setToolTipText(text);
         consequence.setFont(Fonts.small());

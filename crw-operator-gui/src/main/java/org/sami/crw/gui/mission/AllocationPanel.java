@@ -16,6 +16,7 @@ import javax.swing.JTable;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.value.WidthTrackingPanel;
 import org.sami.crw.operator.AllocationSnapshot;
 import org.sami.crw.operator.BoatSnapshot;
 import org.sami.crw.operator.TaskGift;
@@ -78,8 +79,10 @@ public final class AllocationPanel extends JPanel {
                 new JPanel(new MigLayout("novisualpadding, insets 4 8 4 8, gap 8, fillx", "[grow,fill][]", "[center]"));
         tools.add(effect, "wmin 60");
         tools.add(new CommandButton(give));
-        add(table);
-        add(tools, BorderLayout.SOUTH);
+        JPanel all = new JPanel(new MigLayout("insets 0, gap 0, fill, wrap 1", "[grow,fill]", "[grow,fill][]"));
+        all.add(table, "hmin 96");
+        all.add(tools);
+        add(WidthTrackingPanel.fromLeastHeight(all));
         context.models().allocation().addListener(this::show);
         show(context.models().allocation().snapshot());
     }

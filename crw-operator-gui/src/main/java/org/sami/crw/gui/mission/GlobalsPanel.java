@@ -17,6 +17,7 @@ import javax.swing.JScrollPane;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.value.SidesPanel;
 import org.sami.crw.gui.value.WidthTrackingPanel;
 import org.sami.crw.operator.EngineText;
 import org.sami.crw.session.RefusedException;
@@ -105,7 +106,7 @@ final class GlobalsPanel extends JPanel {
         }
     }
 
-    private JPanel parts() {
+    private JScrollPane parts() {
         about.setName("global-about");
         problem.setName("global-problem");
         problem.setColor(SemanticColor.CRITICAL);
@@ -119,10 +120,7 @@ final class GlobalsPanel extends JPanel {
         one.add(scroll, "hmin 80");
         one.add(problem, "wmin 60");
         one.add(new CommandButton(set), "growx 0");
-        JPanel parts = new JPanel(new MigLayout("insets 0, gap 0, fill", "[40%,fill][60%,fill]", "[grow,fill]"));
-        parts.add(table, "wmin 120");
-        parts.add(one, "wmin 160");
-        return parts;
+        return WidthTrackingPanel.fromLeastHeight(new SidesPanel(table, one));
     }
 
     /** Asks the engine anew; at most one question is under way. */

@@ -23,6 +23,8 @@ import org.sami.ui.value.WrappedText;
 
 /** The buttons that running missions offer. Those for boats are pressed for the selected ones; where none is selected the plan asks. */
 public final class InterruptsPanel extends JPanel {
+    private static final int MOST_NAMED = 2; // the tooltip has all of them
+
     private final OperatorContext context;
     private final JPanel column = new Column();
     private Optional<Shown> shown = Optional.empty();
@@ -74,7 +76,8 @@ public final class InterruptsPanel extends JPanel {
     private JButton button(InterruptChoice choice) {
         List<String> boats = choice.asksForBoats() ? context.boats().boats() : List.of();
         String whom = !choice.asksForBoats() ? "" : boats.isEmpty() ? "…" : " for " + String.join(", ", boats);
-        JButton button = new JButton(choice.name() + whom, Icons.normal("interrupt"));
+        String brief = boats.size() > MOST_NAMED ? " for " + boats.size() + " boats" : whom;
+        JButton button = new JButton(choice.name() + brief, Icons.normal("interrupt"));
         button.setName("interrupt-" + choice.name().strip().replaceAll("[^A-Za-z0-9]+", "-"));
         button.setHorizontalAlignment(JButton.LEADING);
         Optional<String> whyNot =

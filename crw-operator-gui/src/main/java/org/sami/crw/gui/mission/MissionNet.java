@@ -15,6 +15,7 @@ import org.sami.crw.operator.MissionSnapshot;
 import org.sami.crw.operator.MissionsSnapshot;
 import org.sami.spn.model.Plan;
 import org.sami.spn.value.TaskId;
+import org.sami.ui.look.Look;
 import org.sami.ui.net.NetListener;
 import org.sami.ui.net.NetMarking;
 import org.sami.ui.net.NetMode;
@@ -25,11 +26,14 @@ import org.sami.ui.net.NetView;
  * choice, or a double click on their place, away.
  */
 final class MissionNet extends JPanel {
+    private static final int LOW = 140;
+
     private final OperatorContext context;
     private final long root;
     private final NetView net;
     private final JComboBox<Shown> which = new JComboBox<>();
     private final JComboBox<Mode> mode = new JComboBox<>();
+    private final JPanel head = new JPanel(new MigLayout("insets 4 8 4 8, hidemode 3", "[grow, 100::]push[]", "[]"));
     private final Map<Long, Long> firings = new HashMap<>();
     private MissionsSnapshot missions;
     private long drawn;
@@ -82,12 +86,19 @@ final class MissionNet extends JPanel {
                 net.setMode(chosen.mode());
             }
         });
-        JPanel head = new JPanel(new MigLayout("insets 4 8 4 8", "[grow, 100::]push[]", "[]"));
         head.add(which, "wmin 80");
         head.add(mode, "wmin 80");
         add(head, BorderLayout.NORTH);
         add(net);
         show(missions);
+    }
+
+    /** Where there is hardly room for the net, the modes are left to their key. */
+    @Override
+    public void doLayout() {
+        mode.setVisible(getHeight() >= Look.px(LOW));
+        head.setVisible(mode.isVisible() || which.isVisible());
+        super.doLayout();
     }
 
     /** The net itself. */

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import javax.swing.BorderFactory;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
@@ -18,9 +17,7 @@ import org.sami.crw.operator.MissionsSnapshot;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.Wait;
 import org.sami.spn.value.Value;
-import org.sami.ui.command.CommandButton;
-import org.sami.ui.command.CommandRow;
-import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.net.NetView;
 import org.sami.ui.replay.SessionClock;
@@ -29,11 +26,12 @@ import org.sami.ui.table.RowTable;
 
 /** One mission: where its tokens are, what it waits for and why nothing fires, its variables; its end in two buttons. */
 final class MissionView extends JPanel {
+    private static final int LOW = 250;
+    private static final int LEAST_TAB = 64;
+
     private final long mission;
     private final String title;
-    private final JLabel state = new JLabel();
-    private final List<CommandButton> endButtons;
-    private final CommandButton close;
+    private final MissionHead head;
     private final RowTable<Line> places;
     private final RowTable<Line> variables;
     private final JTabbedPane parts = new JTabbedPane();
@@ -43,6 +41,7 @@ final class MissionView extends JPanel {
     private final EndingPanel ending;
     private Optional<String> interceptor = Optional.empty();
     private boolean ended;
+    private String said = "";
 
     /** A line of a table: what, and what is so. */
     private record Line(String what, String text, boolean wrong) {}
@@ -54,21 +53,15 @@ final class MissionView extends JPanel {
         mission = first.id();
         title = first.title();
         setName("mission-" + mission);
-        places = table(
-                "mission-places",
-                "Nothing stands anywhere: the mission is over.",
-                "Place",
-                "Who is there, and what they wait for");
+        places =
+                table("mission-places", "Nothing stands anywhere: the mission is over.", "Place", "Who waits for what");
         variables = table("mission-variables", "The plan has no variable with a value yet.", "Variable", "Value");
-        CommandButton complete = new CommandButton(context.commands().get("mission-complete"));
-        CommandButton abort = new CommandButton(context.commands().get("mission-abort"));
-        close = new CommandButton(context.commands().get("mission-close"));
-        CommandRow head = new CommandRow();
-        state.setName("mission-state");
-        head.left(state).right(complete).right(abort).right(close);
-        endButtons = List.of(complete, abort);
+        head = new MissionHead(context.commands());
         ending = new EndingPanel(context.commands(), this::end, proposed);
         parts.setName("mission-parts");
+        parts.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
+        parts.putClientProperty("JTabbedPane.minimumTabWidth", LEAST_TAB);
+        parts.putClientProperty("JTabbedPane.trailingComponent", head.icons());
         JScrollPane scrolledPhases = new JScrollPane(phases);
         scrolledPhases.setBorder(BorderFactory.createEmptyBorder());
         net = new MissionNet(context, all, mission);
@@ -77,7 +70,7 @@ final class MissionView extends JPanel {
         parts.addTab("Phases", scrolledPhases);
         parts.addTab("Variables", variables);
         JPanel top = new JPanel(new BorderLayout());
-        top.add(head, BorderLayout.NORTH);
+        top.add(head.line(), BorderLayout.NORTH);
         top.add(ending);
         add(top, BorderLayout.NORTH);
         add(parts);
@@ -157,14 +150,16 @@ final class MissionView extends JPanel {
     @Override
     public void updateUI() {
         super.updateUI();
-        if (state != null) {
-            colour();
+        if (head != null) {
+            head.show(said, ended);
         }
     }
 
-    private void colour() {
-        state.setFont(Fonts.strong());
-        state.setForeground((ended ? SemanticColor.MUTED : SemanticColor.OK).get());
+    /** In a low panel all that can be is left to the net. */
+    @Override
+    public void doLayout() {
+        head.setLow(getHeight() < Look.px(LOW));
+        super.doLayout();
     }
 
     /** Shows how far it is in the phases of its plan. */
@@ -175,17 +170,15 @@ final class MissionView extends JPanel {
     /** Shows how it stands now. */
     void show(MissionSnapshot now, MissionsSnapshot all) {
         ended = now.hasEnded();
-        endButtons.forEach(button -> button.setVisible(!ended));
         if (ended) {
             ending.leave();
         }
-        close.setVisible(ended);
-        state.setText(now.outcome()
+        said = now.outcome()
                         .map(outcome -> outcome.name().toLowerCase(Locale.ROOT) + " at "
                                 + SessionClock.text(now.endedAtMillis().orElse(0)))
                         .orElse("runs since " + SessionClock.text(now.startedAtMillis()))
-                + ", " + now.firings() + " firings");
-        colour();
+                + ", " + now.firings() + " firings";
+        head.show(said, ended);
         net.show(all);
         places.show(lines(now.details().blocked()));
         List<Line> values = new ArrayList<>();

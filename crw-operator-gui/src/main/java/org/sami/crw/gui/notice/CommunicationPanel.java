@@ -54,7 +54,7 @@ public final class CommunicationPanel extends JPanel {
                                         shown -> words(shown.boat().status()))
                                 .colored(shown -> color(shown.boat().status())),
                         RowColumn.<Shown>number("Link", 104, Shown::link).colored(Shown::linkColor),
-                        RowColumn.words("What missions say", 0, Shown::said)));
+                        RowColumn.words("In missions", 0, Shown::said)));
         table.addSelectionListener(() -> context.boats()
                 .select(table.allSelected().stream()
                         .map(shown -> shown.boat().boat())
@@ -77,6 +77,7 @@ public final class CommunicationPanel extends JPanel {
         long now = context.nowMillis();
         table.show(boats.stream().map(boat -> shown(boat, missions, now)).toList());
         summary.setText(summary(boats));
+        summary.setToolTipText(summary.getText());
         summary.setForeground(
                 color(boats.isEmpty() ? ProxyStatus.NOMINAL : boats.get(0).status())
                         .get());

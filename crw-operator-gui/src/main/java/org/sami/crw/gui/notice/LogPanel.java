@@ -11,6 +11,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.value.WidthTrackingPanel;
 import org.sami.crw.operator.OperatorLogEntry;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.replay.SessionClock;
@@ -58,8 +59,10 @@ public final class LogPanel extends JPanel {
         JPanel line = new JPanel(new MigLayout("insets 4 8 4 8", "[grow][]", "[]"));
         line.add(note, "growx, hmin 40, wmin 60");
         line.add(keep, "hmin 40");
-        add(table);
-        add(line, BorderLayout.SOUTH);
+        JPanel all = new JPanel(new MigLayout("insets 0, gap 0, fill, wrap 1", "[grow,fill]", "[grow,fill][]"));
+        all.add(table, "hmin 80");
+        all.add(line);
+        add(WidthTrackingPanel.fromLeastHeight(all));
         context.models().log().addListener(this::show);
         show(context.models().log().snapshot());
     }

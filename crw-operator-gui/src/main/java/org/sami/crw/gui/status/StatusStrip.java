@@ -40,6 +40,7 @@ public final class StatusStrip extends JPanel {
     private final JLabel clock = new JLabel();
     private final JButton alarms = new JButton();
     private Optional<Notice> last = Optional.empty();
+    private boolean narrow;
     private final CommandButton stop;
     private final CommandButton release;
     private final CommandButton confirm;
@@ -71,7 +72,7 @@ public final class StatusStrip extends JPanel {
         links.setName("links-count");
         clock.setName("clock");
         List.of(missions, decisions, boats, links).forEach(label -> add(label, "wmin 32"));
-        add(notice, "wmin 0, shrinkprio 300");
+        add(notice, "wmin 0, shrinkprio 300, gapright 8");
         add(clock, "wmin 0, shrinkprio 200");
         add(alarms, "h 40!");
         JPanel stops = new JPanel(new MigLayout("novisualpadding, insets 0, gap 8, hidemode 3", "[][][]", "[]"));
@@ -93,6 +94,18 @@ public final class StatusStrip extends JPanel {
         notice.setIcon(Icons.of(
                 told.refused() ? "alarm" : "check", 16, told.refused() ? SemanticColor.WARNING : SemanticColor.OK));
         notice.setForeground((told.refused() ? SemanticColor.WARNING : SemanticColor.MUTED).get());
+    }
+
+    @Override
+    public void doLayout() {
+        if (isNarrow() != narrow) {
+            refresh();
+        }
+        super.doLayout();
+    }
+
+    private boolean isNarrow() {
+        return getWidth() > 0 && getWidth() < Look.px(ROOMY);
     }
 
     @Override
@@ -125,7 +138,7 @@ public final class StatusStrip extends JPanel {
         long running = context.models().missions().snapshot().running().stream()
                 .filter(mission -> mission.parent() == Ids.NONE)
                 .count();
-        boolean narrow = getWidth() > 0 && getWidth() < Look.px(ROOMY);
+        narrow = isNarrow();
         say(missions, count(running, "mission"), narrow ? String.valueOf(running) : "");
         int waiting = context.models().decisions().snapshot().size();
         say(
@@ -137,7 +150,7 @@ public final class StatusStrip extends JPanel {
         long linked =
                 fleet.stream().filter(boat -> boat.link() == LinkState.LINKED).count();
         say(boats, linked + " of " + count(fleet.size(), "boat"), narrow ? linked + " / " + fleet.size() : "");
-        showLinks(fleet, narrow);
+        showLinks(fleet);
         clock.setVisible(!narrow);
         clock.setText(LocalTime.now(ZoneId.systemDefault()).format(CLOCK));
         showAlarms(context.models().alarms().snapshot());
@@ -152,7 +165,7 @@ public final class StatusStrip extends JPanel {
         label.getAccessibleContext().setAccessibleName(words);
     }
 
-    private void showLinks(List<BoatSnapshot> fleet, boolean narrow) {
+    private void showLinks(List<BoatSnapshot> fleet) {
         long lost = fleet.stream().filter(boat -> boat.link() == LinkState.LOST).count();
         long worst = fleet.stream()
                 .mapToLong(boat -> boat.linkAgeMillis(context.nowMillis()).orElse(0))

@@ -1,5 +1,6 @@
 package org.sami.crw.gui.window;
 
+import java.awt.Dimension;
 import java.util.List;
 import org.sami.crw.gui.boat.BoatPanel;
 import org.sami.crw.gui.boat.BoatsPanel;
@@ -22,6 +23,7 @@ import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.ComponentLibrary;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.ui.dock.Arrangement;
+import org.sami.ui.dock.Arrangements;
 import org.sami.ui.dock.DockPanel;
 import org.sami.ui.value.MapMaker;
 import org.sami.ui.value.ValueEditors;
@@ -29,18 +31,31 @@ import org.sami.ui.window.WindowSettings;
 
 /** The panels of a window, over a session or over its replay, and how they lie at first. */
 public final class OperatorPanels implements AutoCloseable {
-    /** How they lie at first. */
-    public static final Arrangement FIRST = Arrangement.of("map")
-            .right("missions", "map", 0.42)
-            .below("boats", "map", 0.3)
-            .behind("boat", "boats")
-            .behind("communication", "boats")
-            .below("decisions", "missions", 0.62)
-            .below("interrupts", "decisions", 0.38)
-            .right("messages", "interrupts", 0.62)
-            .behind("alarms", "messages")
-            .behind("allocation", "messages")
-            .behind("log", "messages");
+    /** How they lie at first: thesis, Figure 5.5; in small windows and with large letters with more of them behind one another. */
+    public static final Arrangements FIRST = new Arrangements(
+            Arrangement.of("map")
+                    .right("missions", "map", 0.42)
+                    .below("boats", "map", 0.3)
+                    .behind("boat", "boats")
+                    .behind("communication", "boats")
+                    .below("decisions", "missions", 0.58)
+                    .below("interrupts", "decisions", 0.38)
+                    .right("messages", "interrupts", 0.62)
+                    .behind("alarms", "messages")
+                    .behind("allocation", "messages")
+                    .behind("log", "messages"),
+            Arrangement.of("map")
+                    .right("missions", "map", 0.48)
+                    .below("boats", "map", 0.38)
+                    .behind("boat", "boats")
+                    .behind("communication", "boats")
+                    .behind("alarms", "boats")
+                    .below("decisions", "missions", 0.57)
+                    .behind("interrupts", "decisions")
+                    .behind("messages", "decisions")
+                    .behind("allocation", "decisions")
+                    .behind("log", "decisions"),
+            new Dimension(1280, 780));
 
     private final BoatsPanel boats;
     private final BoatPanel boat;

@@ -1,0 +1,69 @@
+package org.sami.crw.gui.mission;
+
+import java.util.List;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.command.CommandRegistry;
+import org.sami.ui.command.CommandRow;
+import org.sami.ui.look.Fonts;
+import org.sami.ui.look.SemanticColor;
+
+/** What a mission does, and the buttons that end it: a line above its parts, or, where the panel is low, icons beside their tabs. */
+final class MissionHead {
+    private static final List<String> ENDING = List.of("mission-complete", "mission-abort");
+    private static final String CLOSING = "mission-close";
+
+    private final JLabel state = new JLabel();
+    private final CommandRow line = new CommandRow();
+    private final JPanel icons =
+            new JPanel(new MigLayout("novisualpadding, insets 0, gap 0, hidemode 3", "push[][][]"));
+
+    MissionHead(CommandRegistry commands) {
+        state.setName("mission-state");
+        line.left(state);
+        ENDING.forEach(id -> line.right(new CommandButton(commands.get(id))));
+        line.right(new CommandButton(commands.get(CLOSING)));
+        icons.setOpaque(false);
+        ENDING.forEach(id -> icons.add(icon(commands, id)));
+        icons.add(icon(commands, CLOSING));
+        setLow(false);
+    }
+
+    private static CommandButton icon(CommandRegistry commands, String id) {
+        CommandButton icon = CommandButton.iconOnly(commands.get(id));
+        icon.setName(id + "-icon");
+        return icon;
+    }
+
+    JComponent line() {
+        return line;
+    }
+
+    JComponent icons() {
+        return icons;
+    }
+
+    /** Shows it as icons, or as a line. */
+    void setLow(boolean low) {
+        line.setVisible(!low);
+        icons.setVisible(low);
+    }
+
+    /** Says what the mission does. */
+    void show(String text, boolean ended) {
+        state.setText(text);
+        state.setToolTipText(text);
+        state.setFont(Fonts.strong());
+        state.setForeground((ended ? SemanticColor.MUTED : SemanticColor.OK).get());
+        for (JComponent part : List.of(line, icons)) {
+            for (var child : part.getComponents()) {
+                if (child instanceof CommandButton button) {
+                    button.setVisible(button.getName().startsWith(CLOSING) == ended);
+                }
+            }
+        }
+    }
+}

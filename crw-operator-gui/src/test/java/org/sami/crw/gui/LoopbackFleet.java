@@ -1,0 +1,60 @@
+package org.sami.crw.gui;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.sim.boat.BoatOnTcp;
+import org.sami.crw.sim.boat.BoatSettings;
+import org.sami.spn.value.GeoPoint;
+
+/** Simulated boats in this process, in a row along the quay of Katara Beach, each behind a loopback socket; each can be ended by itself. */
+final class LoopbackFleet implements AutoCloseable {
+    static final GeoPoint QUAY = GeoPoint.of(25.3597, 51.5268);
+
+    private static final double APART_DEG = 0.0002; // 22 m
+
+    private final Map<String, BoatOnTcp> boats = new LinkedHashMap<>();
+
+    /** Launches one boat a name. */
+    LoopbackFleet(List<String> names) throws IOException {
+        for (String name : names) {
+            GeoPoint at = GeoPoint.of(QUAY.latDeg() - boats.size() * APART_DEG, QUAY.lonDeg());
+            InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
+            boats.put(
+                    name,
+                    new BoatOnTcp(
+                            BoatSettings.of(name, anyPort, at, boats.size()),
+                            SteadyClock.ofThisMachine(),
+                            TcpServerListener.NONE));
+        }
+    }
+
+    /** Where they are connected to. */
+    List<BoatAddress> addresses() {
+        List<BoatAddress> addresses = new ArrayList<>();
+        boats.values()
+                .forEach(boat -> addresses.add(new BoatAddress(
+                        boat.address().getAddress().getHostAddress(),
+                        boat.address().getPort())));
+        return addresses;
+    }
+
+    /** Ends a boat: nothing comes from it any longer. */
+    void end(String name) throws IOException {
+        boats.get(name).close();
+    }
+
+    @Override
+    public void close() throws IOException {
+        for (BoatOnTcp boat : boats.values()) {
+            boat.close();
+        }
+    }
+}

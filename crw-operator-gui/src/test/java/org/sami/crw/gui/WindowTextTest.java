@@ -1,0 +1,119 @@
+package org.sami.crw.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.Dimension;
+import java.awt.GraphicsEnvironment;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.TestInstance.Lifecycle;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.gui.start.StartOptions;
+import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.crw.operator.OperatorMessage;
+import org.sami.spn.protocol.Priority;
+import org.sami.ui.check.WindowRobot;
+import org.sami.ui.look.Theme;
+
+/**
+ * The texts of the whole window while much is going on: missions, decisions, messages, an alarm, interrupts; in every theme, at 100 and
+ * 150 %, small and large.
+ */
+@Tag("window")
+@TestInstance(Lifecycle.PER_CLASS)
+class WindowTextTest {
+    private static final List<String> NAMES = List.of("anna", "bert", "carl", "dora", "emil");
+    private static final List<Dimension> SIZES = List.of(new Dimension(1280, 800), new Dimension(1600, 1000));
+
+    private final CompletableFuture<Integer> ended = new CompletableFuture<>();
+    private LoopbackFleet fleet;
+    private OperatorWindow window;
+
+    @BeforeAll
+    void open(@TempDir Path data) throws Exception {
+        assumeFalse(
+                GraphicsEnvironment.isHeadless(),
+                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        fleet = new LoopbackFleet(NAMES);
+        StartOptions options = new StartOptions(
+                fleet.addresses(), Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
+        window = WindowStart.open(options, DataDirectory.open(data), ended::complete);
+        WindowRobot robot = new WindowRobot();
+        robot.untilSaid("boats-count", "5 of 5");
+        window.session().start("explore-team", "Explore the western bay", Map.of());
+        robot.untilSaid("decisions-count", "1 decision");
+        window.session().start("connect-boat", "Connect Boat", Map.of());
+        robot.untilSaid("decisions-count", "2 decisions");
+        for (int i = 0; i < 50; i++) {
+            window.session().models().tell(message(i));
+        }
+        fleet.end("emil");
+        robot.untilSaid("links-count", "1 link lost");
+        robot.until(
+                "an alarm is raised",
+                () -> !window.session().models().alarms().snapshot().isEmpty());
+    }
+
+    private static OperatorMessage message(int number) {
+        return new OperatorMessage(
+                0,
+                number * 1000L,
+                OperatorMessage.Source.PLAN,
+                Priority.values()[number % Priority.values().length],
+                "Exploring " + (number + 1) * 500 + " m² in " + (number + 1) * 10 + " m of track, for 5 boats",
+                List.of("anna"),
+                "");
+    }
+
+    @AfterAll
+    void close() throws Exception {
+        if (window != null) {
+            WindowRobot.ask(() -> {
+                window.end();
+                return null;
+            });
+            ended.get(30, TimeUnit.SECONDS);
+        }
+        if (fleet != null) {
+            fleet.close();
+        }
+    }
+
+    @Test
+    void noTextIsCutOrOverlapped() throws Exception {
+        WindowInMemory shown = new WindowInMemory(window);
+        List<String> faults = new ArrayList<>();
+        for (Theme theme : Theme.values()) {
+            for (int percent : List.of(100, 150)) {
+                shown.look(theme, percent);
+                for (Dimension size : SIZES) {
+                    shown.size(size.width, size.height);
+                    String what = theme.id() + "-" + percent + "-" + size.width;
+                    List<String> here = shown.textFaults();
+                    if (!here.isEmpty()) {
+                        ImageIO.write(
+                                shown.picture(),
+                                "png",
+                                Path.of("build", "text-" + what + ".png").toFile());
+                    }
+                    here.forEach(fault -> faults.add(what + ": " + fault));
+                }
+            }
+        }
+
+        assertThat(faults).isEmpty();
+    }
+}
