@@ -34,16 +34,24 @@ final class DreammStart {
         RecoveryFolder recovery =
                 RecoveryFolder.take(data.recovery(), first.domain().vocabulary());
         WindowSettings settings = new WindowSettings(data.settings());
-        return EventThread.get(() -> {
+        DreammWindow window = EventThread.get(() -> {
             Look.apply(options.theme().orElse(settings.theme()), options.scale().orElse(settings.scale()));
             settings.keepLook();
             DreammContext context =
                     new DreammContext(first.source(), first.domain(), first.document(), options.profile());
             first.plan().ifPresent(context.editor()::open);
             DreammWindow made = new DreammWindow(context, recovery, data, settings, ended);
-            made.open();
-            made.files().offer(left);
+            if (made.unknownInProfile().isPresent()) {
+                made.discard();
+            } else {
+                made.open();
+                made.files().offer(left);
+            }
             return made;
         });
+        if (window.unknownInProfile().isPresent()) {
+            throw new IOException(window.unknownInProfile().get());
+        }
+        return window;
     }
 }

@@ -13,6 +13,7 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.context.NetOverlay;
 import org.sami.dreamm.document.DocumentChange;
 import org.sami.dreamm.document.EditorListener;
+import org.sami.dreamm.profile.ProfileIds;
 import org.sami.spn.drawing.NetDetail;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.model.LayoutPoint;
@@ -59,6 +60,9 @@ public final class ModelView extends JPanel implements NetDropTarget {
         this.context = context;
         setName("model-view");
         net = new ShownNet(context.vocabulary(), NetView::textWidth);
+        if (!context.profile().shows(ProfileIds.MISSING_REQUIREMENT)) {
+            net.setDetail(NetDetail.READER);
+        }
         actions = new NetActions(context, view, net);
         Connecting connecting = new Connecting(view, net, actions);
         EditTool tool = new EditTool(view, net, actions, connecting);

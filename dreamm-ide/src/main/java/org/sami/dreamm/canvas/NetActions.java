@@ -188,6 +188,9 @@ final class NetActions {
 
     /** Lets the author write the name of the selected vertex, or the text of the selected note, where it stands. */
     void rename() {
+        if (whyNotEdit("net-rename").isPresent()) {
+            return;
+        }
         selectedVertex().ifPresent(this::rename);
         edits.notes(selection()).stream().findFirst().ifPresent(this::writeNote);
     }
@@ -257,6 +260,9 @@ final class NetActions {
 
     /** Offers what can come next at a vertex, in a menu. */
     void openAppendMenu(String vertex, int x, int y) {
+        if (whyNotEdit("net-append").isPresent()) {
+            return;
+        }
         appendMenu(vertex).show(view.canvas(), x, y);
     }
 
@@ -307,6 +313,13 @@ final class NetActions {
             vertex.ifPresent(made::add);
             view.revealWhole(made);
         }
+    }
+
+    /** Puts something onto an edge; says whether edges hold such a thing. */
+    boolean putOnEdge(NetDrop drop, String edge) {
+        Optional<Edit> edit = drop.ontoEdge(net.plan(), edge);
+        edit.filter(this::apply).ifPresent(made -> context.editor().select(Set.of(edge)));
+        return edit.isPresent();
     }
 
     /** The vertices that a plan did not have. */

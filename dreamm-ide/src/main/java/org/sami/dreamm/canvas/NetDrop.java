@@ -21,6 +21,11 @@ public interface NetDrop {
      */
     Edit onto(Plan plan, String vertex, Mode mode);
 
+    /** The edit that adds it to an edge; empty where edges hold no such thing, and it lies on free space there. */
+    default Optional<Edit> ontoEdge(Plan plan, String edge) {
+        return Optional.empty();
+    }
+
     /**
      * The edit that adds it with a vertex of its own.
      *

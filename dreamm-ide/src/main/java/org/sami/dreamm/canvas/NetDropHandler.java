@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import javax.swing.JComponent;
 import javax.swing.TransferHandler;
+import org.sami.spn.drawing.NetDrawing.Edge;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.ui.net.NetView;
@@ -29,6 +30,10 @@ final class NetDropHandler extends TransferHandler {
         return view.scene().vertexAt(at.x(), at.y(), REACH_PX / view.zoom()).map(Vertex::id);
     }
 
+    private Optional<String> edgeAt(LayoutPoint at) {
+        return view.scene().edgeAt(at.x(), at.y(), REACH_PX / view.zoom()).map(Edge::id);
+    }
+
     private LayoutPoint at(TransferSupport support) {
         Point pixel = support.getDropLocation().getDropPoint();
         return view.point(pixel.x, pixel.y);
@@ -41,9 +46,16 @@ final class NetDropHandler extends TransferHandler {
                 || actions.whyNotEdit("net-drop").isPresent()) {
             return false;
         }
-        Optional<String> vertex = vertexAt(at(support));
+        LayoutPoint at = at(support);
+        Optional<String> vertex = vertexAt(at);
+        Optional<String> edge = vertex.isPresent()
+                ? Optional.empty()
+                : edgeAt(at)
+                        .filter(id -> drop(support)
+                                .flatMap(drop -> drop.ontoEdge(net.plan(), id))
+                                .isPresent());
         Optional<String> whyNot = vertex.flatMap(id -> drop(support).flatMap(drop -> drop.whyNotOnto(net.plan(), id)));
-        view.highlight(vertex.map(Set::of).orElse(Set.of()));
+        view.highlight(vertex.or(() -> edge).map(Set::of).orElse(Set.of()));
         whyNot.ifPresent(actions::refuse);
         return whyNot.isEmpty();
     }
@@ -56,7 +68,14 @@ final class NetDropHandler extends TransferHandler {
         view.highlight(Set.of());
         LayoutPoint at = at(support);
         Optional<NetDrop> drop = drop(support);
-        drop.ifPresent(each -> actions.put(each, vertexAt(at), at));
+        drop.ifPresent(each -> {
+            Optional<String> vertex = vertexAt(at);
+            boolean onEdge = vertex.isEmpty()
+                    && edgeAt(at).filter(edge -> actions.putOnEdge(each, edge)).isPresent();
+            if (!onEdge) {
+                actions.put(each, vertex, at);
+            }
+        });
         view.canvas().requestFocusInWindow();
         return drop.isPresent();
     }

@@ -86,8 +86,6 @@ final class EventCard extends Form implements Explained {
     }
 
     private void markups(String event, List<MarkupSpec> markups) {
-        if (context.profile().shows("event-markups")) {
-            wide(new MarkupRows(context, scope.plan().id(), event, markups));
-        }
+        wide(new MarkupRows(context, scope.plan().id(), event, markups));
     }
 }

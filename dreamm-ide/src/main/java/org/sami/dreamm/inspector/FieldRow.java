@@ -2,10 +2,12 @@ package org.sami.dreamm.inspector;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
@@ -13,6 +15,7 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.help.Explained;
 import org.sami.dreamm.help.HelpTopic;
 import org.sami.dreamm.help.HelpTopics;
+import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.FieldEdit;
 import org.sami.spn.model.FieldSource;
@@ -84,6 +87,7 @@ final class FieldRow extends Form implements Explained {
                 "field-" + field.name().replaceAll("([a-z0-9])([A-Z])", "$1-$2").toLowerCase(java.util.Locale.ROOT);
         setName(name);
         below.setOpaque(false);
+        ProfileGuard.mark(this, "event-field");
         JLabel title =
                 new JLabel(ValueField.words(field.name()) + (field.unit().isEmpty() ? "" : " (" + field.unit() + ")"));
         title.setFont(Fonts.strong());
@@ -121,14 +125,16 @@ final class FieldRow extends Form implements Explained {
 
     private void source(Optional<FieldSource> source) {
         Source now = Source.of(source);
-        choice(
-                "From",
-                name + "-source",
-                "Where the value comes from when the place is entered",
-                sources(),
-                Optional.of(now),
-                s -> s == Source.NOTHING ? nothing() : s.words,
-                chosen -> choose(chosen, source));
+        ProfileGuard.mark(
+                choice(
+                        "From",
+                        name + "-source",
+                        "Where the value comes from when the place is entered",
+                        sources(),
+                        Optional.of(now),
+                        s -> s == Source.NOTHING ? nothing() : s.words,
+                        chosen -> choose(chosen, source)),
+                "event-field-source");
         wide(below);
         switch (now) {
             case NOTHING ->
@@ -145,17 +151,22 @@ final class FieldRow extends Form implements Explained {
                         source.flatMap(s -> ((FieldSource.Asked) s).defaultValue()),
                         v -> new FieldSource.Asked(Optional.of(v), false));
             case VARIABLE ->
-                choice(
-                        "Variable",
-                        name + "-variable",
-                        "Variables of type " + TypeNames.of(field.type()),
-                        variables(),
-                        source.map(s -> ((FieldSource.FromVariable) s).variable()),
-                        v -> v,
-                        v -> variable(
-                                v,
-                                chosen -> new FieldEdit.SetField(
-                                        scope.plan().id(), event, field.name(), new FieldSource.FromVariable(chosen))));
+                ProfileGuard.mark(
+                        choice(
+                                "Variable",
+                                name + "-variable",
+                                "Variables of type " + TypeNames.of(field.type()),
+                                variables(),
+                                source.map(s -> ((FieldSource.FromVariable) s).variable()),
+                                v -> v,
+                                v -> variable(
+                                        v,
+                                        chosen -> new FieldEdit.SetField(
+                                                scope.plan().id(),
+                                                event,
+                                                field.name(),
+                                                new FieldSource.FromVariable(chosen)))),
+                        "event-field-variable");
             case TASK -> say("The field \"" + field.name() + "\" of each task that enters.", SemanticColor.MUTED);
         }
     }
@@ -167,9 +178,12 @@ final class FieldRow extends Form implements Explained {
     }
 
     private List<Source> sources() {
-        return context.profile().allows("event-field-sources")
-                ? List.of(Source.values())
-                : List.of(Source.NOTHING, Source.VALUE);
+        boolean all = context.profile().allows("event-field-sources");
+        return Stream.of(Source.values())
+                .filter(s -> s == Source.NOTHING
+                        || (context.profile().allows("event-source-" + s.name().toLowerCase(Locale.ROOT))
+                                && (all || s == Source.VALUE)))
+                .toList();
     }
 
     /** What there is already stays, as far as the other source can hold it. */
@@ -211,7 +225,8 @@ final class FieldRow extends Form implements Explained {
     private void edit(Optional<Value> value, Consumer<Value> given) {
         below.removeAll();
         below.add(
-                new ValueRow(context.values().editor(ValueField.of(field)), value, given),
+                ProfileGuard.mark(
+                        new ValueRow(context.values().editor(ValueField.of(field)), value, given), "event-field-value"),
                 "wmin 0, gapbottom " + Spacing.TIGHT);
     }
 
@@ -239,41 +254,46 @@ final class FieldRow extends Form implements Explained {
     private void writes(Map<String, String> writes) {
         List<String> names = new ArrayList<>(List.of(NOWHERE));
         names.addAll(variables());
-        choice(
-                "Write to",
-                name + "-write",
-                "The variable that receives the value; variables of type " + TypeNames.of(field.type()),
-                names,
-                Optional.of(writes.getOrDefault(field.name(), NOWHERE)),
-                v -> v,
-                v -> {
-                    if (v.equals(NOWHERE)) {
-                        apply(new FieldEdit.ClearWrite(scope.plan().id(), event, field.name()));
-                    } else {
-                        variable(
-                                v, chosen -> new FieldEdit.SetWrite(scope.plan().id(), event, field.name(), chosen));
-                    }
-                });
+        ProfileGuard.mark(
+                choice(
+                        "Write to",
+                        name + "-write",
+                        "The variable that receives the value; variables of type " + TypeNames.of(field.type()),
+                        names,
+                        Optional.of(writes.getOrDefault(field.name(), NOWHERE)),
+                        v -> v,
+                        this::write),
+                "event-field-write");
+    }
+
+    private void write(String to) {
+        if (to.equals(NOWHERE)) {
+            apply(new FieldEdit.ClearWrite(scope.plan().id(), event, field.name()));
+        } else {
+            variable(to, chosen -> new FieldEdit.SetWrite(scope.plan().id(), event, field.name(), chosen));
+        }
     }
 
     /** An input event is taken only if its field has the value that is given here. */
     private void selects(Optional<Value> value) {
-        choice(
-                "Only if",
-                name + "-only",
-                "Whether the transition takes every such answer, or only those with one value",
-                List.of(false, true),
-                Optional.of(value.isPresent()),
-                one -> one ? "it is" : field.required() ? "– say which –" : "whatever it is",
-                one -> {
-                    if (one) {
-                        only(Optional.empty());
-                        revalidate();
-                        repaint();
-                    } else {
-                        apply(new FieldEdit.ClearField(scope.plan().id(), event, field.name()));
-                    }
-                });
+        ProfileGuard.mark(
+                choice(
+                        "Only if",
+                        name + "-only",
+                        "Whether the transition takes every such answer, or only those with one value",
+                        List.of(false, true),
+                        Optional.of(value.isPresent()),
+                        one -> one ? "it is" : field.required() ? "– say which –" : "whatever it is",
+                        one -> {
+                            if (one) {
+                                only(Optional.empty());
+                                revalidate();
+                                repaint();
+                            } else {
+                                apply(new FieldEdit.ClearField(scope.plan().id(), event, field.name()));
+                            }
+                        }),
+                "event-field-only");
         wide(below);
         if (value.isPresent()) {
             only(value);

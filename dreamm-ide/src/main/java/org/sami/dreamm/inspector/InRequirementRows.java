@@ -7,6 +7,7 @@ import javax.swing.JPanel;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.help.HelpTopic;
 import org.sami.dreamm.help.HelpTopics;
+import org.sami.dreamm.profile.ProfileIds;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
@@ -34,9 +35,9 @@ final class InRequirementRows extends RequirementRows<InRequirement> {
 
     @Override
     void quantity(JPanel panel, InRequirement r, int at) {
-        List<Match> matches = Stream.of(Match.values())
-                .filter(m -> m != Match.ALL || r.kind() == TokenKind.RELEVANT)
-                .toList();
+        List<Match> matches = allowed(
+                Stream.of(Match.values()).filter(m -> m != Match.ALL || r.kind() == TokenKind.RELEVANT),
+                ProfileIds::of);
         choice(
                 panel,
                 combo(
@@ -111,6 +112,11 @@ final class InRequirementRows extends RequirementRows<InRequirement> {
         return Stream.of(TokenKind.values())
                 .filter(k -> k != TokenKind.SUB_MISSION_TOKENS)
                 .toList();
+    }
+
+    @Override
+    String profileId(TokenKind kind) {
+        return ProfileIds.in(kind);
     }
 
     @Override

@@ -209,6 +209,7 @@ public final class InspectorPanel extends JPanel {
     /** The events that can be added here (thesis, Figure 5.3). */
     private void events(Plan plan, String vertex, Direction direction) {
         Form form = new Form();
+        form.setName("inspector-add-event");
         form.heading("Add an event");
         form.wide(new PaletteList(
                 context,

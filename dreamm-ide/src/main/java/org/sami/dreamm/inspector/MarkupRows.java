@@ -14,6 +14,7 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.help.Explained;
 import org.sami.dreamm.help.HelpTopic;
 import org.sami.dreamm.help.HelpTopics;
+import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.spn.edit.EventEdit;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.value.Value;
@@ -71,11 +72,13 @@ final class MarkupRows extends Form {
             title.setFont(Fonts.strong());
             title.setToolTipText(type.help());
             head.add(title, "wmin 0");
-            head.add(button(
-                    "×",
-                    MarkupRows.name(type.name()) + "-remove",
-                    "Remove the markup " + type.label(),
-                    () -> context.apply(new EventEdit.RemoveMarkup(plan, event, markup.type()))));
+            head.add(ProfileGuard.mark(
+                    button(
+                            "×",
+                            MarkupRows.name(type.name()) + "-remove",
+                            "Remove the markup " + type.label(),
+                            () -> context.apply(new EventEdit.RemoveMarkup(plan, event, markup.type()))),
+                    "markup-remove"));
             wide(head);
             note(type.help(), SemanticColor.MUTED);
             for (FieldType option : type.options()) {
@@ -143,7 +146,7 @@ final class MarkupRows extends Form {
         };
         editors.values().forEach(editor -> editor.addListener(check));
         check.run();
-        wide(add);
+        wide(ProfileGuard.mark(add, "markup-add"));
         revalidate();
         repaint();
     }

@@ -2,10 +2,12 @@ package org.sami.dreamm.inspector;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.JPanel;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.help.HelpTopic;
 import org.sami.dreamm.help.HelpTopics;
+import org.sami.dreamm.profile.ProfileIds;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.OutEdge;
@@ -36,7 +38,7 @@ final class OutRequirementRows extends RequirementRows<OutRequirement> {
         choice(
                 panel,
                 combo(
-                        List.of(Action.values()),
+                        allowed(Stream.of(Action.values()), ProfileIds::of),
                         Optional.of(r.action()),
                         OutRequirementRows::words,
                         a -> put(at, new OutRequirement(r.kind(), r.n(), a, r.task()))),
@@ -45,7 +47,7 @@ final class OutRequirementRows extends RequirementRows<OutRequirement> {
         choice(
                 panel,
                 combo(
-                        List.of(true, false),
+                        allowed(Stream.of(true, false), ProfileIds::quantity),
                         Optional.of(r.takesAll()),
                         all -> all ? "All" : "n",
                         all -> put(
@@ -105,6 +107,11 @@ final class OutRequirementRows extends RequirementRows<OutRequirement> {
     @Override
     List<TokenKind> kinds() {
         return List.of(TokenKind.values());
+    }
+
+    @Override
+    String profileId(TokenKind kind) {
+        return ProfileIds.out(kind);
     }
 
     @Override

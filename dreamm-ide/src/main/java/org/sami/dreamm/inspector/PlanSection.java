@@ -9,6 +9,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.spn.edit.ProjectEdit;
 import org.sami.spn.edit.RenameVariable;
 import org.sami.spn.edit.TaskEdit;
@@ -68,37 +69,38 @@ final class PlanSection extends Form {
         JPanel row = line();
         JTextField name = new JTextField(task.name());
         name.setName("task-" + task.name());
+        ProfileGuard.mark(name, "plan-task");
         name.setToolTipText("Name of the task; renamed wherever it is spoken of");
         giveWhenLeft(name, task.name(), n -> context.apply(new TaskEdit.RenameTask(plan.id(), task.name(), n)));
         row.add(name, "growx, pushx, wmin 0");
         row.add(new javax.swing.JLabel(task.taskClass()));
-        row.add(button(
-                "×",
-                "task-remove-" + task.name(),
-                "Delete the task " + task.name(),
-                () -> context.apply(new TaskEdit.RemoveTask(plan.id(), task.name()))));
+        row.add(ProfileGuard.mark(
+                button(
+                        "×",
+                        "task-remove-" + task.name(),
+                        "Delete the task " + task.name(),
+                        () -> context.apply(new TaskEdit.RemoveTask(plan.id(), task.name()))),
+                "plan-task-remove"));
         wide(row);
         TaskClass of = context.vocabulary().taskClasses().get(task.taskClass());
         if (of != null) {
             for (FieldType field : of.fields()) {
                 ValueField shown = ValueField.of(field);
                 wide(new javax.swing.JLabel(shown.label()));
-                wide(new ValueRow(
-                        context.values()
-                                .editor(new ValueField(
-                                        task.name() + "." + field.name(),
-                                        shown.label(),
-                                        shown.type(),
-                                        shown.unit(),
-                                        shown.help())),
-                        Optional.ofNullable(task.fields().get(field.name())),
-                        v -> {
-                            Map<String, org.sami.spn.value.Value> fields = new java.util.LinkedHashMap<>(task.fields());
-                            fields.put(field.name(), v);
-                            context.apply(new TaskEdit.ChangeTask(plan.id(), task.withFields(fields)));
-                        }));
+                wide(ProfileGuard.mark(value(task, field, shown), "plan-task-value"));
             }
         }
+    }
+
+    private ValueRow value(TaskSpec task, FieldType field, ValueField shown) {
+        ValueField of = new ValueField(
+                task.name() + "." + field.name(), shown.label(), shown.type(), shown.unit(), shown.help());
+        return new ValueRow(
+                context.values().editor(of), Optional.ofNullable(task.fields().get(field.name())), v -> {
+                    Map<String, org.sami.spn.value.Value> fields = new java.util.LinkedHashMap<>(task.fields());
+                    fields.put(field.name(), v);
+                    context.apply(new TaskEdit.ChangeTask(plan.id(), task.withFields(fields)));
+                });
     }
 
     private void addTask() {
@@ -125,20 +127,24 @@ final class PlanSection extends Form {
     private void variables(String title, Optional<String> owner, List<VariableSpec> variables) {
         heading(title);
         String prefix = owner.isPresent() ? "variable-" : "global-";
+        String of = owner.isPresent() ? "plan-" : "project-";
         for (VariableSpec v : variables) {
             JPanel row = line();
             JTextField name = new JTextField(v.name());
             name.setName(prefix + v.name().substring(1));
+            ProfileGuard.mark(name, of + "variable");
             name.setToolTipText(
                     "Name of the variable; renamed wherever it is spoken of. Type " + TypeNames.of(v.type()));
             giveWhenLeft(name, v.name(), n -> context.apply(new RenameVariable(owner, v.name(), n)));
             row.add(name, "growx, pushx, wmin 0");
             row.add(new javax.swing.JLabel(TypeNames.of(v.type())), "wmin 0");
-            row.add(button(
-                    "×",
-                    prefix + "remove-" + v.name().substring(1),
-                    "Delete the variable " + v.name(),
-                    () -> context.apply(new VariableEdit.RemoveVariable(owner, v.name()))));
+            row.add(ProfileGuard.mark(
+                    button(
+                            "×",
+                            prefix + "remove-" + v.name().substring(1),
+                            "Delete the variable " + v.name(),
+                            () -> context.apply(new VariableEdit.RemoveVariable(owner, v.name()))),
+                    of + "variable-remove"));
             wide(row);
             note(uses(owner, v), SemanticColor.MUTED);
         }
@@ -146,6 +152,7 @@ final class PlanSection extends Form {
         add.addItem(NO_TYPE);
         types().forEach(t -> add.addItem(TypeNames.of(t)));
         add.setName(prefix + "add");
+        ProfileGuard.mark(add, of + "add-variable");
         add.addActionListener(e -> {
             if (add.getSelectedIndex() > 0) {
                 ValueType type = types().get(add.getSelectedIndex() - 1);

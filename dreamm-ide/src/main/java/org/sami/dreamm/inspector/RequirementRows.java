@@ -5,8 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -80,8 +82,10 @@ abstract class RequirementRows<R> extends Form {
     private void buttons(boolean locked) {
         JPanel buttons = new JPanel(new MigLayout("insets 0, gap 4"));
         buttons.setOpaque(false);
-        buttons.add(
-                button("+ Requirement", "inspector-add-requirement", "Add a requirement", () -> set(with(fresh(all)))));
+        JButton add =
+                button("+ Requirement", "inspector-add-requirement", "Add a requirement", () -> set(with(begun())));
+        add.setEnabled(!offered().isEmpty());
+        buttons.add(add);
         JButton compute = button(
                 "Compute",
                 "inspector-compute",
@@ -95,6 +99,24 @@ abstract class RequirementRows<R> extends Form {
         wide(buttons);
     }
 
+    /** A requirement to begin with, of the kinds that the profile has. */
+    private R begun() {
+        R fresh = fresh(all);
+        return offered().contains(kind(fresh)) ? fresh : ofKind(fresh, offered().get(0));
+    }
+
+    /** The kinds of tokens that the profile has. */
+    private List<TokenKind> offered() {
+        return kinds().stream()
+                .filter(kind -> context.profile().allows(profileId(kind)))
+                .toList();
+    }
+
+    final <T> List<T> allowed(Stream<T> options, Function<T, String> id) {
+        return options.filter(option -> context.profile().allows(id.apply(option)))
+                .toList();
+    }
+
     private JPanel row(int at) {
         R r = all.get(at);
         JPanel panel = new Row(() ->
@@ -104,7 +126,7 @@ abstract class RequirementRows<R> extends Form {
         }
         panel.add(
                 named(
-                        combo(kinds(), Optional.of(kind(r)), this::words, k -> put(at, ofKind(r, k))),
+                        combo(offered(), Optional.of(kind(r)), this::words, k -> put(at, ofKind(r, k))),
                         "inspector-kind-" + at,
                         "Of which tokens"),
                 "growx, pushx, wmin 0, hmin " + Spacing.HIT_TARGET);
@@ -160,6 +182,9 @@ abstract class RequirementRows<R> extends Form {
     abstract List<TokenKind> kinds();
 
     abstract String unconditional();
+
+    /** The id by which a profile names a kind of tokens. */
+    abstract String profileId(TokenKind kind);
 
     /** Replaces one; an unconditional one stands alone. */
     final void put(int at, R r) {

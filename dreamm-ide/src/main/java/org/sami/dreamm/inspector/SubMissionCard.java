@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.spn.edit.EventEdit;
 import org.sami.spn.edit.RemoveElements;
 import org.sami.spn.model.Place;
@@ -71,14 +72,16 @@ final class SubMissionCard extends Form {
         List<String> childTasks = new ArrayList<>(List.of(NONE));
         child.tasks().stream().map(TaskSpec::name).forEach(childTasks::add);
         for (TaskSpec task : parent.tasks()) {
-            choice(
-                    task.name(),
-                    name + "-task-" + task.name(),
-                    "As which task of the child the parent's task starts",
-                    childTasks,
-                    Optional.of(spec.tasks().getOrDefault(task.name(), NONE)),
-                    t -> t.equals(NONE) ? "not given" : "starts as " + t,
-                    t -> change(spec.withTasks(mapped(spec.tasks(), task.name(), t))));
+            ProfileGuard.mark(
+                    choice(
+                            task.name(),
+                            name + "-task-" + task.name(),
+                            "As which task of the child the parent's task starts",
+                            childTasks,
+                            Optional.of(spec.tasks().getOrDefault(task.name(), NONE)),
+                            t -> t.equals(NONE) ? "not given" : "starts as " + t,
+                            t -> change(spec.withTasks(mapped(spec.tasks(), task.name(), t)))),
+                    "sub-mission-task");
         }
         Set<String> childVariables = new LinkedHashSet<>(child.reads());
         child.variables().stream().map(VariableSpec::name).forEach(childVariables::add);
@@ -91,14 +94,16 @@ final class SubMissionCard extends Form {
                 .filter(g -> !own.contains(g))
                 .forEach(own::add);
         for (String variable : childVariables) {
-            choice(
-                    variable,
-                    name + "-variable-" + variable.substring(1),
-                    "Which variable of this plan stands for the child's " + variable,
-                    own,
-                    Optional.of(spec.variables().getOrDefault(variable, NONE)),
-                    v -> v.equals(NONE) ? "by its own name" : "is " + v,
-                    v -> change(spec.withVariables(mapped(spec.variables(), variable, v))));
+            ProfileGuard.mark(
+                    choice(
+                            variable,
+                            name + "-variable-" + variable.substring(1),
+                            "Which variable of this plan stands for the child's " + variable,
+                            own,
+                            Optional.of(spec.variables().getOrDefault(variable, NONE)),
+                            v -> v.equals(NONE) ? "by its own name" : "is " + v,
+                            v -> change(spec.withVariables(mapped(spec.variables(), variable, v)))),
+                    "sub-mission-variable");
         }
         List<String> ends = child.places().stream()
                 .filter(Place::end)

@@ -9,6 +9,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Predicate;
 import org.sami.dreamm.document.DocumentChange;
 import org.sami.dreamm.document.EditorListener;
 import org.sami.dreamm.document.EditorState;
@@ -26,6 +27,7 @@ import org.sami.spn.model.Transition;
  */
 public final class IssueList {
     private final EditorState editor;
+    private final Predicate<Finding> offered;
     private final LiveFindings live;
     private final DeepSearch deep;
     private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
@@ -35,9 +37,19 @@ public final class IssueList {
     private List<Issue> shown = List.of();
     private Optional<Issue> current = Optional.empty();
 
-    /** The issues of a document. */
-    public IssueList(ProjectDocument document, EditorState editor, LiveFindings live, DeepSearch deep) {
+    /**
+     * The issues of a document.
+     *
+     * @param offered which findings the author is told
+     */
+    public IssueList(
+            ProjectDocument document,
+            EditorState editor,
+            Predicate<Finding> offered,
+            LiveFindings live,
+            DeepSearch deep) {
         this.editor = Objects.requireNonNull(editor, "editor");
+        this.offered = Objects.requireNonNull(offered, "offered");
         this.live = Objects.requireNonNull(live, "live");
         this.deep = Objects.requireNonNull(deep, "deep");
         live.addListener(this::refresh);
@@ -70,6 +82,7 @@ public final class IssueList {
                         .findings()
                         .forEach(finding ->
                                 next.add(new Issue(next.size(), finding.finding(), finding.witness(), true))));
+        next.removeIf(issue -> !offered.test(issue.finding()));
         all = List.copyOf(next);
         filtered();
     }

@@ -38,6 +38,15 @@ final class PaletteDrop implements NetDrop {
     }
 
     @Override
+    public Optional<Edit> ontoEdge(Plan plan, String edge) {
+        return item instanceof PaletteItem.Role role
+                        && edits.refusal(item, new EventTarget.Free(Optional.empty()))
+                                .isEmpty()
+                ? RoleOnEdge.of(plan, role.taskClass().name(), edge)
+                : Optional.empty();
+    }
+
+    @Override
     public Edit at(Plan plan, LayoutPoint at, Mode mode) {
         return context.additions().noted(edits.edit(item, new EventTarget.Free(Optional.of(at))));
     }

@@ -29,18 +29,29 @@ final class PaletteEdits {
         if (open.isEmpty()) {
             return Optional.of("No plan is open");
         }
-        if (!context.profile().allows(item.id())) {
-            return Optional.of("The profile does not have it");
+        Optional<String> locked = locked(context, item);
+        if (locked.isPresent()) {
+            return locked;
         }
         if (item instanceof PaletteItem.Event event) {
             return target.refusal(open.get(), event.type());
         }
         if (item instanceof PaletteItem.Role) {
             return target instanceof EventTarget.OnVertex
-                    ? Optional.of("A role is a task of the whole plan: drop it onto free space")
+                    ? Optional.of(
+                            "A role is a task of the whole plan: drop it onto free space, or onto an edge that asks for it")
                     : Optional.empty();
         }
         return AddVertex.refusal(open.get(), content(item), target);
+    }
+
+    /** Why the profile keeps an item from being added; empty where it does not. */
+    static Optional<String> locked(DreammContext context, PaletteItem item) {
+        return new PaletteGroups(context, each -> true)
+                .idsOf(item).stream()
+                        .flatMap(id -> context.profile().whyLocked(id).stream())
+                        .findFirst()
+                        .map(why -> item.label() + ": " + why);
     }
 
     /** The edit that adds an item to the open plan. */
@@ -86,7 +97,8 @@ final class PaletteEdits {
                 : new AddVertex.Content.BlankTransition();
     }
 
-    private static String freshTask(Plan plan, String word) {
+    /** A name for a task that the plan does not have yet. */
+    static String freshTask(Plan plan, String word) {
         Set<String> taken = new HashSet<>();
         plan.tasks().forEach(t -> taken.add(t.name()));
         String name = word;

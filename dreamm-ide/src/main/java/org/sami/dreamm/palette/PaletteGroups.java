@@ -1,9 +1,11 @@
 package org.sami.dreamm.palette;
 
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
+import java.util.Set;
 import java.util.function.Predicate;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.spn.vocabulary.EventType;
@@ -24,6 +26,29 @@ final class PaletteGroups {
         this.offered = Objects.requireNonNull(offered, "offered");
     }
 
+    /** The ids by which profiles name all groups and items, of those that are hidden as well. */
+    Set<String> profileIds() {
+        Set<String> ids = new LinkedHashSet<>();
+        all().forEach(group -> {
+            ids.add(group.id());
+            group.items().forEach(item -> {
+                ids.add(item.id());
+                ids.add(item.kindId());
+            });
+        });
+        return ids;
+    }
+
+    /** The ids by which a profile can name an item: its own, that of its kind, that of its group. */
+    List<String> idsOf(PaletteItem item) {
+        List<String> ids = new ArrayList<>(List.of(item.id(), item.kindId()));
+        all().stream()
+                .filter(group -> group.items().contains(item))
+                .map(PaletteGroup::id)
+                .forEach(ids::add);
+        return ids;
+    }
+
     /** The groups with the items that have all the words of a text in their label, name or help; groups without one are left out. */
     List<PaletteGroup> matching(String text) {
         List<String> words = List.of(text.toLowerCase(Locale.ROOT).strip().split("\\s+"));
@@ -31,7 +56,8 @@ final class PaletteGroups {
         for (PaletteGroup group : all()) {
             List<PaletteItem> items = group.items().stream()
                     .filter(offered)
-                    .filter(item -> context.profile().shows(item.id()))
+                    .filter(item -> context.profile().shows(item.id())
+                            && context.profile().shows(item.kindId()))
                     .filter(item -> matches(item, words))
                     .toList();
             if (!items.isEmpty() && context.profile().shows(group.id())) {

@@ -11,6 +11,9 @@ public sealed interface PaletteItem {
     /** Stable, in kebab case; a profile can hide it. */
     String id();
 
+    /** The id by which a profile names all that become the same in the net, such as the events of places. */
+    String kindId();
+
     /** What people call it. */
     String label();
 
@@ -29,6 +32,11 @@ public sealed interface PaletteItem {
         @Override
         public String id() {
             return "palette-event-" + FreshIds.ofWords(type.name().replaceAll("([a-z0-9])([A-Z])", "$1-$2"));
+        }
+
+        @Override
+        public String kindId() {
+            return type.direction() == Direction.OUTPUT ? "palette-events-of-places" : "palette-events-of-transitions";
         }
 
         @Override
@@ -61,6 +69,11 @@ public sealed interface PaletteItem {
         }
 
         @Override
+        public String kindId() {
+            return "palette-sub-missions";
+        }
+
+        @Override
         public String mark() {
             return "◎";
         }
@@ -75,6 +88,11 @@ public sealed interface PaletteItem {
         @Override
         public String id() {
             return "palette-role-" + FreshIds.ofWords(taskClass.name());
+        }
+
+        @Override
+        public String kindId() {
+            return "palette-roles";
         }
 
         @Override
@@ -101,6 +119,11 @@ public sealed interface PaletteItem {
         }
 
         @Override
+        public String kindId() {
+            return "palette-blank";
+        }
+
+        @Override
         public String label() {
             return "Blank place";
         }
@@ -121,6 +144,11 @@ public sealed interface PaletteItem {
         @Override
         public String id() {
             return "palette-blank-transition";
+        }
+
+        @Override
+        public String kindId() {
+            return "palette-blank";
         }
 
         @Override

@@ -65,7 +65,8 @@ public final class PaletteList extends JPanel implements Explained {
         super(new MigLayout("insets 0, gap 0 4, wrap 1, fill", "[grow, fill]", "[][grow, fill]"));
         this.context = context;
         this.groups = new PaletteGroups(context, offered);
-        this.taken = taken;
+        this.taken = item -> PaletteEdits.locked(context, item)
+                .ifPresentOrElse(context.notices()::refused, () -> taken.accept(item));
         setOpaque(false);
         search.setName(name + "-search");
         search.putClientProperty("JTextField.placeholderText", "Type to find an event");

@@ -2,6 +2,7 @@ package org.sami.dreamm.palette;
 
 import java.awt.GraphicsEnvironment;
 import java.util.Optional;
+import java.util.Set;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
@@ -56,6 +57,11 @@ public final class PalettePanel extends JPanel {
                         .withKey("ctrl SPACE")
                         .withIcon("plus"));
         refresh();
+    }
+
+    /** The ids by which profiles name what the palette offers. */
+    public static Set<String> profileIds(DreammContext context) {
+        return new PaletteGroups(context, item -> true).profileIds();
     }
 
     @Override

@@ -44,10 +44,16 @@ public record Profile(String name, List<String> hide, List<String> lock, List<St
         return allows(id) ? Optional.empty() : Optional.of("the profile " + name + " does not have it");
     }
 
+    /** Whether nothing is hidden or locked. */
+    public boolean isWhole() {
+        return hide.isEmpty() && lock.isEmpty();
+    }
+
     private static boolean matches(List<String> patterns, String id) {
-        return patterns.stream()
-                .anyMatch(pattern -> pattern.endsWith("*")
-                        ? id.startsWith(pattern.substring(0, pattern.length() - 1))
-                        : id.equals(pattern));
+        return patterns.stream().anyMatch(pattern -> fits(pattern, id));
+    }
+
+    static boolean fits(String pattern, String id) {
+        return pattern.endsWith("*") ? id.startsWith(pattern.substring(0, pattern.length() - 1)) : id.equals(pattern);
     }
 }

@@ -20,6 +20,7 @@ import javax.swing.tree.TreeSelectionModel;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.tree.TreeItem.Kind;
 import org.sami.spn.model.Plan;
+import org.sami.ui.EventThread;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
 
@@ -42,8 +43,9 @@ final class MissionTreeView extends JTree {
         setToggleClickCount(0);
         setDragEnabled(!GraphicsEnvironment.isHeadless() && context.profile().allows("plan-move"));
         setDropMode(DropMode.ON_OR_INSERT);
-        setTransferHandler(new TreeDrop((moved, parent, index) ->
-                context.apply(PlanTree.move(context.document().project(), moved, parent, index))));
+        // Swing paints where the drop was once it is over: the lines may change only then.
+        setTransferHandler(new TreeDrop((moved, parent, index) -> EventThread.later(
+                () -> context.apply(PlanTree.move(context.document().project(), moved, parent, index)))));
         addTreeSelectionListener(e -> {
             if (!filling) {
                 selected().ifPresent(this::showItem);

@@ -58,7 +58,7 @@ final class NameBar extends JPanel {
         add(head, "span, wmin 0");
         asked.forEach((label, value) -> {
             JTextField field = new JTextField(value);
-            field.setName("name-bar-" + label.toLowerCase(Locale.ROOT));
+            field.setName("name-bar-" + label.toLowerCase(Locale.ROOT).replace(' ', '-'));
             field.getAccessibleContext().setAccessibleName(label);
             field.addActionListener(e -> give(take));
             add(new JLabel(label));

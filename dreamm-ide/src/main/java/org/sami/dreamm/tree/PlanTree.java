@@ -14,6 +14,7 @@ import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.SubMissionSpec;
+import org.sami.spn.model.TaskSpec;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.value.TypeNames;
 
@@ -78,6 +79,7 @@ final class PlanTree {
         for (Place place : plan.get().places()) {
             place.subMissions().forEach(sub -> children.add(subMission(project, plan.get(), place, sub)));
         }
+        plan.get().tasks().forEach(task -> children.add(task(plan.get(), task)));
         children.addAll(variables(plan.get().id(), plan.get().variables()));
         String name = name(plan.get());
         String id = name.equals(plan.get().id()) ? "" : plan.get().id();
@@ -89,6 +91,11 @@ final class PlanTree {
         String where = place.name().isEmpty() ? place.id() : place.name();
         String detail = (sub.shared() ? "static, at " : "at ") + where;
         return new TreeItem(Kind.SUB_MISSION, plan.id(), sub.id(), runs, detail, List.of(), List.of());
+    }
+
+    private static TreeItem task(Plan plan, TaskSpec task) {
+        return new TreeItem(
+                Kind.TASK, plan.id(), task.name(), task.name(), "task: " + task.taskClass(), List.of(), List.of());
     }
 
     private static List<TreeItem> variables(String plan, List<VariableSpec> variables) {

@@ -13,9 +13,9 @@ import org.sami.spn.edit.ProjectEdit;
 import org.sami.spn.edit.RenameElement;
 import org.sami.spn.edit.RenameInterrupt;
 import org.sami.spn.edit.RenameVariable;
+import org.sami.spn.edit.TaskEdit;
 import org.sami.spn.edit.Usages;
 import org.sami.spn.edit.VertexEdit;
-import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -83,21 +83,28 @@ record Renaming(String title, Map<String, String> fields, Function<List<String>,
                 "Rename project", Map.of("Name", project.name()), given -> new ProjectEdit.NameProject(given.get(0)));
     }
 
-    /** A place or a transition, or the interrupt that a transition takes; empty where the plan has no such vertex. */
+    /**
+     * A place or a transition, with the ids of its events and sub-missions and the names of the interrupts that it takes; empty where the
+     * plan has no such vertex.
+     */
     static Optional<Renaming> vertex(Project project, Plan plan, String id) {
-        Optional<String> place = plan.places().stream()
-                .filter(p -> p.id().equals(id))
-                .map(Place::name)
-                .findFirst();
-        Optional<Transition> transition =
-                plan.transitions().stream().filter(t -> t.id().equals(id)).findFirst();
+        Optional<String> place = plan.place(id).map(Place::name);
+        Optional<Transition> transition = plan.transition(id);
         return place.or(() -> transition.map(Transition::name)).map(name -> {
             String what = place.isPresent() ? "place" : "transition";
+            List<Named> parts = parts(plan, id);
+            Map<String, String> fields = names(name, id);
+            parts.forEach(part -> fields.put(part.label(), part.name()));
             int uses = new Usages(project).ofElement(plan.id(), id).size();
-            return new Renaming("Rename " + what + ", used in " + places(uses), names(name, id), given -> {
+            return new Renaming("Rename " + what + ", used in " + places(uses), fields, given -> {
                 List<Edit> edits = new ArrayList<>();
                 if (!given.get(0).equals(name)) {
                     edits.add(new VertexEdit.NameVertex(plan.id(), id, given.get(0)));
+                }
+                for (int i = 0; i < parts.size(); i++) {
+                    if (!given.get(i + 2).equals(parts.get(i).name())) {
+                        edits.add(parts.get(i).edit().apply(given.get(i + 2)));
+                    }
                 }
                 if (!given.get(1).equals(id)) {
                     edits.add(new RenameElement(plan.id(), id, given.get(1)));
@@ -107,20 +114,61 @@ record Renaming(String title, Map<String, String> fields, Function<List<String>,
         });
     }
 
-    /** The interrupt whose name an event holds, in all plans; empty where the element is no such event. */
-    static Optional<Renaming> interrupt(Project project, Plan plan, String element) {
-        return plan.transitions().stream()
-                .filter(t -> t.id().equals(element) || t.inputs().stream().anyMatch(e -> e.id().equals(element)))
-                .flatMap(t -> t.inputs().stream())
-                .map(InputEventSpec::fields)
-                .filter(fields -> fields.get(Reserved.INTERRUPT_NAME) instanceof TextValue)
-                .map(fields -> ((TextValue) fields.get(Reserved.INTERRUPT_NAME)).value())
-                .findFirst()
-                .map(name -> new Renaming(
-                        "Rename interrupt, used in "
-                                + places(new Usages(project).ofInterrupt(name).size()),
-                        Map.of("Name", name),
-                        given -> new RenameInterrupt(name, given.get(0))));
+    /** A name that a vertex holds, and the edit that changes it. */
+    private record Named(String label, String name, Function<String, Edit> edit) {}
+
+    private static List<Named> parts(Plan plan, String vertex) {
+        List<Named> parts = new ArrayList<>();
+        plan.place(vertex).ifPresent(place -> {
+            place.outputs().forEach(event -> parts.add(element(plan, "Event", event.id(), parts)));
+            place.subMissions().forEach(sub -> parts.add(element(plan, "Sub-mission", sub.id(), parts)));
+        });
+        plan.transition(vertex)
+                .ifPresent(transition -> transition.inputs().forEach(event -> {
+                    parts.add(element(plan, "Event", event.id(), parts));
+                    if (event.fields().get(Reserved.INTERRUPT_NAME) instanceof TextValue interrupt) {
+                        parts.add(new Named(
+                                numbered("Interrupt", parts),
+                                interrupt.value(),
+                                name -> new RenameInterrupt(interrupt.value(), name)));
+                    }
+                }));
+        return parts;
+    }
+
+    private static Named element(Plan plan, String word, String id, List<Named> before) {
+        return new Named(numbered(word, before), id, given -> new RenameElement(plan.id(), id, given));
+    }
+
+    /** The word, with a number where it is not the first. */
+    private static String numbered(String word, List<Named> before) {
+        long same =
+                before.stream().filter(part -> part.label().startsWith(word)).count();
+        return same == 0 ? word : word + " " + (same + 1);
+    }
+
+    /** A sub-mission of a plan: its id, and name and id of the plan that it runs. */
+    static Renaming subMission(Project project, Plan parent, String id, Plan runs) {
+        Renaming plan = plan(project, runs);
+        Map<String, String> fields = new LinkedHashMap<>(plan.fields());
+        fields.put("Sub-mission", id);
+        return new Renaming(plan.title(), fields, given -> {
+            List<Edit> edits = new ArrayList<>();
+            if (!given.get(2).equals(id)) {
+                edits.add(new RenameElement(parent.id(), id, given.get(2)));
+            }
+            edits.add(plan.edit().apply(given.subList(0, 2)));
+            return new EditSequence("Rename sub-mission \"" + id + "\"", edits);
+        });
+    }
+
+    /** A task of a plan, wherever it is asked for, given to or by a parent. */
+    static Renaming task(Project project, String plan, String name) {
+        int uses = new Usages(project).ofTask(plan, name).size();
+        return new Renaming(
+                "Rename task, used in " + places(uses),
+                Map.of("Name", name),
+                given -> new TaskEdit.RenameTask(plan, name, given.get(0)));
     }
 
     private static String places(int uses) {

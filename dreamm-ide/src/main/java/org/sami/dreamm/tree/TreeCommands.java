@@ -15,6 +15,7 @@ import org.sami.spn.edit.EditResult;
 import org.sami.spn.edit.PlanBuilder;
 import org.sami.spn.edit.ProjectEdit;
 import org.sami.spn.edit.RemoveElements;
+import org.sami.spn.edit.TaskEdit;
 import org.sami.spn.edit.Usage;
 import org.sami.spn.edit.Usages;
 import org.sami.spn.edit.VariableEdit;
@@ -201,7 +202,13 @@ final class TreeCommands {
             case FOLDER -> Optional.of(Renaming.folder(project(), item));
             case PLAN -> project().plan(item.plan()).map(plan -> Renaming.plan(project(), plan));
             case VARIABLE -> Optional.of(Renaming.variable(project(), scope(item), item.id()));
-            case SUB_MISSION -> runs(item).flatMap(project()::plan).map(plan -> Renaming.plan(project(), plan));
+            case SUB_MISSION ->
+                project()
+                        .plan(item.plan())
+                        .flatMap(parent -> runs(item)
+                                .flatMap(project()::plan)
+                                .map(plan -> Renaming.subMission(project(), parent, item.id(), plan)));
+            case TASK -> Optional.of(Renaming.task(project(), item.plan(), item.id()));
             case VARIABLES -> Optional.empty();
         };
     }
@@ -212,9 +219,7 @@ final class TreeCommands {
         if (plan.isEmpty() || element.isEmpty()) {
             return plan.map(p -> Renaming.plan(project(), p));
         }
-        return Renaming.vertex(project(), plan.get(), element.get())
-                .or(() -> Renaming.interrupt(project(), plan.get(), element.get()))
-                .or(() -> Renaming.vertex(project(), plan.get(), ProjectSearch.shown(plan.get(), element.get())));
+        return Renaming.vertex(project(), plan.get(), ProjectSearch.shown(plan.get(), element.get()));
     }
 
     private static Optional<String> scope(TreeItem variable) {
@@ -237,6 +242,7 @@ final class TreeCommands {
             case FOLDER -> context.apply(PlanTree.removeFolder(project(), item));
             case PLAN -> context.apply(new ProjectEdit.RemovePlan(item.plan()));
             case VARIABLE -> context.apply(new VariableEdit.RemoveVariable(scope(item), item.id()));
+            case TASK -> context.apply(new TaskEdit.RemoveTask(item.plan(), item.id()));
             case SUB_MISSION -> context.apply(new RemoveElements(item.plan(), java.util.Set.of(item.id())));
             case PROJECT, VARIABLES -> context.notices().refused(item.title() + " cannot be deleted");
         }
@@ -259,6 +265,7 @@ final class TreeCommands {
             switch (item.kind()) {
                 case PLAN -> showUsages(item.title(), usages.ofPlan(item.plan()));
                 case VARIABLE -> showUsages(item.title(), usages.ofVariable(scope(item), item.id()));
+                case TASK -> showUsages(item.title(), usages.ofTask(item.plan(), item.id()));
                 case SUB_MISSION ->
                     showUsages(item.title(), runs(item).map(usages::ofPlan).orElse(List.of()));
                 case PROJECT, FOLDER, VARIABLES -> context.notices().refused(item.title() + " is used nowhere");

@@ -7,7 +7,7 @@ import java.util.Objects;
  * A line of the mission tree.
  *
  * @param plan id of the plan that it is, or belongs to; empty text where it belongs to the project
- * @param id of the sub-mission, or name of the variable; empty text where it is neither
+ * @param id of the sub-mission, or name of the task or variable; empty text where it is none
  * @param title what it is called
  * @param detail what stands beside it in less weight; may be empty
  * @param path the indices that lead to it in the project's mission tree; empty where it is no node of that
@@ -20,6 +20,7 @@ record TreeItem(
         FOLDER("folder"),
         PLAN("net"),
         SUB_MISSION("layers"),
+        TASK("edge"),
         VARIABLE("variables"),
         VARIABLES("variables");
 

@@ -14,11 +14,16 @@ import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TestStart;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.ui.net.NetMarking;
 
-/** A start marking that an author puts together for one plan, place by place. On the document's thread. */
+/**
+ * A start marking that an author puts together for one plan, place by place, with what the plan asks at its start. On the document's thread.
+ */
 public final class StartMarkingSetup {
     private final Map<String, StartMarking.Tokens> places = new LinkedHashMap<>();
+    private final Map<String, Value> values = new LinkedHashMap<>();
     private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
     private String plan = "";
 
@@ -27,6 +32,7 @@ public final class StartMarkingSetup {
         if (!plan.equals(planId)) {
             plan = planId;
             places.clear();
+            values.clear();
             tell();
         }
     }
@@ -48,21 +54,41 @@ public final class StartMarkingSetup {
         tell();
     }
 
-    /** Empties all places. */
-    public void clear() {
-        places.clear();
+    /** What was given for something that the plan asks at its start; empty where its default holds. */
+    public Optional<Value> given(String key) {
+        return Optional.ofNullable(values.get(key));
+    }
+
+    /** Gives a value for something that the plan asks at its start. */
+    public void give(String key, Value value) {
+        values.put(key, value);
         tell();
     }
 
-    /** The start; empty while nothing stands anywhere. What the plan asks at its start has its default. */
+    /** Empties all places, and takes back what was given. */
+    public void clear() {
+        places.clear();
+        values.clear();
+        tell();
+    }
+
+    /** The start; empty while nothing stands anywhere. What the plan asks at its start and was not given has its default. */
     public Optional<TestStart> start() {
         return places.isEmpty()
                 ? Optional.empty()
-                : Optional.of(new TestStart(new StartMarking(List.copyOf(places.values())), Map.of()));
+                : Optional.of(new TestStart(new StartMarking(List.copyOf(places.values())), values));
     }
 
-    /** Forgets places and tasks that a plan has no longer. */
-    public void keep(Plan now) {
+    /** What a plan asks at its start that has no default and was not given; empty where nothing is missing. */
+    public Optional<String> missing(Plan asking, Vocabulary vocabulary) {
+        return AskedAtStart.of(asking, vocabulary).stream()
+                .filter(asked -> asked.defaultValue().isEmpty() && !values.containsKey(asked.key()))
+                .map(AskedAtStart::key)
+                .findFirst();
+    }
+
+    /** Forgets places, tasks and values that a plan has no longer. */
+    public void keep(Plan now, Vocabulary vocabulary) {
         Set<String> tasks = new LinkedHashSet<>();
         now.tasks().forEach(task -> tasks.add(task.name()));
         boolean gone = places.keySet().removeIf(place -> now.place(place).isEmpty());
@@ -71,6 +97,11 @@ public final class StartMarkingSetup {
             gone |= left.size() != at.tasks().size();
             places.put(at.place(), new StartMarking.Tokens(at.place(), at.generic(), at.proxies(), left));
         }
+        Map<String, AskedAtStart> asked = new LinkedHashMap<>();
+        AskedAtStart.of(now, vocabulary).forEach(each -> asked.put(each.key(), each));
+        gone |= values.entrySet()
+                .removeIf(given -> !asked.containsKey(given.getKey())
+                        || !asked.get(given.getKey()).field().type().accepts(given.getValue(), vocabulary.types()));
         if (gone) {
             tell();
         }

@@ -59,7 +59,9 @@ public final class TryOutCommands {
                 context.editor().planId().ifPresent(setup::of);
             }
         });
-        context.document().addListener(change -> context.editor().plan().ifPresent(setup::keep));
+        context.document()
+                .addListener(
+                        change -> context.editor().plan().ifPresent(plan -> setup.keep(plan, context.vocabulary())));
         context.editor().planId().ifPresent(setup::of);
     }
 
@@ -111,8 +113,12 @@ public final class TryOutCommands {
 
     private Optional<String> whyNoMarking() {
         return setup.start().isEmpty()
-                ? Optional.of("put tokens into places first: select a place, then the tab Start marking")
-                : whyNoPlan();
+                ? Optional.of("put tokens into places first: select a place, then the tab Marking")
+                : whyNoPlan()
+                        .or(() -> context.editor()
+                                .plan()
+                                .flatMap(plan -> setup.missing(plan, context.vocabulary()))
+                                .map(key -> "the plan asks for " + key + " at its start: give it below the tokens"));
     }
 
     private List<String> selected(boolean onlyTransitions) {

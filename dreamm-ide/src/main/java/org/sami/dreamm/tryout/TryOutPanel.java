@@ -2,6 +2,7 @@ package org.sami.dreamm.tryout;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.Insets;
 import java.awt.Rectangle;
 import java.util.List;
 import java.util.Locale;
@@ -72,10 +73,12 @@ public final class TryOutPanel extends JPanel {
         tabs.setName("try-tabs");
         tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
         tabs.putClientProperty("JTabbedPane.tabHeight", 30);
-        tabs.addTab("Steps", new StepsView(tryOut));
-        tabs.addTab("State", new StateView(context, tryOut));
-        tabs.addTab("Marking", new StartMarkingView(context, tryOut, setup));
-        tabs.addTab("Cases", new SavedCasesView(context, tryOut, cases));
+        tabs.putClientProperty("JTabbedPane.minimumTabWidth", 40); // all four beside each other
+        tabs.putClientProperty("JTabbedPane.tabInsets", new Insets(0, 8, 0, 8));
+        tab("Steps", new StepsView(tryOut));
+        tab("State", new StateView(context, tryOut));
+        tab("Marking", new StartMarkingView(context, tryOut, setup));
+        tab("Cases", new SavedCasesView(context, tryOut, cases));
         add(toolbar(), BorderLayout.NORTH);
         add(middle());
         add(foot(), BorderLayout.SOUTH);
@@ -83,6 +86,11 @@ public final class TryOutPanel extends JPanel {
         tryOut.addListener(this::refresh);
         style();
         refresh();
+    }
+
+    private void tab(String title, JPanel view) {
+        view.setName("try-tab-" + title.toLowerCase(Locale.ROOT));
+        tabs.addTab(title, view);
     }
 
     private JPanel toolbar() {

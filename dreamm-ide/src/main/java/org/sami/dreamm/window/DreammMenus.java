@@ -5,6 +5,7 @@ import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import org.sami.dreamm.file.FileCommands;
 import org.sami.dreamm.file.RecentMenu;
+import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockPanel;
 import org.sami.ui.window.CommandMenus;
@@ -18,7 +19,7 @@ final class DreammMenus {
         JMenuBar bar = new JMenuBar();
         bar.setName("menus");
         JMenu file = menus.menu("File", 'F', "project-new", "project-open", "library-open");
-        file.add(RecentMenu.of(files));
+        commands.find("project-open").filter(Command::isEnabled).ifPresent(open -> file.add(RecentMenu.of(files)));
         menus.add(
                 file,
                 "",
@@ -126,6 +127,11 @@ final class DreammMenus {
         JMenu help = menus.help();
         menus.add(help, "", "help-here");
         bar.add(help);
+        for (int i = bar.getMenuCount() - 1; i >= 0; i--) {
+            if (bar.getMenu(i).getItemCount() == 0) { // a profile hides all of it
+                bar.remove(i);
+            }
+        }
         return bar;
     }
 }

@@ -7,6 +7,7 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.inspector.InspectorPanel;
 import org.sami.dreamm.palette.PalettePanel;
 import org.sami.dreamm.palette.PaletteSteps;
+import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.dreamm.tree.MissionTreePanel;
 import org.sami.ui.dock.Arrangement;
 import org.sami.ui.dock.DockPanel;
@@ -24,22 +25,35 @@ final class DreammPanels {
             .behind("comparison", "model-view");
 
     private final List<DockPanel> all;
+    private final List<String> profileIds;
 
     DreammPanels(DreammContext context, RunParts run) {
         ModelView net = new ModelView(context);
         net.setAppendChoices(new PaletteSteps(context));
-        all = List.of(
-                        new DockPanel("mission-tree", "Mission tree", "layers", new MissionTreePanel(context)),
-                        new DockPanel("model-view", "Model view", "net", net),
-                        new DockPanel("palette", "Palette", "plus", new PalettePanel(context)),
-                        new DockPanel("inspector", "Inspector", "edit", new InspectorPanel(context, run.live())),
-                        new DockPanel("issues", "Issues", "alarm", run.issues()),
-                        new DockPanel("try-out", "Try it", "play", run.tryOut()),
-                        new DockPanel("replay", "Journal", "clock", run.replay()),
-                        new DockPanel("comparison", "Comparison", "compare", new ComparisonPanel(context)))
-                .stream()
-                .filter(panel -> context.profile().shows("panel-" + panel.getPersistentID()))
+        List<DockPanel> every = List.of(
+                new DockPanel("mission-tree", "Mission tree", "layers", new MissionTreePanel(context)),
+                new DockPanel("model-view", "Model view", "net", net),
+                new DockPanel("palette", "Palette", "plus", new PalettePanel(context)),
+                new DockPanel("inspector", "Inspector", "edit", new InspectorPanel(context, run.live())),
+                new DockPanel("issues", "Issues", "alarm", run.issues()),
+                new DockPanel("try-out", "Try it", "play", run.tryOut()),
+                new DockPanel("replay", "Journal", "clock", run.replay()),
+                new DockPanel("comparison", "Comparison", "compare", new ComparisonPanel(context)));
+        profileIds = every.stream().map(DreammPanels::profileId).toList();
+        all = every.stream()
+                .filter(panel -> context.profile().shows(profileId(panel)))
                 .toList();
+        ProfileGuard guard = new ProfileGuard(context.profile());
+        all.forEach(guard::guard);
+    }
+
+    private static String profileId(DockPanel panel) {
+        return "panel-" + panel.getPersistentID();
+    }
+
+    /** The ids by which profiles name them, of those that are hidden as well. */
+    List<String> profileIds() {
+        return profileIds;
     }
 
     /** All of them, in order. */

@@ -4,6 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.function.IntConsumer;
 import javax.swing.JFrame;
 import org.sami.dreamm.context.DreammContext;
@@ -16,6 +17,7 @@ import org.sami.dreamm.file.FileCommands;
 import org.sami.dreamm.file.RecentProjects;
 import org.sami.dreamm.file.RecoveryFolder;
 import org.sami.dreamm.help.HelpCommands;
+import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.dreamm.start.AuthorDirectory;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandKeys;
@@ -34,6 +36,7 @@ public final class DreammWindow {
     private final StatusLine status;
     private final FileCommands files;
     private final CommandKeys keys;
+    private final Optional<String> unknownInProfile;
 
     /**
      * A window that is not shown yet.
@@ -69,6 +72,8 @@ public final class DreammWindow {
         frame.getContentPane().add(new QuestionBar(context.questions()), BorderLayout.NORTH);
         frame.getContentPane().add(dock);
         frame.getContentPane().add(status, BorderLayout.SOUTH);
+        new ProfileGuard(context.profile()).guard(status);
+        unknownInProfile = new WindowIds(context, panels).unknown();
         keys = CommandKeys.install(context.commands());
         frame.addWindowListener(new WindowAdapter() {
             @Override
@@ -124,6 +129,11 @@ public final class DreammWindow {
         context.commands().refresh();
     }
 
+    /** What its profile names that it does not have, in one sentence; empty where it has all. */
+    public Optional<String> unknownInProfile() {
+        return unknownInProfile;
+    }
+
     /** Shows it, as large as the screen allows. */
     public void open() {
         FrameSize.show(frame);
@@ -152,12 +162,17 @@ public final class DreammWindow {
 
     /** Closes the window at once; the process ends with it. */
     public void end() {
+        discard();
+        ended.accept(0);
+    }
+
+    /** Gives up a window that is not to be used. */
+    public void discard() {
         files.close();
         keys.close();
         dock.close();
         run.close();
         context.close();
         frame.dispose();
-        ended.accept(0);
     }
 }

@@ -10,6 +10,7 @@ import org.sami.dreamm.issues.IssueCounters;
 import org.sami.dreamm.issues.IssueList;
 import org.sami.dreamm.issues.IssuesPanel;
 import org.sami.dreamm.issues.LiveFindings;
+import org.sami.dreamm.profile.ProfileIds;
 import org.sami.dreamm.replay.ReplayPanel;
 import org.sami.dreamm.tryout.SavedCases;
 import org.sami.dreamm.tryout.StartMarkingSetup;
@@ -43,7 +44,12 @@ final class RunParts implements AutoCloseable {
         this.context = context;
         live = new LiveFindings(context.document(), checking, EventThread.executor(), System::nanoTime);
         DeepSearch deep = new DeepSearch(searching, EventThread.executor());
-        issues = new IssueList(context.document(), context.editor(), live, deep);
+        issues = new IssueList(
+                context.document(),
+                context.editor(),
+                finding -> context.profile().shows(ProfileIds.finding(finding.code())),
+                live,
+                deep);
         tryOut = new TryOut(context.document());
         cases = new SavedCases(context.document(), context.editor(), searching, EventThread.executor());
         overlay = new TryOutOverlay(context, tryOut, setup, cases);

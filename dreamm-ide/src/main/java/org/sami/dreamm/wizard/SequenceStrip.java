@@ -6,6 +6,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JRadioButton;
 import net.miginfocom.swing.MigLayout;
+import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.FreshIds;
 import org.sami.spn.wizard.AddEvent;
@@ -121,6 +122,7 @@ public final class SequenceStrip extends JPanel {
     private JRadioButton button(ButtonGroup group, String id, String name, String kind, String tip, boolean added) {
         JRadioButton button = new JRadioButton(kind.isEmpty() ? name : name + "  (" + kind + ")", id.equals(sequence));
         button.setName("wizard-sequence-" + FreshIds.ofWords(id));
+        ProfileGuard.mark(button, "wizard-sequence");
         button.setToolTipText(tip.isEmpty() ? button.getText() : tip);
         button.setOpaque(false);
         button.addActionListener(e -> {

@@ -32,8 +32,12 @@ final class EditorScene implements AutoCloseable {
     final List<Notices.Notice> notices = new ArrayList<>();
 
     EditorScene(Project project) {
-        context = new DreammContext(
-                DOMAIN, new ProjectDocument(DOMAIN.vocabulary(), project, Optional.empty()), Profile.ALL);
+        this(project, Profile.ALL);
+    }
+
+    EditorScene(Project project, Profile profile) {
+        context =
+                new DreammContext(DOMAIN, new ProjectDocument(DOMAIN.vocabulary(), project, Optional.empty()), profile);
         context.notices().addListener(notices::add);
         context.commands().add(new Command("undo", "Undo", context::undo));
         context.commands().add(new Command("redo", "Redo", context::redo));

@@ -44,7 +44,7 @@ class LiveFindingsTest {
     private final EditorState editor = new EditorState(document);
     private final LiveFindings live = new LiveFindings(document, worker::add, Runnable::run, System::nanoTime);
     private final DeepSearch deep = new DeepSearch(worker::add, Runnable::run);
-    private final IssueList issues = new IssueList(document, editor, live, deep);
+    private final IssueList issues = new IssueList(document, editor, finding -> true, live, deep);
 
     private static Project project() {
         return NetBuilder.project(

@@ -6,8 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.BeforeEach;
@@ -15,21 +13,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.dreamm.replay.PlanReplay.Moment;
 import org.sami.dreamm.tryout.TryOut.Breakpoint;
-import org.sami.spn.engine.Engine;
-import org.sami.spn.engine.EngineState;
-import org.sami.spn.host.Durability;
-import org.sami.spn.host.JournalEntry;
-import org.sami.spn.journal.JournalHeader;
-import org.sami.spn.journal.JournalOptions;
-import org.sami.spn.journal.SqliteJournal;
 import org.sami.spn.json.DomainLibrary;
-import org.sami.spn.json.ProjectWriter;
-import org.sami.spn.json.VocabularyFiles;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
-import org.sami.spn.protocol.Answer;
-import org.sami.spn.protocol.Answerer;
-import org.sami.spn.protocol.Input;
 import org.sami.spn.replay.JournalRun;
 
 /** A journal that a session wrote, on the plans that an author has. */
@@ -46,30 +32,9 @@ class PlanReplayTest {
     private Path file;
     private PlanReplay replay;
 
-    /** Two boats join, the mission starts at 1 s, the operator chooses both at 5 s. */
     @BeforeEach
     void write() throws IOException {
-        file = folder.resolve("session.journal");
-        JournalHeader header = JournalHeader.of(
-                new ProjectWriter(LIBRARY.vocabulary()).text(PROJECT),
-                VocabularyFiles.fromClassPath(DOMAIN).orThrow().texts(),
-                Map.of());
-        Engine engine = new Engine(LIBRARY.vocabulary(), PROJECT);
-        EngineState state = engine.newState();
-        List<Input> inputs = new ArrayList<>(List.of(
-                new Input.ProxyJoined("anna"),
-                new Input.ProxyJoined("bert"),
-                new Input.StartMission("clv", "Visit", Map.of())));
-        inputs.forEach(input -> engine.step(state, 1000, input));
-        long decision = engine.view(state).decisions().get(0).id();
-        Input choose =
-                new Input.AnswerDecision(decision, new Answer.Proxies(List.of("anna", "bert")), Answerer.OPERATOR);
-        try (SqliteJournal journal = SqliteJournal.create(file, header, JournalOptions.DEFAULT)) {
-            List<JournalEntry> entries = new ArrayList<>();
-            inputs.forEach(input -> entries.add(new JournalEntry(entries.size() + 1, 1000, input)));
-            entries.add(new JournalEntry(entries.size() + 1, 5000, choose));
-            journal.append(entries, Durability.POWER);
-        }
+        file = RecordedSession.write(folder.resolve("session.journal"));
         replay = new PlanReplay(JournalRun.open(file));
     }
 

@@ -1,17 +1,27 @@
 package org.sami.dreamm.tree;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.entry;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.sami.dreamm.context.LibraryProject;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.tree.TreeItem.Kind;
+import org.sami.spn.edit.EditResult;
+import org.sami.spn.edit.PlanBuilder;
+import org.sami.spn.edit.Usages;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.Match;
 import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
+import org.sami.spn.model.TaskSpec;
+import org.sami.spn.model.TokenKind;
+import org.sami.spn.testcase.TestCaseRunner;
 
 class PlanTreeTest {
     private static final DomainLibrary DOMAIN =
@@ -91,6 +101,74 @@ class PlanTreeTest {
                 .isNotEmpty();
         document.undo();
         assertThat(document.project()).isEqualTo(LIBRARY);
+    }
+
+    @Test
+    void eventsAndInterruptsOfAVertexAreRenamedWhereverTheyAreSpokenOf() {
+        ProjectDocument document = new ProjectDocument(DOMAIN.vocabulary(), LIBRARY, Optional.empty());
+        Renaming stop = Renaming.vertex(LIBRARY, LIBRARY.plan("station-keep").orElseThrow(), "stop")
+                .orElseThrow();
+        assertThat(stop.fields())
+                .containsExactly(
+                        entry("Name", "Ended by button"),
+                        entry("Id", "stop"),
+                        entry("Event", "button"),
+                        entry("Interrupt", "End station keeping"));
+
+        document.apply(stop.edit().apply(List.of("Ended by button", "ended", "pressed", "Home now")));
+
+        Plan plan = document.plan("station-keep").orElseThrow();
+        assertThat(plan.transition("ended").orElseThrow().inputs().get(0).id()).isEqualTo("pressed");
+        Usages usages = new Usages(document.project());
+        assertThat(usages.ofInterrupt("Home now"))
+                .as("the event and its test case")
+                .hasSizeGreaterThan(1);
+        assertThat(usages.ofInterrupt("End station keeping")).isEmpty();
+        document.undo();
+        assertThat(document.project()).isEqualTo(LIBRARY);
+    }
+
+    @Test
+    void anEventsIdIsRenamedInTestCasesAndAnIdThatIsTakenIsRefused() {
+        ProjectDocument document = new ProjectDocument(DOMAIN.vocabulary(), LIBRARY, Optional.empty());
+        Renaming go = Renaming.vertex(LIBRARY, LIBRARY.plan("station-keep").orElseThrow(), "go")
+                .orElseThrow();
+
+        assertThat(document.apply(go.edit().apply(List.of("Go to station", "go", "ask-boats"))))
+                .isInstanceOf(EditResult.Refused.class);
+        document.apply(go.edit().apply(List.of("Go to station", "go", "drive")));
+
+        TestCaseRunner runner = new TestCaseRunner(document.project(), DOMAIN.vocabulary());
+        Plan plan = document.plan("station-keep").orElseThrow();
+        assertThat(plan.testCases())
+                .isNotEmpty()
+                .allMatch(test -> runner.run(plan, test).isEmpty());
+    }
+
+    @Test
+    void tasksStandInTheTreeAndAreRenamedWithSubMissions() {
+        Plan child = new PlanBuilder("child").start("c").end("d").build();
+        Plan parent = new PlanBuilder("parent")
+                .start("a")
+                .sub("a", "child")
+                .task(new TaskSpec("look", "Camera", Map.of()))
+                .transition("t")
+                .in("a", "t", new InRequirement(TokenKind.TASK, Match.AT_LEAST, 1, "look"))
+                .build();
+        Project project = new Project("p", "", "crw", List.of(), List.of(), List.of(parent, child));
+        ProjectDocument document = new ProjectDocument(DOMAIN.vocabulary(), project, Optional.empty());
+        assertThat(below(PlanTree.of(project), Kind.TASK)).containsExactly("parent");
+
+        document.apply(Renaming.task(project, "parent", "look").edit().apply(List.of("photo")));
+        document.apply(Renaming.subMission(project, parent, "a.sub0", child)
+                .edit()
+                .apply(List.of("Gather", "gather", "team")));
+
+        Plan renamed = document.plan("parent").orElseThrow();
+        assertThat(renamed.inEdges().get(0).requirements().get(0).task()).isEqualTo("photo");
+        assertThat(renamed.places().get(0).subMissions().get(0).id()).isEqualTo("team");
+        assertThat(renamed.places().get(0).subMissions().get(0).plan()).isEqualTo("gather");
+        assertThat(document.plan("gather").orElseThrow().name()).isEqualTo("Gather");
     }
 
     @Test

@@ -1,6 +1,7 @@
 package org.sami.dreamm.tryout;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.entry;
 
 import java.util.List;
 import java.util.Map;
@@ -8,18 +9,23 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.sami.dreamm.document.EditorState;
 import org.sami.dreamm.document.ProjectDocument;
+import org.sami.spn.edit.FieldEdit;
 import org.sami.spn.edit.ProjectEdit;
 import org.sami.spn.edit.VertexEdit;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Mode;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
 import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TestCase;
 import org.sami.spn.model.TestStart;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.testcase.CaseCoverage;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.Value;
 
 /** Trying a plan that ships, as an author does. */
 class TryOutTest {
@@ -188,6 +194,33 @@ class TryOutTest {
         assertThat(cases.cases())
                 .allSatisfy(result -> assertThat(result.failure()).isEmpty());
         assertThat(tryOut.play(PLAN, kept)).as(tryOut.message()).isTrue();
+    }
+
+    @Test
+    void markingIsStartedFromOnceWhatThePlanAsksIsGivenAndKeepsIt() {
+        Project stations = LIBRARY.projectOf("station-keep").orElseThrow();
+        Plan asking = stations.plan("station-keep").orElseThrow();
+        ProjectDocument of = new ProjectDocument(LIBRARY.vocabulary(), stations, Optional.empty());
+        TryOut tried = new TryOut(of);
+        StartMarkingSetup setup = new StartMarkingSetup();
+        setup.of("station-keep");
+        setup.put(new StartMarking.Tokens("assemble", 1, List.of("robot-1"), List.of()));
+        assertThat(AskedAtStart.of(asking, LIBRARY.vocabulary()))
+                .extracting(AskedAtStart::key)
+                .startsWith("ask-stations.location", "ask-stations.spacing");
+        assertThat(setup.missing(asking, LIBRARY.vocabulary())).contains("ask-stations.location");
+        assertThat(tried.startAt("station-keep", setup.start().orElseThrow())).isFalse();
+
+        Value point = GeoPoint.of(45.7, 10.72);
+        setup.give("ask-stations.location", point);
+
+        assertThat(setup.missing(asking, LIBRARY.vocabulary())).isEmpty();
+        TestStart start = setup.start().orElseThrow();
+        assertThat(start.values()).containsExactly(entry("ask-stations.location", point));
+        assertThat(tried.startAt("station-keep", start)).as(tried.message()).isTrue();
+        of.apply(new FieldEdit.SetField("station-keep", "ask-stations", "location", new FieldSource.Fixed(point)));
+        setup.keep(of.plan("station-keep").orElseThrow(), LIBRARY.vocabulary());
+        assertThat(setup.given("ask-stations.location")).as("no longer asked").isEmpty();
     }
 
     @Test

@@ -1,10 +1,12 @@
 package org.sami.ui.command;
 
 import java.util.Collection;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import javax.swing.KeyStroke;
 
 /** The commands of a window, in order of registration. On the event thread. */
@@ -52,6 +54,11 @@ public final class CommandRegistry {
     /** All of them that are not hidden. */
     public Collection<Command> all() {
         return commands.values().stream().filter(command -> !command.isHidden()).toList();
+    }
+
+    /** The ids of all of them, of those that are hidden as well. */
+    public Set<String> ids() {
+        return Collections.unmodifiableSet(commands.keySet());
     }
 
     /** The command of an id, hidden or not. */

@@ -9,6 +9,10 @@ import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Toolkit;
 import java.awt.Window;
+import java.awt.dnd.DragSource;
+import java.awt.dnd.DragSourceAdapter;
+import java.awt.dnd.DragSourceDragEvent;
+import java.awt.dnd.DragSourceDropEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
@@ -17,17 +21,24 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import javax.imageio.ImageIO;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JScrollPane;
 import javax.swing.JTable;
+import javax.swing.SwingUtilities;
 import org.sami.ui.EventThread;
 
 /** Drives windows as a person does: looks for components by their names, moves the pointer, clicks, types. */
 public final class WindowRobot {
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
     private static final int PATIENCE_S = 30;
+    private static final int STEPS = 8;
 
     private final Robot robot;
 
@@ -175,6 +186,15 @@ public final class WindowRobot {
         clickAt(found, at.x + 20, at.y + 8);
     }
 
+    /** Clicks a cell of a table, once it is in sight. */
+    public void clickCell(JTable table, int row, int column) {
+        Rectangle cell = ask(() -> {
+            table.scrollRectToVisible(table.getCellRect(row, column, true));
+            return table.getCellRect(row, column, true);
+        });
+        clickAt(table, cell.x + Math.min(20, cell.width / 2), cell.y + cell.height / 2);
+    }
+
     private static int rowOf(JTable table, String first) {
         for (int i = 0; i < table.getRowCount(); i++) {
             if (first.equals(table.getValueAt(i, 0))) {
@@ -199,8 +219,166 @@ public final class WindowRobot {
         robot.waitForIdle();
     }
 
-    /** Types small letters, digits, spaces, points and commas. */
+    /** Types letters, digits, spaces, and what stands in the names of files. */
     public void type(String text) {
-        text.chars().forEach(letter -> press(KeyEvent.getExtendedKeyCodeForChar(letter)));
+        text.chars().forEach(letter -> {
+            if (Character.isUpperCase(letter)) {
+                press(KeyEvent.getExtendedKeyCodeForChar(Character.toLowerCase(letter)), KeyEvent.VK_SHIFT);
+            } else if (letter == '_') {
+                press(KeyEvent.VK_MINUS, KeyEvent.VK_SHIFT);
+            } else {
+                press(KeyEvent.getExtendedKeyCodeForChar(letter));
+            }
+        });
+    }
+
+    /** Turns the wheel, over the scroll bar as maps and lists have their own use for it, until the middle of a component is in sight. */
+    public void scrollTo(JComponent component) {
+        JScrollPane pane = (JScrollPane) ask(() -> SwingUtilities.getAncestorOfClass(JScrollPane.class, component));
+        if (pane == null || !ask(() -> pane.getVerticalScrollBar().isShowing())) {
+            return;
+        }
+        JComponent view = ask(pane::getViewport);
+        int away = ask(() -> away(component, view));
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
+        while (away != 0 && System.nanoTime() < end) {
+            Point at = ask(() -> pane.getVerticalScrollBar().getLocationOnScreen());
+            Dimension size = ask(() -> pane.getVerticalScrollBar().getSize());
+            robot.mouseMove(at.x + size.width / 2, at.y + size.height / 2);
+            robot.mouseWheel(away);
+            away = ask(() -> away(component, view));
+        }
+    }
+
+    /** In which direction the middle of a component lies out of sight; 0 where it is in sight. */
+    private static int away(JComponent component, JComponent view) {
+        Rectangle at = SwingUtilities.convertRectangle(component.getParent(), component.getBounds(), view);
+        double middle = at.getCenterY();
+        return middle < 4 ? -1 : middle > view.getHeight() - 4 ? 1 : 0;
+    }
+
+    /** Chooses what a box says that opens when it is clicked. */
+    public void choose(String box, String words) {
+        JComboBox<?> found = find(JComboBox.class, box);
+        scrollTo(found);
+        click(box);
+        JList<?> list = find(JList.class, each -> "ComboBox.list".equals(each.getName()));
+        until(box + " offers " + words, () -> rowOf(list, words) >= 0);
+        ask(() -> {
+            list.ensureIndexIsVisible(rowOf(list, words));
+            return null;
+        });
+        Rectangle row = ask(() -> list.getCellBounds(rowOf(list, words), rowOf(list, words)));
+        clickAt(list, row.x + 12, row.y + row.height / 2);
+    }
+
+    private static <T> int rowOf(JList<T> list, String words) {
+        for (int i = 0; i < list.getModel().getSize(); i++) {
+            T row = list.getModel().getElementAt(i);
+            Component shown = list.getCellRenderer().getListCellRendererComponent(list, row, i, false, false);
+            if (shown instanceof JLabel label && words.equals(label.getText())) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    /** Presses a button of the pointer here and lets it go there, without anything being carried: draws, moves, connects. */
+    public void draw(Component on, Point from, Point to) {
+        Point at = ask(on::getLocationOnScreen);
+        robot.mouseMove(at.x + from.x, at.y + from.y);
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        for (int i = 1; i <= STEPS; i++) {
+            robot.mouseMove(at.x + from.x + (to.x - from.x) * i / STEPS, at.y + from.y + (to.y - from.y) * i / STEPS);
+        }
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    }
+
+    /**
+     * Drags something from one component onto another, and lets it go once that is ready to take it.
+     *
+     * @return whether it was taken
+     */
+    public boolean drag(Component from, Point at, Component to, Point there) {
+        SeenDrag seen = new SeenDrag();
+        Point end = onScreen(to, there);
+        return drag(seen, onScreen(from, at), end, () -> seen.isAt(end));
+    }
+
+    /**
+     * Drags something onto a component that does not take it, and lets it go once that has said so.
+     *
+     * @param refused whether it has said so; looked at on the event thread
+     * @return whether it was taken
+     */
+    public boolean dragInVain(Component from, Point at, Component to, Point there, Supplier<Boolean> refused) {
+        return drag(new SeenDrag(), onScreen(from, at), onScreen(to, there), () -> ask(refused));
+    }
+
+    private static Point onScreen(Component component, Point at) {
+        Point point = ask(component::getLocationOnScreen);
+        point.translate(at.x, at.y);
+        return point;
+    }
+
+    private boolean drag(SeenDrag seen, Point start, Point end, BooleanSupplier arrived) {
+        DragSource.getDefaultDragSource().addDragSourceListener(seen);
+        try {
+            robot.mouseMove(start.x, start.y);
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            for (int i = 1; i <= STEPS; i++) {
+                robot.mouseMove(start.x + (end.x - start.x) * i / STEPS, start.y + (end.y - start.y) * i / STEPS);
+            }
+            long until = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
+            for (int i = 0; !arrived.getAsBoolean(); i++) {
+                if (System.nanoTime() > until) {
+                    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+                    throw new AssertionError("nothing saw the drag" + picture());
+                }
+                robot.mouseMove(end.x + i % 2, end.y);
+                LockSupport.parkNanos(LOOK_NANOS);
+            }
+            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+            until("what is dragged is let go", seen::isOver);
+            return seen.isTaken();
+        } finally {
+            DragSource.getDefaultDragSource().removeDragSourceListener(seen);
+        }
+    }
+
+    /** Where a drag was seen last, and what became of it. */
+    private static final class SeenDrag extends DragSourceAdapter {
+        private volatile Optional<Point> at = Optional.empty();
+        private volatile boolean over;
+        private volatile boolean taken;
+
+        @Override
+        public void dragEnter(DragSourceDragEvent e) {
+            at = Optional.of(e.getLocation());
+        }
+
+        @Override
+        public void dragOver(DragSourceDragEvent e) {
+            at = Optional.of(e.getLocation());
+        }
+
+        @Override
+        public void dragDropEnd(DragSourceDropEvent e) {
+            taken = e.getDropSuccess();
+            over = true;
+        }
+
+        boolean isAt(Point point) {
+            return at.filter(seen -> Math.abs(seen.x - point.x) < 3 && Math.abs(seen.y - point.y) < 3)
+                    .isPresent();
+        }
+
+        boolean isOver() {
+            return over;
+        }
+
+        boolean isTaken() {
+            return taken;
+        }
     }
 }
