@@ -48,6 +48,7 @@ import org.sami.ui.EventThread;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
+import org.sami.ui.map.SlowFiles;
 
 /** Drives the real window with its built-in fleet by pointer and keys: one window for all, as docking is for one a process. */
 @Tag("window")
@@ -157,20 +158,13 @@ class OperatorWindowTest {
                         steps.incrementAndGet();
                     }
                 });
-                Registration fleet = window.session().subscribe(Runnable::run, event -> {
-                    if (event instanceof FleetEvent.StatusReported) {
-                        heard.merge(event.boat(), 1, Integer::sum);
-                    }
-                })) {
+                Registration fleet = listen(heard)) {
             EventThread.later(() -> awaitOrGiveUp(unblocked));
 
             window.session().start("communications-monitoring", "monitoring", Map.of());
 
             Await.until("the engine starts the mission", 10, () -> steps.get() == 1);
-            Await.until(
-                    "boats report for longer than a link is silent before it is lost",
-                    20,
-                    () -> heard.size() == 5 && heard.values().stream().allMatch(times -> times >= REPORTS));
+            untilReported(heard);
         } finally {
             unblocked.countDown();
         }
@@ -180,6 +174,50 @@ class OperatorWindowTest {
         window.session().abortAll();
         robot.untilSaid("missions-count", "0 missions");
         leaveTheMission();
+    }
+
+    @Test
+    void aMapFileThatIsNeverReadStopsNeitherEngineNorLinksNorWindow() throws Exception {
+        Path never = SlowFiles.pipe(folder.resolve("shore.geojson"));
+        Map<String, Integer> heard = new ConcurrentHashMap<>();
+        robot.press(VK_P, VK_CONTROL, VK_SHIFT);
+        robot.find(Component.class, "command-search-text");
+        robot.type("base map");
+        robot.press(VK_ENTER);
+        robot.find(JFileChooser.class, component -> true);
+        robot.type(never.toString());
+        robot.press(VK_ENTER);
+        robot.untilSaid("map-reading-file", "Reading shore.geojson");
+
+        try (Registration fleet = listen(heard)) {
+            window.session().start("communications-monitoring", "monitoring", Map.of());
+            robot.untilSaid("missions-count", "1 mission");
+            untilReported(heard);
+        }
+        robot.untilSaid("links-count", "links fresh");
+        window.session().abortAll();
+        robot.untilSaid("missions-count", "0 missions");
+        leaveTheMission();
+        Component note = robot.find(Component.class, "map-reading");
+        robot.click("map-base-stop");
+
+        robot.until("nothing is read any longer", () -> !note.isVisible());
+    }
+
+    /** Counts what each boat reports. */
+    private Registration listen(Map<String, Integer> heard) {
+        return window.session().subscribe(Runnable::run, event -> {
+            if (event instanceof FleetEvent.StatusReported) {
+                heard.merge(event.boat(), 1, Integer::sum);
+            }
+        });
+    }
+
+    private static void untilReported(Map<String, Integer> heard) {
+        Await.until(
+                "boats report for longer than a link is silent before it is lost",
+                20,
+                () -> heard.size() == 5 && heard.values().stream().allMatch(times -> times >= REPORTS));
     }
 
     private void leaveTheMission() {

@@ -145,6 +145,14 @@ public final class Command extends AbstractAction {
         return key.or(() -> focusKeys.stream().findFirst()).map(Command::text).orElse("");
     }
 
+    /** Whether its key is also that of a character: where text is typed it is left to that. */
+    public boolean isTyped() {
+        return key.filter(stroke -> stroke.getModifiers() == 0)
+                .map(KeyStroke::getKeyCode)
+                .filter(code -> code == KeyEvent.VK_SPACE || (code >= KeyEvent.VK_COMMA && code <= KeyEvent.VK_Z))
+                .isPresent();
+    }
+
     boolean isAlways() {
         return always;
     }

@@ -8,6 +8,7 @@ import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.util.Optional;
 import javax.swing.KeyStroke;
+import javax.swing.text.JTextComponent;
 
 /**
  * Runs commands by their keys in all windows of the process. A component that has a use for a key comes first, but for commands that are
@@ -42,7 +43,8 @@ public final class CommandKeys implements AutoCloseable {
                 || isModal(KeyboardFocusManager.getCurrentKeyboardFocusManager().getActiveWindow())) {
             return false;
         }
-        Optional<Command> command = commandOf(event);
+        boolean typing = event.getComponent() instanceof JTextComponent;
+        Optional<Command> command = commandOf(event).filter(one -> !typing || !one.isTyped());
         command.ifPresent(Command::run);
         return command.isPresent();
     }

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -23,17 +24,17 @@ record GeoJson(List<List<GeoPoint>> lines, List<List<List<GeoPoint>>> polygons, 
     record NamedPoint(String name, GeoPoint at) {}
 
     /**
-     * Reads a file.
+     * Reads a file, or a pipe; takes as long as it does, and ends when its thread is interrupted.
      *
      * @throws IOException with the file's name and what is wrong, if it is no GeoJSON
      */
     static GeoJson read(Path file) throws IOException {
-        if (!Files.isRegularFile(file)) {
+        if (!Files.exists(file) || Files.isDirectory(file)) {
             throw new IOException("There is no map file " + file);
         }
         GeoJson found = new GeoJson(new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
-        try {
-            found.take(JSON.readTree(file.toFile()), "");
+        try (InputStream text = Files.newInputStream(file)) {
+            found.take(JSON.readTree(text), "");
         } catch (JsonProcessingException e) {
             throw new IOException(file + " is no JSON: " + e.getOriginalMessage(), e);
         } catch (IllegalArgumentException e) {

@@ -49,7 +49,7 @@ final class MapCanvas extends JXMapViewer {
         setRestrictOutsidePanning(false);
         setHorizontalWrapped(false);
         setInfiniteMapRendering(false);
-        setTileFactory(new OfflineTiles(Optional.empty(), this::repaint, problem -> {}));
+        setTileFactory(new OfflineTiles(Optional.empty(), this::repaint, () -> {}, problem -> {}));
         setZoom(4);
         setOverlayPainter((g, map, width, height) -> paintLayers(g));
     }

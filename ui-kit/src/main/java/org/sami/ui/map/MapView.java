@@ -31,7 +31,7 @@ public final class MapView extends JPanel implements AutoCloseable {
 
     private final MapCanvas canvas = new MapCanvas();
     private final transient MapStatusBar status;
-    private final transient BaseMapLoader loader;
+    private final transient BaseMap base;
     private final transient List<MapListener> listeners = new CopyOnWriteArrayList<>();
     private final transient ChooseTool chooseTool;
     private transient Optional<SketchTool> editing = Optional.empty();
@@ -45,7 +45,7 @@ public final class MapView extends JPanel implements AutoCloseable {
         super(new BorderLayout());
         setName("map");
         status = new MapStatusBar(this::press, this::typed, this::copy, canvas::say);
-        loader = new BaseMapLoader(this::showTiles, this::showOutlines, this::tellProblem);
+        base = new BaseMap(canvas, this::tellProblem);
         chooseTool = new ChooseTool(
                 canvas.layers(),
                 click -> listeners.forEach(listener -> listener.clicked(click)),
@@ -150,25 +150,21 @@ public final class MapView extends JPanel implements AutoCloseable {
 
     /**
      * Opens a base map beside the event thread: raster tiles (.mbtiles), or outlines (.geojson, .json), which become a layer below
-     * all others. What is wrong with the file is shown below the map and told to listeners.
+     * all others. A file that takes its time is named on the map until it is read or left ({@link #stopReading}). What is wrong with
+     * the file is shown on the map and told to listeners.
      */
     public void openBaseMap(Path file) {
-        loader.open(file);
+        base.open(file);
     }
 
     /** Shows no base map, only the grid; outlines are layers and stay. */
     public void closeBaseMap() {
-        showTiles(Optional.empty());
+        base.close();
     }
 
-    private void showTiles(Optional<TileSource> source) {
-        canvas.show(new OfflineTiles(source, canvas::repaint, this::tellProblem));
-        canvas.setGrid(source.isEmpty());
-    }
-
-    private void showOutlines(OutlineLayer layer) {
-        layers().find(layer.id()).ifPresent(layers()::remove);
-        layers().addBelow(layer);
+    /** The command that leaves a base map which is still being read: for the window's registry. */
+    public Command stopReading() {
+        return base.stopReading();
     }
 
     private void tellProblem(String problem) {
@@ -299,7 +295,6 @@ public final class MapView extends JPanel implements AutoCloseable {
     /** Closes base map files; the map is used no more. */
     @Override
     public void close() {
-        loader.close();
-        canvas.tiles().close();
+        base.end();
     }
 }

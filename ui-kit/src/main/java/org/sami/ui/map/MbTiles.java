@@ -17,11 +17,16 @@ import java.util.Map;
 import java.util.Optional;
 import javax.imageio.ImageIO;
 import org.sami.ui.geo.GeoBounds;
+import org.sqlite.ProgressHandler;
 import org.sqlite.SQLiteConfig;
 
-/** Raster tiles in one SQLite file (MBTiles 1.3). Its rows are counted from the south. */
+/**
+ * Raster tiles in one SQLite file (MBTiles 1.3). Its rows are counted from the south. Reading ends when its thread is interrupted: a
+ * table of tiles may be a view that takes for ever.
+ */
 public final class MbTiles implements TileSource {
     private static final int MOST_LEVEL = 22;
+    private static final int LOOK_EVERY = 10_000; // instructions of SQLite, less than a millisecond
 
     private final Path file;
     private final Connection connection;
@@ -50,7 +55,7 @@ public final class MbTiles implements TileSource {
     }
 
     /**
-     * Opens a file for reading.
+     * Opens a file for reading; takes as long as the file does.
      *
      * @throws IOException with the file's name and what is wrong, if it is no MBTiles file with raster tiles
      */
@@ -63,6 +68,12 @@ public final class MbTiles implements TileSource {
         Connection connection = null;
         try {
             connection = config.createConnection("jdbc:sqlite:" + file);
+            ProgressHandler.setHandler(connection, LOOK_EVERY, new ProgressHandler() {
+                @Override
+                protected int progress() {
+                    return Thread.currentThread().isInterrupted() ? 1 : 0; // 1 ends the statement
+                }
+            });
             return new MbTiles(file, connection);
         } catch (SQLException e) {
             close(connection);

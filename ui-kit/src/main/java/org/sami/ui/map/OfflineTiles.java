@@ -9,7 +9,10 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.jxmapviewer.viewer.Tile;
 import org.jxmapviewer.viewer.TileFactory;
@@ -33,8 +36,9 @@ final class OfflineTiles extends TileFactory implements AutoCloseable {
 
     private final Optional<TileSource> source;
     private final Runnable repaint;
+    private final Runnable asked;
     private final Consumer<String> problems;
-    private final ExecutorService reader;
+    private final Optional<ExecutorService> reader;
     private final Map<String, StoredTile> tiles = new LinkedHashMap<>(MOST_TILES, 0.75f, true) {
         @Override
         protected boolean removeEldestEntry(Map.Entry<String, StoredTile> eldest) {
@@ -43,14 +47,16 @@ final class OfflineTiles extends TileFactory implements AutoCloseable {
     };
     private boolean told;
     private long revision;
+    private int asking;
 
     /**
      * Makes the tiles of a source, or of none.
      *
      * @param repaint is run when a tile has come
+     * @param asked is run when a tile is asked for and none was waited for; while painting, so it paints nothing
      * @param problems is told once, in one line, when the source fails
      */
-    OfflineTiles(Optional<TileSource> source, Runnable repaint, Consumer<String> problems) {
+    OfflineTiles(Optional<TileSource> source, Runnable repaint, Runnable asked, Consumer<String> problems) {
         super(new TileFactoryInfo(
                 source.map(TileSource::name).orElse("none"),
                 0,
@@ -65,12 +71,27 @@ final class OfflineTiles extends TileFactory implements AutoCloseable {
                 "z"));
         this.source = source;
         this.repaint = repaint;
+        this.asked = asked;
         this.problems = problems;
-        reader = Executors.newSingleThreadExecutor(task -> {
+        reader = source.map(OfflineTiles::reader);
+    }
+
+    /** One thread that asks the source for tiles, and closes it as its last task. */
+    private static ExecutorService reader(TileSource source) {
+        ThreadFactory daemons = task -> {
             Thread thread = new Thread(task, "map-tiles");
             thread.setDaemon(true);
             return thread;
-        });
+        };
+        ThreadPoolExecutor reader =
+                new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), daemons) {
+                    @Override
+                    protected void terminated() {
+                        close(source);
+                    }
+                };
+        reader.prestartCoreThread(); // else whoever shuts it down before its first task would close the source
+        return reader;
     }
 
     Optional<TileSource> source() {
@@ -100,9 +121,22 @@ final class OfflineTiles extends TileFactory implements AutoCloseable {
 
     @Override
     protected void startLoading(Tile tile) {
-        source.ifPresentOrElse(
-                from -> reader.execute(() -> read(from, (StoredTile) tile)),
-                () -> ((StoredTile) tile).answer(Optional.empty()));
+        StoredTile stored = (StoredTile) tile;
+        Optional<ExecutorService> thread = reader.filter(one -> !one.isShutdown());
+        thread.ifPresentOrElse(
+                one -> {
+                    asking++;
+                    one.execute(() -> read(source.orElseThrow(), stored));
+                },
+                () -> stored.answer(Optional.empty()));
+        if (asking == 1) {
+            asked.run();
+        }
+    }
+
+    /** Whether tiles that were asked for have not come yet. */
+    boolean isReading() {
+        return asking > 0;
     }
 
     private void read(TileSource from, StoredTile tile) {
@@ -116,6 +150,7 @@ final class OfflineTiles extends TileFactory implements AutoCloseable {
         EventThread.later(() -> {
             tile.answer(answer);
             revision++;
+            asking--;
             repaint.run();
         });
     }
@@ -177,11 +212,10 @@ final class OfflineTiles extends TileFactory implements AutoCloseable {
         }
     }
 
-    /** Reads no more tiles and closes the source, beside the event thread. */
+    /** Reads no more tiles, leaves one that is being read, and closes the source, beside the event thread. */
     @Override
     public void close() {
-        reader.execute(() -> source.ifPresent(OfflineTiles::close));
-        reader.shutdown();
+        reader.ifPresent(ExecutorService::shutdownNow);
     }
 
     private static void close(TileSource source) {

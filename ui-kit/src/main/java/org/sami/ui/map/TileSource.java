@@ -20,7 +20,7 @@ public interface TileSource extends AutoCloseable {
     int finestLevel();
 
     /**
-     * A tile of 256 by 256 pixels.
+     * A tile of 256 by 256 pixels. A source that may be slow ends when its thread is interrupted.
      *
      * @param x from the west, 0 first
      * @param y from the north, 0 first

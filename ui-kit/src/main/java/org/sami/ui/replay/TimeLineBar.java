@@ -22,6 +22,9 @@ final class TimeLineBar extends JPanel {
     private static final int ROW = 12;
     private static final int TOP = 6;
     private static final int NEAR = 6;
+    private static final long[] STEPS_S = {
+        1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14_400, 43_200, 86_400
+    };
 
     private final transient ReplayPlayer player;
 
@@ -112,7 +115,7 @@ final class TimeLineBar extends JPanel {
             int y = Look.px(TOP + row * ROW + ROW / 2);
             g.drawLine(inset(), y, getWidth() - inset(), y);
         }
-        hours(g, bottom);
+        times(g, bottom);
         player.timeLine().marks().forEach(mark -> paint(g, mark));
         int at = x(player.playback().atMillis());
         Color accent = SemanticColor.ACCENT.get();
@@ -143,19 +146,30 @@ final class TimeLineBar extends JPanel {
         }
     }
 
-    /** Times below the rows, as far apart as they can be read. */
-    private void hours(Graphics2D g, int bottom) {
+    /** Times below the rows, as close as they can be read, at full steps of seconds, minutes or hours. */
+    private void times(Graphics2D g, int top) {
         g.setFont(Fonts.small());
-        int width = g.getFontMetrics().stringWidth("00:00:00") + Look.px(32);
-        int count = Math.max(1, (getWidth() - 2 * inset()) / Math.max(1, width));
+        g.setColor(SemanticColor.MUTED.get());
+        int apart = g.getFontMetrics().stringWidth("00:00:00") + Look.px(32);
         long end = player.timeLine().endMillis();
-        for (int i = 0; i <= count; i++) {
-            long at = end * i / count;
+        long step = step(end * apart / Math.max(1, getWidth() - 2 * inset()));
+        int baseline = top + g.getFontMetrics().getAscent() + Look.px(2);
+        for (long at = 0; at <= end; at += step) {
             String text = SessionClock.text(at);
             int half = g.getFontMetrics().stringWidth(text) / 2;
             int x = Math.max(half + 2, Math.min(getWidth() - half - 2, x(at)));
-            g.setColor(SemanticColor.MUTED.get());
-            g.drawString(text, x - half, bottom + g.getFontMetrics().getAscent() + Look.px(2));
+            g.drawString(text, x - half, baseline);
         }
+    }
+
+    /** The smallest step that is at least as long, in ms; a multiple of the longest one where none is. */
+    static long step(long leastMillis) {
+        long longest = STEPS_S[STEPS_S.length - 1] * 1000;
+        for (long seconds : STEPS_S) {
+            if (seconds * 1000 >= leastMillis) {
+                return seconds * 1000;
+            }
+        }
+        return (leastMillis + longest - 1) / longest * longest;
     }
 }

@@ -11,8 +11,9 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.spn.value.Value;
+import org.sami.ui.look.SemanticColor;
 
-/** Several named values, one below the other, each with its label above: what a record or a question asks. */
+/** Several named values, one below the other, each with its label above: what a record or a question asks. A question may ask for none. */
 public final class FieldsPanel {
     private final Map<String, ValueEditor> editors;
     private final List<Runnable> listeners = new ArrayList<>();
@@ -29,14 +30,16 @@ public final class FieldsPanel {
             if (!editor.field().help().isEmpty()) {
                 label.setToolTipText(editor.field().help());
             }
-            panel.add(label, editor == first() ? "" : "gaptop 6");
+            panel.add(label, panel.getComponentCount() == 0 ? "" : "gaptop 6");
             panel.add(editor.component());
             editor.addListener(() -> listeners.forEach(Runnable::run));
         }
-    }
-
-    private ValueEditor first() {
-        return editors.values().iterator().next();
+        if (editors.isEmpty()) {
+            WrappedText nothing = new WrappedText("There is nothing to fill in: the answer says that it is done.");
+            nothing.setName("value-nothing");
+            nothing.setColor(SemanticColor.MUTED);
+            panel.add(nothing, "wmin 60");
+        }
     }
 
     /** What is put into a window. */
@@ -44,13 +47,14 @@ public final class FieldsPanel {
         return panel;
     }
 
-    /** Where the keyboard's focus goes first: the first field that has no value, else the first. */
+    /** Where the keyboard's focus goes first: the first field that has no value, else the first; the panel where there is no field. */
     public JComponent focusTarget() {
         return editors.values().stream()
                 .filter(editor -> editor.entry().value().isEmpty())
                 .findFirst()
-                .orElse(first())
-                .focusTarget();
+                .or(() -> editors.values().stream().findFirst())
+                .map(ValueEditor::focusTarget)
+                .orElse(panel);
     }
 
     /** The editors by the names of their values, in order. */

@@ -67,6 +67,9 @@ public final class CommandMenus {
     private static JMenuItem item(Command command) {
         JMenuItem item = new JMenuItem(command);
         item.setName("menu-" + command.id());
+        if (command.isTyped()) {
+            item.setAccelerator(null); // the menu would take it from the text of a field
+        }
         return item;
     }
 }

@@ -118,51 +118,77 @@ class BaseMapTest {
 
     @Test
     void aSlowFileHoldsNobodyUp() throws Exception {
-        CountDownLatch released = new CountDownLatch(1);
-        try (OfflineTiles tiles = tiles(new TileSource() {
-            @Override
-            public String name() {
-                return "slow";
-            }
-
-            @Override
-            public String attribution() {
-                return "";
-            }
-
-            @Override
-            public Optional<GeoBounds> bounds() {
-                return Optional.empty();
-            }
-
-            @Override
-            public int finestLevel() {
-                return LEVEL;
-            }
-
-            @Override
-            public Optional<BufferedImage> tile(int level, int x, int y) throws IOException {
-                try {
-                    released.await();
-                } catch (InterruptedException e) {
-                    throw new IOException(e);
-                }
-                return Optional.of(BaseMapTest.tile(Color.GREEN));
-            }
-
-            @Override
-            public void close() {}
-        })) {
+        SlowTiles source = new SlowTiles();
+        try (OfflineTiles tiles = tiles(source)) {
             assertThat(colour(paint(tiles, ZOOM, X, Y))).isEqualTo(Color.BLACK); // comes back although nothing was read
-            released.countDown();
+            assertThat(tiles.isReading()).isTrue();
+            source.released.countDown();
             assertThat(paintedAfterReading(tiles, ZOOM, X, Y)).isEqualTo(Color.GREEN);
+        }
+    }
+
+    @Test
+    void closingLeavesATileThatIsBeingRead() throws Exception {
+        SlowTiles source = new SlowTiles();
+        OfflineTiles tiles = tiles(source);
+        paint(tiles, ZOOM, X, Y);
+        assertThat(source.asked.await(10, TimeUnit.SECONDS)).isTrue();
+
+        tiles.close();
+
+        assertThat(source.closed.await(10, TimeUnit.SECONDS))
+                .as("the source is closed, although a tile was being read")
+                .isTrue();
+        assertThat(colour(paint(tiles, ZOOM, X + 1, Y))).isEqualTo(Color.BLACK);
+    }
+
+    /** Tiles that are not read before they are released. */
+    private static final class SlowTiles implements TileSource {
+        private final CountDownLatch asked = new CountDownLatch(1);
+        private final CountDownLatch released = new CountDownLatch(1);
+        private final CountDownLatch closed = new CountDownLatch(1);
+
+        @Override
+        public String name() {
+            return "slow";
+        }
+
+        @Override
+        public String attribution() {
+            return "";
+        }
+
+        @Override
+        public Optional<GeoBounds> bounds() {
+            return Optional.empty();
+        }
+
+        @Override
+        public int finestLevel() {
+            return LEVEL;
+        }
+
+        @Override
+        public Optional<BufferedImage> tile(int level, int x, int y) throws IOException {
+            asked.countDown();
+            try {
+                released.await();
+            } catch (InterruptedException e) {
+                throw new IOException(e);
+            }
+            return Optional.of(BaseMapTest.tile(Color.GREEN));
+        }
+
+        @Override
+        public void close() {
+            closed.countDown();
         }
     }
 
     private final BlockingQueue<String> repaints = new LinkedBlockingQueue<>();
 
     private OfflineTiles tiles(TileSource source) {
-        return new OfflineTiles(Optional.of(source), () -> repaints.add("repaint"), repaints::add);
+        return new OfflineTiles(Optional.of(source), () -> repaints.add("repaint"), () -> {}, repaints::add);
     }
 
     /** The colour of a tile's middle once it has been read. */

@@ -178,12 +178,18 @@ public final class WindowRobot {
         robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
     }
 
+    /** The middle of the row of a table whose first column says this. */
+    public Point rowAt(JTable table, String first) {
+        until("a row " + first, () -> rowOf(table, first) >= 0);
+        Rectangle cell = ask(() -> table.getCellRect(rowOf(table, first), 0, true));
+        return new Point(cell.x + 20, cell.y + cell.height / 2);
+    }
+
     /** Clicks the row of a table whose first column says this. */
     public void clickRow(String table, String first) {
         JTable found = find(JTable.class, table);
-        until("a row " + first, () -> rowOf(found, first) >= 0);
-        Point at = ask(() -> found.getCellRect(rowOf(found, first), 0, true).getLocation());
-        clickAt(found, at.x + 20, at.y + 8);
+        Point at = rowAt(found, first);
+        clickAt(found, at.x, at.y);
     }
 
     /** Clicks a cell of a table, once it is in sight. */

@@ -127,6 +127,7 @@ public final class MapPanel extends JPanel {
         tools.right(new CommandButton(context.commands().add(layers)));
         Command base = new Command("map-base", "Base map…", this::openBaseMap).withIcon("map");
         tools.right(new CommandButton(context.commands().add(base)));
+        context.commands().add(view.stopReading());
         view.command(MapKey.MEASURE).withKey("ctrl shift L").withIcon("measure");
         view.command(MapKey.FIT).withKey("ctrl shift F").withIcon("fit");
         view.commands().forEach(context.commands()::add);

@@ -14,6 +14,7 @@ import org.sami.crw.operator.EngineText;
 import org.sami.crw.operator.MissionSnapshot;
 import org.sami.crw.operator.MissionsSnapshot;
 import org.sami.spn.model.Plan;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.TaskId;
 import org.sami.ui.look.Look;
 import org.sami.ui.net.NetListener;
@@ -36,7 +37,7 @@ final class MissionNet extends JPanel {
     private final JPanel head = new JPanel(new MigLayout("insets 4 8 4 8, hidemode 3", "[grow, 100::]push[]", "[]"));
     private final Map<Long, Long> firings = new HashMap<>();
     private MissionsSnapshot missions;
-    private long drawn;
+    private long drawn = Ids.NONE;
     private Optional<Plan> plan = Optional.empty();
     private boolean filling;
 
@@ -168,6 +169,9 @@ final class MissionNet extends JPanel {
                     plan = found;
                     found.ifPresent(one -> net.show(one, context.vocabulary()));
                     mark();
+                    if (found.isEmpty()) {
+                        drawn = Ids.NONE; // a replay stood elsewhere by then: it is asked again
+                    }
                 }
             });
         } else {
@@ -184,7 +188,8 @@ final class MissionNet extends JPanel {
                     .queues()
                     .forEach((boat, tasks) -> tasks.forEach(task -> robots.put(task, boat)));
             net.setMarking(new NetMarking(mission.marking(), mission.visitedByNobody(), robots));
-            long fresh = mission.firings() - firings.getOrDefault(drawn, mission.firings());
+            long before = firings.getOrDefault(drawn, mission.firings());
+            long fresh = Math.max(0, mission.firings() - before); // a replay goes back as well
             List<MissionSnapshot.Firing> last = mission.lastFirings();
             last.subList((int) Math.max(0, last.size() - fresh), last.size())
                     .forEach(firing -> net.fired(firing.transition()));

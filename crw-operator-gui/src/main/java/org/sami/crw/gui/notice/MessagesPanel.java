@@ -22,6 +22,7 @@ public final class MessagesPanel extends JPanel {
     private final OperatorContext context;
     private final RowTable<MessageEntry> table;
     private final Command acknowledge;
+    private final Optional<Command> moment;
 
     /** The messages of the session. */
     public MessagesPanel(OperatorContext context) {
@@ -47,16 +48,16 @@ public final class MessagesPanel extends JPanel {
                         .withIcon("check")
                         .unless(this::whyNotAcknowledge));
         table.addSelectionListener(acknowledge::refresh);
-        context.shown().moments().ifPresent(this::addMoment);
-        add(new TableTools(table, List.of(acknowledge)));
+        moment = context.shown().moments().map(this::moment);
+        add(new TableTools(table, moment.map(one -> List.of(acknowledge, one)).orElse(List.of(acknowledge))));
         MessageList messages = context.models().messages();
         UseWatch.on(table.table(), table, messages::touched, messages::focus);
         messages.addListener(this::show);
         show(messages.snapshot());
     }
 
-    private void addMoment(LongConsumer goTo) {
-        Command moment = context.commands()
+    private Command moment(LongConsumer goTo) {
+        Command goes = context.commands()
                 .add(new Command(
                                 "replay-message",
                                 "Show the moment of this message",
@@ -68,12 +69,14 @@ public final class MessagesPanel extends JPanel {
                         .unless(() -> table.selected().isPresent()
                                 ? Optional.empty()
                                 : Optional.of("select a message first")));
-        table.addSelectionListener(moment::refresh);
+        table.addSelectionListener(goes::refresh);
+        return goes;
     }
 
     private void show(List<MessageEntry> entries) {
         table.show(entries);
         acknowledge.refresh();
+        moment.ifPresent(Command::refresh);
     }
 
     private Optional<String> whyNotAcknowledge() {

@@ -9,10 +9,12 @@ import org.sami.crw.operator.AllocationSnapshot;
 import org.sami.crw.operator.BoatSnapshot;
 import org.sami.spn.value.PlanReference;
 import org.sami.spn.value.ProxyValue;
+import org.sami.spn.value.TypeNames;
+import org.sami.spn.value.VariableReference;
 import org.sami.ui.value.ChoiceRow;
 import org.sami.ui.value.NamedThings;
 
-/** Boats with their state and mark, tasks and plans of a session, as editors offer them. On the event thread. */
+/** Boats with their state and mark, tasks, global variables and plans of a session, as editors offer them. On the event thread. */
 final class SessionNames implements NamedThings {
     private final OperatorContext context;
 
@@ -40,6 +42,14 @@ final class SessionNames implements NamedThings {
         return Stream.concat(
                         allocation.queues().values().stream().flatMap(List::stream), allocation.unallocated().stream())
                 .map(task -> new ChoiceRow(task, task.name(), ""))
+                .toList();
+    }
+
+    @Override
+    public List<ChoiceRow> variables() {
+        return context.shown().project().globals().stream()
+                .map(global ->
+                        new ChoiceRow(new VariableReference(global.name()), global.name(), TypeNames.of(global.type())))
                 .toList();
     }
 

@@ -1,6 +1,7 @@
 package org.sami.crw.gui.window;
 
 import java.util.List;
+import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockPanel;
@@ -17,7 +18,7 @@ public final class WindowMenus {
         this.panels = panels;
     }
 
-    /** The bar of a window over a session. */
+    /** The bar of a window over a session, or over its replay. */
     public JMenuBar bar() {
         JMenuBar bar = new JMenuBar();
         bar.setName("menus");
@@ -53,6 +54,26 @@ public final class WindowMenus {
                 "fleet-release",
                 "fleet-release-confirm"));
         bar.add(menus.menu("Notices", 'N', "message-acknowledge", "alarm-acknowledge", "alarm-mute", "alarm-sounds"));
+        JMenu replay = menus.menu(
+                "Replay",
+                'R',
+                "replay-play",
+                "replay-step-back",
+                "replay-step",
+                "",
+                "replay-mark-before",
+                "replay-mark-next",
+                "replay-start",
+                "replay-end",
+                "",
+                "replay-faster",
+                "replay-slower",
+                "",
+                "replay-message",
+                "replay-decision");
+        if (replay.getItemCount() > 0) { // over a session there is nothing to play
+            bar.add(replay);
+        }
         bar.add(menus.view(panels));
         bar.add(menus.help());
         return bar;

@@ -7,9 +7,7 @@ import static org.sami.crw.gui.SessionWorld.rows;
 import static org.sami.crw.gui.SessionWorld.until;
 
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
@@ -17,13 +15,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.operator.AllocationSnapshot;
-import org.sami.crw.operator.PendingDecision;
-import org.sami.spn.protocol.Answer;
-import org.sami.spn.protocol.Question;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.TaskId;
-import org.sami.spn.value.Value;
 
 @Timeout(120)
 class AllocationPanelTest {
@@ -38,7 +32,7 @@ class AllocationPanelTest {
         try (SessionWorld world = new SessionWorld(SessionWorld.library("measure"), BOATS.toArray(String[]::new))) {
             AllocationPanel panel = laidOut(() -> new AllocationPanel(world.context));
             assertThat(world.whyNot("allocation-give")).startsWith("select a task");
-            divide(world);
+            DividedTasks.of(world.session, LOCATIONS);
             String before = rows(panel, "allocation-table");
             String from = BOATS.stream()
                     .filter(boat ->
@@ -84,40 +78,5 @@ class AllocationPanelTest {
 
     private static AllocationSnapshot now(SessionWorld world) {
         return world.context.models().allocation().snapshot();
-    }
-
-    /** Answers what the plan asks until its tasks are divided. */
-    private static void divide(SessionWorld world) throws Exception {
-        world.start("measure");
-        while (now(world).queues().values().stream().mapToInt(List::size).sum()
-                < LOCATIONS.items().size()) {
-            until(
-                    "something is asked, or all is divided",
-                    () -> !world.context.models().decisions().snapshot().isEmpty()
-                            || now(world).queues().values().stream()
-                                            .mapToInt(List::size)
-                                            .sum()
-                                    == LOCATIONS.items().size());
-            for (PendingDecision one : world.context.models().decisions().snapshot()) {
-                SessionWorld.get(world.session.answer(
-                        one.decision().id(), answer(one.decision().question()), "test"));
-            }
-        }
-    }
-
-    private static Answer answer(Question question) {
-        if (question instanceof Question.FillIn asked) {
-            Map<String, Value> values = new HashMap<>();
-            asked.items()
-                    .forEach(item -> values.put(
-                            item.key(),
-                            item.key().equals("locations")
-                                    ? LOCATIONS
-                                    : item.defaultValue().orElseThrow(() -> new AssertionError(item + " is asked"))));
-            return new Answer.Fields(values);
-        } else if (question instanceof Question.ChooseProxies boats) {
-            return new Answer.Proxies(boats.proxies());
-        }
-        return question instanceof Question.ChooseOption ? new Answer.Option(0) : new Answer.YesNo(true);
     }
 }

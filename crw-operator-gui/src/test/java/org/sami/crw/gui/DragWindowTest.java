@@ -1,0 +1,91 @@
+package org.sami.crw.gui;
+
+import static java.awt.event.KeyEvent.VK_9;
+import static java.awt.event.KeyEvent.VK_ALT;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.GraphicsEnvironment;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import javax.swing.JTable;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.gui.mission.DividedTasks;
+import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.gui.start.StartOptions;
+import org.sami.crw.gui.window.OperatorWindow;
+import org.sami.spn.json.ProjectWriter;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.TaskId;
+import org.sami.ui.check.WindowRobot;
+import org.sami.ui.look.Theme;
+
+/** A task is dragged to another boat in the real window. */
+@Tag("window")
+class DragWindowTest {
+    /** One for each of the five boats, so far away that nothing is done while the test looks. */
+    private static final ListValue LOCATIONS = new ListValue(List.of(
+            GeoPoint.of(25.3697, 51.54),
+            GeoPoint.of(25.3687, 51.54),
+            GeoPoint.of(25.3677, 51.54),
+            GeoPoint.of(25.3667, 51.54),
+            GeoPoint.of(25.3657, 51.54)));
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void aTaskIsDraggedToTheRowOfAnotherBoat() throws Exception {
+        assumeFalse(
+                GraphicsEnvironment.isHeadless(),
+                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        Path project = Files.writeString(
+                folder.resolve("measure.json"),
+                new ProjectWriter(SessionWorld.LIBRARY.vocabulary()).text(SessionWorld.library("measure")));
+        CompletableFuture<Integer> ended = new CompletableFuture<>();
+        StartOptions options = new StartOptions(
+                List.of(), Optional.of(project), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
+        OperatorWindow window = WindowStart.open(options, DataDirectory.open(folder), ended::complete);
+        try {
+            WindowRobot robot = new WindowRobot();
+            robot.untilSaid("boats-count", "5 of 5");
+            DividedTasks.of(window.session(), LOCATIONS);
+            robot.press(VK_9, VK_ALT);
+            JTable table = robot.find(JTable.class, "allocation-table");
+            Map<String, List<TaskId>> before = queues(window);
+            String from = before.entrySet().stream()
+                    .filter(boat -> !boat.getValue().isEmpty())
+                    .findFirst()
+                    .orElseThrow()
+                    .getKey();
+            String to = from.equals("bert") ? "anna" : "bert";
+            TaskId task = before.get(from).get(0);
+
+            robot.drag(table, robot.rowAt(table, from), robot.rowAt(table, to));
+
+            robot.until(
+                    to + " has it",
+                    () -> queues(window).getOrDefault(to, List.of()).contains(task));
+            assertThat(queues(window).getOrDefault(from, List.of())).doesNotContain(task);
+            robot.untilSaid("notice", task.name());
+        } finally {
+            WindowRobot.ask(() -> {
+                window.end();
+                return null;
+            });
+            ended.get(30, TimeUnit.SECONDS);
+        }
+    }
+
+    private static Map<String, List<TaskId>> queues(OperatorWindow window) {
+        return window.session().models().allocation().snapshot().queues();
+    }
+}
