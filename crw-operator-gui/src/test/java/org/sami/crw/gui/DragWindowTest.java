@@ -69,7 +69,8 @@ class DragWindowTest {
             String to = from.equals("bert") ? "anna" : "bert";
             TaskId task = before.get(from).get(0);
 
-            robot.drag(table, robot.rowAt(table, from), robot.rowAt(table, to));
+            assertThat(robot.drag(table, robot.rowAt(table, from), table, robot.rowAt(table, to)))
+                    .isTrue();
 
             robot.until(
                     to + " has it",

@@ -14,6 +14,7 @@ import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.value.WidthTrackingPanel;
@@ -70,6 +71,7 @@ public final class AllocationPanel extends JPanel {
         JTable view = table.table();
         view.getInputMap().put(KeyStroke.getKeyStroke("ENTER"), "give");
         view.getActionMap().put("give", give);
+        view.setSelectionMode(ListSelectionModel.SINGLE_SELECTION); // else a drag from a row selects more rows
         view.setDropMode(DropMode.ON);
         view.setTransferHandler(new TaskTransfer(this::taskAt, this::giftTo, this::say, this::give));
         view.setDragEnabled(context.whyNotAct().isEmpty() && !GraphicsEnvironment.isHeadless());
