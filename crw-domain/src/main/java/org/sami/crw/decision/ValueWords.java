@@ -6,6 +6,7 @@ import java.util.stream.Collectors;
 import org.sami.spn.value.BooleanValue;
 import org.sami.spn.value.DurationValue;
 import org.sami.spn.value.EnumValue;
+import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.IntegerValue;
@@ -65,6 +66,9 @@ public final class ValueWords {
         if (value instanceof GeoPath path) {
             return items(path.points());
         }
+        if (value instanceof GeoArea area) {
+            return area(area);
+        }
         if (value instanceof MapValue map) {
             return map.entries().entrySet().stream()
                     .limit(ITEMS_SHOWN)
@@ -79,9 +83,22 @@ public final class ValueWords {
 
     private static String items(List<? extends Value> items) {
         if (items.size() > ITEMS_SHOWN) {
-            return items.size() + " of " + items.get(0).getClass().getSimpleName();
+            Value first = items.get(0);
+            return items.size()
+                    + (first instanceof GeoPoint ? " points" : first instanceof GeoArea ? " areas" : " values");
         }
         return items.stream().map(ValueWords::of).collect(Collectors.joining(", "));
+    }
+
+    /** How many corners it has, and the middle of them. */
+    private static String area(GeoArea area) {
+        double latDeg =
+                area.outline().stream().mapToDouble(GeoPoint::latDeg).average().orElse(0);
+        double lonDeg =
+                area.outline().stream().mapToDouble(GeoPoint::lonDeg).average().orElse(0);
+        int holes = area.holes().size();
+        return "an area of " + area.outline().size() + " corners around " + scalar(GeoPoint.of(latDeg, lonDeg))
+                + (holes == 0 ? "" : ", with " + holes + (holes == 1 ? " hole" : " holes"));
     }
 
     private static String scalar(Value value) {

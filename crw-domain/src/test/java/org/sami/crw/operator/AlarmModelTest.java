@@ -2,6 +2,7 @@ package org.sami.crw.operator;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -20,6 +21,7 @@ import org.sami.crw.proxy.CommandQueueSnapshot;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.TurnWait;
+import org.sami.crw.proxy.tcp.LinkAlarm;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoArea;
@@ -37,6 +39,7 @@ class AlarmModelTest {
     private BatteryLevel level = BatteryLevel.NOMINAL;
     private Optional<BoatCommand> command = Optional.empty();
     private int visited;
+    private Cause cause = Cause.UNDER_WAY;
 
     @BeforeEach
     void timeHasPassed() {
@@ -70,7 +73,7 @@ class AlarmModelTest {
                                 command,
                                 visited,
                                 0,
-                                new BoatExplanation(true, Cause.UNDER_WAY, ""))));
+                                new BoatExplanation(true, cause, ""))));
         world.settle();
     }
 
@@ -316,6 +319,34 @@ class AlarmModelTest {
         see("bert", at(1, 0), EAST, 0.1);
 
         assertThat(alarm(Kind.APPROACH)).isEmpty();
+    }
+
+    @Test
+    void boatThatComesNoNearerOrWhoseServerStartedAnewIsAnAlarm() {
+        cause = Cause.NO_PROGRESS;
+        see("anna", HOME, NORTH, 1);
+        assertThat(alarm(Kind.NO_PROGRESS)).map(Alarm::text).contains("anna comes no nearer to its next point");
+
+        cause = Cause.STARTED_ANEW;
+        see("anna", HOME, NORTH, 0);
+        assertThat(isActive(Kind.NO_PROGRESS)).isFalse();
+        assertThat(isActive(Kind.BOAT_CRITICAL)).isTrue();
+
+        cause = Cause.UNDER_WAY;
+        see("anna", HOME, NORTH, 1);
+        assertThat(isActive(Kind.BOAT_CRITICAL)).isFalse();
+    }
+
+    @Test
+    void boatsWithOneIdAreAnAlarmUntilOneHasMovedAway() {
+        world.events.publish(new FleetEvent.LinkAlarmed(new LinkAlarm(
+                LinkAlarm.Kind.TWO_BOATS_WITH_ONE_ID, "anna", new InetSocketAddress(11411), "two boats are anna")));
+        world.settle();
+        assertThat(alarm(Kind.DUPLICATE_ID)).map(Alarm::text).contains("two boats are anna");
+
+        world.events.publish(new FleetEvent.Moved("anna", new InetSocketAddress(11411), new InetSocketAddress(11412)));
+        world.settle();
+        assertThat(isActive(Kind.DUPLICATE_ID)).isFalse();
     }
 
     @Test

@@ -5,9 +5,12 @@ import static org.sami.spn.engine.SubMissionNets.parent;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.testing.NetBuilder;
@@ -25,8 +28,7 @@ class VariableRulesTest {
                 .variable("@own", ValueType.Simple.INTEGER)
                 .build();
         Session s = new Session(NetBuilder.project(
-                List.of(new org.sami.spn.model.VariableSpec(
-                        "@global", ValueType.Simple.INTEGER, java.util.Optional.empty())),
+                List.of(new VariableSpec("@global", ValueType.Simple.INTEGER, Optional.empty())),
                 parent().variable("@parents", ValueType.Simple.INTEGER)
                         .variable("@own", ValueType.Simple.INTEGER)
                         .build(),
@@ -46,6 +48,30 @@ class VariableRulesTest {
         assertThat(s.view().variable(m, "@parents")).contains(new IntegerValue(1));
         assertThat(s.view().variable(0, "@global")).contains(new IntegerValue(1));
         assertThat(s.view().variable(m, "@nobodys")).isEmpty();
+    }
+
+    @Test
+    void aGlobalThatOneMissionWritesIsReadByTheOthers() {
+        Session s = new Session(NetBuilder.project(
+                List.of(new VariableSpec("@global", ValueType.Simple.INTEGER, Optional.of(new IntegerValue(1)))),
+                new NetBuilder("plan")
+                        .start("s")
+                        .output("x", "Do", Map.of("number", new FieldSource.FromVariable("@global")), Map.of())
+                        .transition("go", "News")
+                        .in("s", "go", "generic >= 1")
+                        .out("go", "x", "take all generic")
+                        .build()));
+        long writes = s.start("plan");
+        long reads = s.start("plan");
+
+        s.step(new Input.SetVariable(writes, "@global", new IntegerValue(2)));
+        s.news("News");
+
+        assertThat(s.view().variable(reads, "@global")).contains(new IntegerValue(2));
+        assertThat(s.activations("x"))
+                .extracting(activation -> activation.value("number").orElseThrow())
+                .containsExactly(new IntegerValue(2), new IntegerValue(2));
+        assertThat(s.activations("x")).extracting(Activation::mission).containsExactly(writes, reads);
     }
 
     @Test

@@ -80,6 +80,13 @@ class PlanLibraryRunTest {
 
     private static List<Run> calm() {
         return List.of(
+                Run.of("clv", 3, 9, 200, "Path completed", "All paths completed"),
+                Run.of("clv-interrupts", 3, 9, 200, "Start alarm", "End alarm", "Start recharge during an alarm")
+                        .pressing("alarm@30", "recharge:2@60"),
+                Run.of("measure", 2, 5, 150, "Task completed", "All tasks finished"),
+                Run.of("station-keep", 2, 1, 150, "Arrived", "Still near", "Watch over", "End confirmed"),
+                Run.of("explore-area", 3, 1, 200, "Somebody passes", "Clear again", "All explored")
+                        .pressing("Let somebody pass@60"),
                 Run.of("connect-boat", 1, 1, 200, "Boat chosen", "Connected", "Gains set"),
                 Run.of("connect-boat-by-address", 1, 1, 200, "Connected", "Gains set")
                         .with(Map.of("call.name", "dora", "call.server", "192.168.1.104:11411")),
