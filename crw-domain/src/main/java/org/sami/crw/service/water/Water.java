@@ -18,19 +18,17 @@ import org.sami.spn.value.GeoPoint;
  * Immutable.
  */
 public final class Water {
-    /** How far the world goes on around an area to stay in; nothing out there is allowed. */
-    private static final double RIM_M = 10_000;
+    /** How far the world goes on around an area to stay in, which is all round it; nothing out there is allowed. */
+    private static final double RIM_M = 40_000_000;
 
     private static final GeometryFactory FACTORY = new GeometryFactory();
 
     private final LocalPlane plane;
     private final Geometry forbidden;
-    private final Optional<Envelope> world; // beyond it nothing is allowed either, where there is an area to stay in
 
-    private Water(LocalPlane plane, Geometry forbidden, Optional<Envelope> world) {
+    private Water(LocalPlane plane, Geometry forbidden) {
         this.plane = plane;
         this.forbidden = forbidden;
-        this.world = world;
     }
 
     /** Water without anything in it. */
@@ -53,22 +51,18 @@ public final class Water {
         }
         Optional<Geometry> inside = within.map(area -> Areas.polygon(area, plane, "The area to stay in"));
         inside.ifPresent(polygon -> parts.add(outside(polygon)));
-        return new Water(plane, union(parts), inside.map(Water::world));
+        return new Water(plane, union(parts));
     }
 
     /** The water of a polygon on a plane. */
     public static Water inside(LocalPlane plane, Geometry polygon) {
-        return new Water(plane, outside(polygon), Optional.of(world(polygon)));
-    }
-
-    private static Envelope world(Geometry polygon) {
-        Envelope rim = new Envelope(polygon.getEnvelopeInternal());
-        rim.expandBy(RIM_M);
-        return rim;
+        return new Water(plane, outside(polygon));
     }
 
     private static Geometry outside(Geometry polygon) {
-        return FACTORY.toGeometry(world(polygon)).difference(polygon);
+        Envelope world = new Envelope(polygon.getEnvelopeInternal());
+        world.expandBy(RIM_M);
+        return FACTORY.toGeometry(world).difference(polygon);
     }
 
     private static Geometry union(List<Geometry> parts) {
@@ -82,7 +76,7 @@ public final class Water {
      * @param depthM in metres, from 0
      */
     public Water shrunk(double depthM) {
-        return new Water(plane, forbidden.buffer(-depthM), world);
+        return new Water(plane, forbidden.buffer(-depthM));
     }
 
     /** The plane of all geometries here. */
@@ -116,11 +110,7 @@ public final class Water {
 
     /** Whether a way, or a point alone, stays in what is allowed, however far away it is. */
     public boolean allows(List<GeoPoint> way) {
-        boolean isFar = world.isPresent()
-                && way.stream()
-                        .map(this::coordinate)
-                        .anyMatch(stop -> !world.get().contains(stop));
-        return !isFar && clearanceM(way) > 0;
+        return clearanceM(way) > 0;
     }
 
     /** What of a polygon on the plane is allowed. */

@@ -12,11 +12,14 @@ import java.util.regex.Pattern;
 
 /**
  * Understands a line of a boat's log. Both dialects, that of 2013 and that of 2015, have entries of the form
- * {@code 2481613 18:36:23,235 TOPIC: content} and differ in the topics; a file may mix them.
+ * {@code 2481613 18:36:23,235 TOPIC: content} and differ in the topics; a file may mix them. Those of 2016 have JSON after the time,
+ * {@code 2481613 18:36:23,235 {"topic":content}}, or after a letter for how important the line is, with tabs between.
  */
 final class LineParser {
     private static final Pattern ENTRY = Pattern.compile(
             "(\\d{1,18}) (\\d{1,2}:\\d{1,2}:\\d{1,2}[,.]\\d{1,3}) ([A-Za-z][A-Za-z0-9_]*(?: [A-Za-z0-9_]+)*):(?: (.*))?");
+    private static final Pattern JSON_ENTRY =
+            Pattern.compile("(\\d{1,18})[ \t](?:(\\d{1,2}:\\d{1,2}:\\d{1,2}[,.]\\d{1,3})|[A-Z])[ \t](\\{.*)");
     private static final String NUMBER = "([-+]?(?:[0-9.]+(?:[eE][-+]?[0-9]+)?|NaN|Infinity))";
 
     /** {@code {476608.34, 4671214.4, 172.35, Q[0.0,0.0,-1.15]} @ 17North}: easting, northing, altitude, roll, pitch, yaw. */
@@ -42,6 +45,7 @@ final class LineParser {
     private static final ObjectMapper JSON = new ObjectMapper().enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS);
 
     private final UtmGrid grid = new UtmGrid();
+    private final JsonEntries json = new JsonEntries(grid);
 
     private static Pattern spaced(String form) {
         return Pattern.compile(form.replace(" ", " ?").replace("N", NUMBER));
@@ -55,12 +59,23 @@ final class LineParser {
     LoggedLine parse(long number, String line) throws BadLineException {
         Matcher parts = ENTRY.matcher(line.stripTrailing());
         if (!parts.matches()) {
-            throw new BadLineException(
-                    LineFault.NO_ENTRY, "expected are milliseconds, a time of day and TOPIC: content");
+            return parseJson(number, line.stripTrailing());
         }
         String topic = parts.group(3);
         String content = parts.group(4) == null ? "" : parts.group(4).strip();
         return new LoggedLine(number, Long.parseLong(parts.group(1)), parts.group(2), topic, entry(topic, content));
+    }
+
+    private LoggedLine parseJson(long number, String line) throws BadLineException {
+        Matcher parts = JSON_ENTRY.matcher(line);
+        if (!parts.matches()) {
+            throw new BadLineException(
+                    LineFault.NO_ENTRY, "expected are milliseconds, a time of day and TOPIC: content");
+        }
+        JsonNode object = object(parts.group(3));
+        String topic = JsonEntries.topic(object);
+        String clock = parts.group(2) == null ? object.path("date").asText() : parts.group(2);
+        return new LoggedLine(number, Long.parseLong(parts.group(1)), clock, topic, json.entry(topic, object));
     }
 
     private LogEntry entry(String topic, String content) throws BadLineException {

@@ -58,6 +58,33 @@ class LineParserTest {
         assertThat(reading.values()).containsEntry(channel, value);
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"25 9:03:07,5 ", "25\tI\t"})
+    void lineOfTwentySixteenIsJsonAfterATimeOrALevel(String head) throws Exception {
+        LoggedLine pose = parser.parse(
+                1, head + "{\"pose\":{\"p\":[500000.0,4482781.5,172],\"q\":[0.8,0,-0.6,0],\"zone\":\"17North\"}} ");
+        LoggedLine sensor = parser.parse(2, head + "{\"sensor\":{\"channel\":3,\"type\":\"ES2\",\"data\":[249,19.5]}}");
+        LoggedLine command = parser.parse(3, head + "{\"cmd\":{\"m0\":{\"v\":0}}}");
+
+        assertThat(pose.atMillis()).isEqualTo(25);
+        assertThat(((LogEntry.Pose) pose.entry()).at().lonDeg()).isCloseTo(-81, within(1e-7));
+        assertThat(((LogEntry.Pose) pose.entry()).yawRad()).isCloseTo(-1.287, within(1e-3));
+        assertThat(sensor.entry()).isEqualTo(new LogEntry.Reading("sensor3 ES2", Map.of("1", 249.0, "2", 19.5)));
+        assertThat(command.entry()).isEqualTo(new LogEntry.Command("{\"m0\":{\"v\":0}}"));
+    }
+
+    @Test
+    void dateOfALogIsItsClockAndATopicThatNobodyKnowsIsNamed() throws Exception {
+        LoggedLine date = parser.parse(1, "0\tI\t{\"date\":\"Thu May 19 13:36:23 EDT 2016\",\"time\":1463679383361}");
+
+        assertThat(date.clock()).isEqualTo("Thu May 19 13:36:23 EDT 2016");
+        assertThat(date.entry()).isEqualTo(new LogEntry.Reading("date", Map.of("time", 1463679383361.0)));
+        assertThatThrownBy(() -> parser.parse(2, "1\tI\t{\"tide\":{\"low\":true}}"))
+                .isInstanceOfSatisfying(
+                        BadLineException.class, bad -> assertThat(bad.fault()).isEqualTo(LineFault.UNKNOWN_TOPIC))
+                .hasMessageContaining("'tide'");
+    }
+
     @Test
     void valueThatIsNoNumberIsKeptAsThat() throws Exception {
         LogEntry.Reading reading =
