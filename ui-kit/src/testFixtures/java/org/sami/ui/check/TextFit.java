@@ -120,8 +120,8 @@ public final class TextFit {
     /** Whether a text of any length, not the name of a command, is shortened so that much of it is read, and the tooltip has all of it. */
     private static boolean isShortened(JComponent component, String text, String seen) {
         boolean fromOutside = component instanceof JLabel
-                || component instanceof AbstractButton button
-                        && button.getHorizontalAlignment() == SwingConstants.LEADING;
+                || (component instanceof AbstractButton button
+                        && button.getHorizontalAlignment() == SwingConstants.LEADING);
         String tooltip = component.getToolTipText();
         return fromOutside && tooltip != null && tooltip.contains(text) && seen.length() > LEAST_SHORTENED;
     }

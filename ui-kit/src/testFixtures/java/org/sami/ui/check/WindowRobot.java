@@ -188,16 +188,14 @@ public final class WindowRobot {
     /** Clicks the row of a table whose first column says this. */
     public void clickRow(String table, String first) {
         JTable found = find(JTable.class, table);
-        Point at = rowAt(found, first);
-        clickAt(found, at.x, at.y);
+        until("a row " + first, () -> rowOf(found, first) >= 0);
+        clickCell(found, ask(() -> rowOf(found, first)), 0);
     }
 
     /** Clicks a cell of a table, once it is in sight. */
     public void clickCell(JTable table, int row, int column) {
-        Rectangle cell = ask(() -> {
-            table.scrollRectToVisible(table.getCellRect(row, column, true));
-            return table.getCellRect(row, column, true);
-        });
+        Rectangle cell = ask(() -> table.getCellRect(row, column, true));
+        scrollTo(table, cell);
         clickAt(table, cell.x + Math.min(20, cell.width / 2), cell.y + cell.height / 2);
     }
 
@@ -240,25 +238,29 @@ public final class WindowRobot {
 
     /** Turns the wheel, over the scroll bar as maps and lists have their own use for it, until the middle of a component is in sight. */
     public void scrollTo(JComponent component) {
+        scrollTo(component, ask(() -> new Rectangle(component.getSize())));
+    }
+
+    private void scrollTo(JComponent component, Rectangle part) {
         JScrollPane pane = (JScrollPane) ask(() -> SwingUtilities.getAncestorOfClass(JScrollPane.class, component));
         if (pane == null || !ask(() -> pane.getVerticalScrollBar().isShowing())) {
             return;
         }
         JComponent view = ask(pane::getViewport);
-        int away = ask(() -> away(component, view));
+        int away = ask(() -> away(component, part, view));
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
         while (away != 0 && System.nanoTime() < end) {
             Point at = ask(() -> pane.getVerticalScrollBar().getLocationOnScreen());
             Dimension size = ask(() -> pane.getVerticalScrollBar().getSize());
             robot.mouseMove(at.x + size.width / 2, at.y + size.height / 2);
             robot.mouseWheel(away);
-            away = ask(() -> away(component, view));
+            away = ask(() -> away(component, part, view));
         }
     }
 
-    /** In which direction the middle of a component lies out of sight; 0 where it is in sight. */
-    private static int away(JComponent component, JComponent view) {
-        Rectangle at = SwingUtilities.convertRectangle(component.getParent(), component.getBounds(), view);
+    /** In which direction the middle of a part lies out of sight; 0 where it is in sight. */
+    private static int away(JComponent component, Rectangle part, JComponent view) {
+        Rectangle at = SwingUtilities.convertRectangle(component, part, view);
         double middle = at.getCenterY();
         return middle < 4 ? -1 : middle > view.getHeight() - 4 ? 1 : 0;
     }
