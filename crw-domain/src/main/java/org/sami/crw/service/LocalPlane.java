@@ -36,7 +36,8 @@ public final class LocalPlane {
 
     /** Metres to the east of the origin, the shorter way round the earth. */
     public double x(GeoPoint point) {
-        double eastDeg = Math.IEEEremainder(point.lonDeg() - origin.lonDeg(), 360);
+        double turnDeg = point.lonDeg() - origin.lonDeg();
+        double eastDeg = Math.abs(turnDeg) <= 180 ? turnDeg : Math.IEEEremainder(turnDeg, 360);
         return isPolar() ? poleM(point.latDeg()) * Math.sin(Math.toRadians(eastDeg)) : eastDeg * metresPerLonDeg;
     }
 

@@ -209,7 +209,9 @@ public final class InProcessRun {
             if (records.visits().isLookingOut()) {
                 records.visits().look(now(), water.boats());
             }
-            observer.progress().accept(records.progress(catchingUp ? "catching up" : "running"));
+            if (observer != RunObserver.NONE) {
+                observer.progress().accept(records.progress(catchingUp ? "catching up" : "running"));
+            }
         });
         repeat(TRACK_MILLIS, () -> records.tracks().look(now(), water.boats()));
         repeat(MARK_MILLIS, this::mark);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Map;
 import java.util.OptionalLong;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.crw.sim.report.DecisionResult;
@@ -38,8 +39,27 @@ class RangeRunTest {
                 .anyMatch(text -> text.startsWith("Allocation: ") && text.contains("is sure to last for 255 m"));
     }
 
+    @Test
+    void operatorIsAskedBeforeAnAreaIsExploredThatChargesDoNotLastFor() {
+        RunReport asked = run("explore-area", "12,100,100", 1);
+
+        assertThat(asked.decisions())
+                .filteredOn(decision -> decision.type().equals("LongWay"))
+                .singleElement()
+                .satisfies(question -> assertThat(question.prompt())
+                        .startsWith("boat1 is to go ")
+                        .contains("its charge of 12 % is sure to last for 382 m"));
+        assertThat(run("explore-area", "100,100,100", 1).decisions())
+                .extracting(DecisionResult::type)
+                .doesNotContain("LongWay");
+    }
+
     private static RunReport run(String charges, long seed) {
-        RunPlan plan = TestRuns.plan("clv");
+        return run("clv", charges, seed);
+    }
+
+    private static RunReport run(String planId, String charges, long seed) {
+        RunPlan plan = TestRuns.plan(planId);
         RunSettings settings = new RunSettings(
                 plan.plan().id(),
                 plan.plan().name(),

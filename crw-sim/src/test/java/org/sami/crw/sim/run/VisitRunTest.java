@@ -4,6 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -55,6 +59,31 @@ class VisitRunTest {
         assertThat(paced.result().runHash()).isEqualTo(fast.result().runHash());
         assertThat(paced.result().simulatedMillis()).isEqualTo(fast.result().simulatedMillis());
         assertThat(pacer.turns).hasSizeGreaterThan(1000).isSorted();
+    }
+
+    @Test
+    void runsSideBySideAreTheRunsThatTheyAreAlone() throws Exception {
+        RunPlan plan = TestRuns.plan("clv");
+        List<Callable<String>> runs = new ArrayList<>();
+        for (long seed = 1; seed <= 6; seed++) {
+            RunSettings settings = TestRuns.settings(plan, 4, 12, seed);
+            runs.add(() -> TestRuns.run(plan, settings).result().runHash());
+        }
+        List<String> alone = new ArrayList<>();
+        for (Callable<String> run : runs) {
+            alone.add(run.call());
+        }
+        ExecutorService threads = Executors.newFixedThreadPool(runs.size());
+        try {
+            List<String> together = new ArrayList<>();
+            for (Future<String> run : threads.invokeAll(runs)) {
+                together.add(run.get());
+            }
+
+            assertThat(together).isEqualTo(alone).doesNotHaveDuplicates();
+        } finally {
+            threads.shutdownNow();
+        }
     }
 
     @Test
