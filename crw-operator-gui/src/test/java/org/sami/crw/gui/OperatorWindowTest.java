@@ -6,6 +6,7 @@ import static java.awt.event.KeyEvent.VK_ENTER;
 import static java.awt.event.KeyEvent.VK_ESCAPE;
 import static java.awt.event.KeyEvent.VK_F12;
 import static java.awt.event.KeyEvent.VK_G;
+import static java.awt.event.KeyEvent.VK_J;
 import static java.awt.event.KeyEvent.VK_P;
 import static java.awt.event.KeyEvent.VK_SHIFT;
 import static org.assertj.core.api.Assertions.assertThat;
@@ -202,6 +203,17 @@ class OperatorWindowTest {
         robot.click("map-base-stop");
 
         robot.until("nothing is read any longer", () -> !note.isVisible());
+    }
+
+    @Test
+    void aFileThatIsNoJournalIsNotReplayedAndTheWindowSaysWhy() throws Exception {
+        Path notes = Files.writeString(folder.resolve("notes.txt"), "no journal");
+        robot.press(VK_J, VK_CONTROL, VK_SHIFT);
+        robot.find(JFileChooser.class, component -> true);
+        robot.type(notes.toString());
+        robot.press(VK_ENTER);
+
+        robot.untilSaid("notice", "is no journal of SAMI");
     }
 
     /** Counts what each boat reports. */

@@ -78,7 +78,8 @@ public final class SessionOpener {
                 reading.findings().stream().filter(Finding::isError).findFirst();
         if (wrong.isPresent()) {
             throw new IOException(projectFile.map(Path::toString).orElse(BEACH) + " has errors, the first: "
-                    + wrong.get().pointer() + ": " + wrong.get().message() + " (all of them: crw check)");
+                    + (wrong.get().pointer().isEmpty() ? "" : wrong.get().pointer() + ": ")
+                    + wrong.get().message() + " (all of them: crw check)");
         }
         return reading.orThrow();
     }

@@ -14,6 +14,7 @@ import org.sami.spn.finding.Finding;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.Reading;
 import org.sami.spn.model.Project;
+import org.sami.ui.EventThread;
 import org.sami.ui.command.Command;
 import org.sami.ui.dock.DockArea;
 import org.sami.ui.window.ViewCommands;
@@ -63,8 +64,11 @@ final class WindowCommands {
 
     private void replay(Path journal, Path folder) {
         try {
-            ReplayProcess.start(journal, folder);
             context.notices().told(journal.getFileName() + " is opened in a window of its own");
+            ReplayProcess.start(
+                    journal,
+                    folder,
+                    problem -> EventThread.later(() -> context.notices().refused("the replay has ended: " + problem)));
         } catch (IOException fault) {
             context.notices().refused("the replay cannot be started: " + fault.getMessage());
         }
