@@ -34,7 +34,8 @@ final class RequiredFields implements PlanCheck {
         }
         for (PlacedInput input : plan.inputs()) {
             for (FieldType field : input.type().fields()) {
-                if (SELECTED_BY_FIELDS.contains(input.type().role())
+                if (field.required()
+                        && SELECTED_BY_FIELDS.contains(input.type().role())
                         && !input.spec().fields().containsKey(field.name())) {
                     report.accept(Finding.error(
                             "E-FIELD-MISSING",

@@ -10,6 +10,7 @@ import org.sami.spn.analysis.PlanContext.PlacedOutput;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.Plan;
+import org.sami.spn.value.PlanReference;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.Reserved;
@@ -26,11 +27,18 @@ final class ReturnValues implements PlanCheck {
                     .flatMap(p -> p.subMissions().stream())
                     .map(plan::child)
                     .flatMap(Optional::stream)
+                    .filter(child -> isChecked(input, child))
                     .toList();
-            if (!children.isEmpty()) {
+            if (!children.isEmpty() || input.spec().fields().containsKey(Reserved.SUB_MISSION)) {
                 checkValue(plan, input, children, report);
             }
         }
+    }
+
+    /** Whether it waits for returns of that plan: of the one that it names, else of any. */
+    private static boolean isChecked(PlacedInput input, Plan child) {
+        return !(input.spec().fields().get(Reserved.SUB_MISSION) instanceof PlanReference named)
+                || named.plan().equals(child.id());
     }
 
     private static void checkValue(PlanContext plan, PlacedInput input, List<Plan> children, Consumer<Finding> report) {

@@ -8,6 +8,9 @@ public final class Reserved {
     /** The reserved variable that reads a field from each entering task (thesis 9.3.4). */
     public static final String TASK_VARIABLE = "@task";
 
+    /** Field of a check of return values: the plan whose sub-mission must have returned; may be missing (appendix .2.2). */
+    public static final String SUB_MISSION = "subMission";
+
     /** Markup: whether and when autonomy answers a decision (thesis 3.1, Markup; appendix .2.3). */
     public static final String MIXED_INITIATIVE_TRIGGER = "MixedInitiativeTrigger";
 

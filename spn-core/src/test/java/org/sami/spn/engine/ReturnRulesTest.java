@@ -12,6 +12,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.Session;
+import org.sami.spn.value.PlanReference;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
@@ -90,6 +91,26 @@ class ReturnRulesTest {
 
         assertThat(s.marking(m, "d")).isEqualTo("B generic A generic");
         assertThat(s.marking(m, "sub")).isEqualTo("C");
+    }
+
+    @Test
+    void aCheckThatNamesASubMissionHearsOfNoOther() {
+        for (boolean shared : new boolean[] {false, true}) {
+            for (String named : List.of("child", "other")) {
+                Map<String, Value> wanted =
+                        Map.of("value", new TextValue("good"), "subMission", new PlanReference(named));
+                Session s = sent(
+                        parent(shared)
+                                .input("out", "CheckReturn", wanted, Map.of())
+                                .in("sub", "out", "always")
+                                .out("out", "d", "take all sub"),
+                        "A");
+
+                answer(s, "Done", 0, "A");
+
+                assertThat(s.marking(s.idOf("parent"), "d")).isEqualTo(named.equals("child") ? "A" : "");
+            }
+        }
     }
 
     @Test

@@ -23,6 +23,7 @@ import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.protocol.Token;
+import org.sami.spn.value.PlanReference;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventRole;
@@ -358,7 +359,9 @@ final class Missions {
         for (Transition t : m.outTransitions(instance.place)) {
             for (InputEventSpec event : t.inputs()) {
                 boolean asks = world.eventType(event.type()).role() == EventRole.CHECK_RETURN
-                        && value.equals(event.fields().get("value"));
+                        && value.equals(event.fields().get("value"))
+                        && (!(event.fields().get("subMission") instanceof PlanReference named)
+                                || named.plan().equals(instance.spec.plan()));
                 if (asks) {
                     Occurrence o =
                             new Occurrence(event.type(), m.id, Ids.NONE, List.of(), List.of(), Map.of("value", value));

@@ -105,7 +105,7 @@ final class BoatQueue {
                     (i + 1) + ". next",
                     CommandWords.full(entry, titles),
                     entry,
-                    entry.why().words(titles),
+                    entry.why().words(MissionTitles.NONE), // the row of the block names its plan
                     SemanticColor.MUTED));
         }
         List<Concluded> gone = commands.concluded();

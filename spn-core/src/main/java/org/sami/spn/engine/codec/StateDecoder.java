@@ -308,7 +308,7 @@ public final class StateDecoder {
         return bound == null
                 ? null
                 : bound.instances.stream()
-                        .filter(i -> input.checks(i.returnValue))
+                        .filter(i -> input.checks(i.returnValue, i.plan()))
                         .findFirst()
                         .map(this::returnOf)
                         .orElse(null);

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.spn.model.InputEventSpec;
+import org.sami.spn.value.PlanReference;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventRole;
@@ -19,6 +20,8 @@ public final class CompiledInput {
     public final List<Map.Entry<String, String>> writes;
     /** The interrupt's name or the compared return value; null where the specification gives none. */
     public final String selector;
+    /** The plan whose sub-missions' returns are checked; null where those of any are. */
+    private final String checkedPlan;
 
     public CompiledInput(CompiledProject project, int index, InputEventSpec spec) {
         this.index = index;
@@ -30,6 +33,10 @@ public final class CompiledInput {
         this.selector = Optional.ofNullable(spec.fields().get(field))
                 .map(CompiledInput::text)
                 .orElse(null);
+        this.checkedPlan =
+                role == EventRole.CHECK_RETURN && spec.fields().get(Reserved.SUB_MISSION) instanceof PlanReference named
+                        ? named.plan()
+                        : null;
     }
 
     public static String text(Value value) {
@@ -41,9 +48,11 @@ public final class CompiledInput {
         return isPress(role);
     }
 
-    /** Whether it waits for a return of that value. */
-    public boolean checks(String returnValue) {
-        return role == EventRole.CHECK_RETURN && returnValue.equals(selector);
+    /** Whether it waits for a return of that value from a sub-mission of that plan. */
+    public boolean checks(String returnValue, String plan) {
+        return role == EventRole.CHECK_RETURN
+                && returnValue.equals(selector)
+                && (checkedPlan == null || checkedPlan.equals(plan));
     }
 
     public static boolean isPress(EventRole role) {

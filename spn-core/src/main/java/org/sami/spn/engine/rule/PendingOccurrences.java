@@ -95,7 +95,7 @@ public final class PendingOccurrences {
         }
         for (CompiledTransition t : r.place().place.outTransitions) {
             for (CompiledInput input : t.inputs) {
-                if (input.checks(r.value)) {
+                if (input.checks(r.value, r.instance.plan())) {
                     Map<String, Value> values = Map.of(Reserved.VALUE, new TextValue(r.value));
                     Occurrence o = new Occurrence(input.spec.type(), m.id, Ids.NONE, List.of(), List.of(), values);
                     add(m.transition(t.index), new PendingOccurrence(o, input, r));

@@ -200,7 +200,7 @@ public final class SubMissions {
     public void post(Return r) {
         for (CompiledTransition t : r.place().place.outTransitions) {
             for (CompiledInput input : t.inputs) {
-                if (input.checks(r.value)) {
+                if (input.checks(r.value, r.instance.plan())) {
                     rules.post(() -> rules.pendings.tell(r));
                     return;
                 }

@@ -38,6 +38,13 @@ public final class Instance {
         this.starting = new ArrayList<>(starting);
     }
 
+    /** The id of the plan that it runs. */
+    public String plan() {
+        return (isShared() ? place.place.shared : place.place.dynamic)
+                .get(specIndex)
+                .plan();
+    }
+
     public boolean isShared() {
         return visit == null;
     }
