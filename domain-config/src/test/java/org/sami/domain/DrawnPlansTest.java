@@ -44,7 +44,7 @@ class DrawnPlansTest {
     @MethodSource("plans")
     void noLineCrossesAVertexAfterALayoutInLayers(String id, Plan plan, DomainLibrary library) {
         Map<String, LayoutPoint> points = new LinkedHashMap<>();
-        NetLayout.layered(plan, library.vocabulary(), MEASURE, NetDetail.AUTHOR, () -> false)
+        NetLayout.layered(plan, library.vocabulary(), MEASURE, NetDetail.AUTHOR.withRequirements(false), () -> false)
                 .vertices()
                 .forEach(vertex -> points.put(vertex.id(), vertex.centre()));
 

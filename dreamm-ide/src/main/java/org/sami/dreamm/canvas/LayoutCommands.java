@@ -46,7 +46,8 @@ final class LayoutCommands {
     void add() {
         Vocabulary vocabulary = context.vocabulary();
         add("net-layout-layers", "Lay out in layers from left to right", "L", (plan, drawing, cancelled) -> {
-                    NetDetail detail = net.detail();
+                    NetDetail detail =
+                            net.detail().withRequirements(false); // on the lines there is room for them anyway
                     return centres(NetLayout.layered(plan, vocabulary, NetView::textWidth, detail, cancelled));
                 })
                 .withIcon("layout");

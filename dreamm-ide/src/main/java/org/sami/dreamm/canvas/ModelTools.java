@@ -50,7 +50,7 @@ final class ModelTools {
             row.left(CommandButton.iconOnly(context.commands().get(id)));
         }
         for (String id : RIGHT) {
-            context.commands().find(id).ifPresent(command -> row.right(CommandButton.iconOnly(command)));
+            context.commands().find(id).ifPresent(command -> row.spare(CommandButton.iconOnly(command)));
         }
         return row;
     }

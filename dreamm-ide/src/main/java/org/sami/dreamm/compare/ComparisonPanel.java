@@ -26,8 +26,7 @@ import org.sami.ui.net.NetView;
 
 /** Two versions of the open plan on one net, with a list of what differs; a chosen line is shown on the net. */
 public final class ComparisonPanel extends JPanel {
-    private static final String NOTHING =
-            "Compares the open plan with another version of it: as it was saved, or from another file";
+    private static final String NOTHING = "No version is compared";
 
     private final transient DreammContext context;
     private final NetView view = new NetView(new IdentityMarks());
@@ -48,6 +47,8 @@ public final class ComparisonPanel extends JPanel {
         CommandRow row = new CommandRow();
         row.setName("comparison-tools");
         title.setName("comparison-title");
+        title.setToolTipText(
+                "Shows the open plan and another version of it on one net: as it was saved, or from another file");
         row.left(title);
         row.right(new CommandButton(commands.saved()));
         row.right(new CommandButton(commands.file()));

@@ -59,7 +59,7 @@ final class EventCard extends Form implements Explained {
         setName("event-" + index);
         heading(mark + type.label());
         note(type.help(), SemanticColor.MUTED);
-        JPanel head = new JPanel(new MigLayout("insets 0, gap 2"));
+        JPanel head = new JPanel(new MigLayout("novisualpadding, insets 0, gap 2"));
         head.setOpaque(false);
         String plan = scope.plan().id();
         if (index > 0) {

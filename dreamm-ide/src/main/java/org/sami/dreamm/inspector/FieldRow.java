@@ -45,7 +45,8 @@ final class FieldRow extends Form implements Explained {
     private final transient EventType type;
     private final transient FieldType field;
     private final String name;
-    private final JPanel below = new JPanel(new MigLayout("insets 0, gap 0 4, fillx, wrap 1", "[grow, fill]"));
+    private final JPanel below =
+            new JPanel(new MigLayout("novisualpadding, insets 0, gap 0 4, fillx, wrap 1", "[grow, fill]"));
 
     /** Where a field of an output event can come from. */
     enum Source {

@@ -25,7 +25,8 @@ import org.sami.ui.value.WrappedText;
 /** Rows of labelled fields. A field gives what it holds when it is left or Enter is pressed; a choice at once. */
 class Form extends JPanel {
     Form() {
-        super(new MigLayout("insets 0, gap 8 4, fillx, wrap 2, hidemode 3", "[64:80:80, left][grow, fill]"));
+        super(new MigLayout(
+                "novisualpadding, insets 0, gap 8 4, fillx, wrap 2, hidemode 3", "[64:80:80, left][grow, fill]"));
         setOpaque(false);
     }
 
@@ -62,6 +63,7 @@ class Form extends JPanel {
 
     final JTextField text(String label, String name, String tip, String value, Consumer<String> given) {
         JTextField field = row(label, name, tip, new JTextField(value));
+        field.setCaretPosition(0); // a long text is read from its beginning
         giveWhenLeft(field, value, given);
         return field;
     }

@@ -39,7 +39,7 @@ public final class InspectorPanel extends JPanel {
     private final Column column = new Column();
     private final JScrollPane scrolled =
             new JScrollPane(column, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
-    private final JPanel found = new JPanel(new MigLayout("insets 0, wrap 1, fillx", "[grow, fill]"));
+    private final JPanel found = new JPanel(new MigLayout("novisualpadding, insets 0, wrap 1, fillx", "[grow, fill]"));
     private final transient LiveFindings live;
     private transient List<Finding> shownFindings = List.of();
     private transient Optional<String> shownPlan = Optional.empty();
@@ -52,7 +52,10 @@ public final class InspectorPanel extends JPanel {
      * @param live the findings about the document, which all panels share
      */
     public InspectorPanel(DreammContext context, LiveFindings live) {
-        super(new MigLayout("insets " + Spacing.NORMAL + ", gap 0 4, wrap 1, fill", "[grow, fill]", "[][grow, fill]"));
+        super(new MigLayout(
+                "novisualpadding, insets " + Spacing.NORMAL + ", gap 0 4, wrap 1, fill",
+                "[grow, fill]",
+                "[][grow, fill]"));
         this.context = context;
         this.live = live;
         setName("inspector-panel");
@@ -127,6 +130,7 @@ public final class InspectorPanel extends JPanel {
         Selected selected = Selected.of(plan, context.editor().selection());
         if (selected.isEmpty()) {
             title.setText("Plan " + plan.title());
+            title.setToolTipText(title.getText());
             column.add(new PlanSection(context, plan));
             return;
         }
@@ -228,7 +232,7 @@ public final class InspectorPanel extends JPanel {
     /** As wide as the panel, as high as what it holds. */
     private static final class Column extends JPanel implements Scrollable {
         Column() {
-            super(new MigLayout("insets 0, gap 0 8, wrap 1, fillx", "[grow, fill]"));
+            super(new MigLayout("novisualpadding, insets 0, gap 0 8, wrap 1, fillx", "[grow, fill]"));
             setOpaque(false);
         }
 

@@ -119,7 +119,7 @@ final class PlanSection extends Form {
     }
 
     private static JPanel line() {
-        JPanel row = new JPanel(new MigLayout("insets 0, gap 4, fillx"));
+        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, gap 4, fillx"));
         row.setOpaque(false);
         return row;
     }

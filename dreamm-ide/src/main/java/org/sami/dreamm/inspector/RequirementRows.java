@@ -80,7 +80,7 @@ abstract class RequirementRows<R> extends Form {
     }
 
     private void buttons(boolean locked) {
-        JPanel buttons = new JPanel(new MigLayout("insets 0, gap 4"));
+        JPanel buttons = new JPanel(new MigLayout("novisualpadding, insets 0, gap 4"));
         buttons.setOpaque(false);
         JButton add =
                 button("+ Requirement", "inspector-add-requirement", "Add a requirement", () -> set(with(begun())));
@@ -151,7 +151,7 @@ abstract class RequirementRows<R> extends Form {
         private final transient Supplier<HelpTopic> topic;
 
         Row(Supplier<HelpTopic> topic) {
-            super(new MigLayout("insets 0, gap 4, fillx"));
+            super(new MigLayout("novisualpadding, insets 0, gap 4, fillx"));
             this.topic = topic;
             setOpaque(false);
         }

@@ -1,6 +1,7 @@
 package org.sami.dreamm.issues;
 
 import java.awt.BorderLayout;
+import java.awt.Insets;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.KeyEvent;
@@ -32,6 +33,7 @@ import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.Spacing;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 
@@ -43,6 +45,8 @@ public final class IssuesPanel extends JPanel {
     /** Below it the rows need the room; a row's tooltip says all as well. */
     private static final int LEAST_HEIGHT_OF_MESSAGE = 220;
 
+    private static final int NARROW = 640;
+
     private final transient DreammContext context;
     private final transient IssueList issues;
     private final RowTable<Issue> table;
@@ -50,7 +54,7 @@ public final class IssuesPanel extends JPanel {
     private final JCheckBox onlyOpen = new JCheckBox("Open plan only");
     private final JTextField text = new JTextField(12);
     private final JTextArea message = new JTextArea();
-    private final JPanel fixes = new JPanel(new MigLayout("insets 0, gap 8", "[][][][]push[]", "[]"));
+    private final JPanel fixes = new JPanel(new MigLayout("novisualpadding, insets 0, gap 8", "[][][][]push[]", "[]"));
     private final DeepChecksBar deep;
 
     /**
@@ -135,12 +139,13 @@ public final class IssuesPanel extends JPanel {
     }
 
     private JPanel top() {
-        JPanel bar = new JPanel(new MigLayout("insets 4 8 4 8, gap 8", "[][][]16[][grow][]", "[]"));
+        JPanel bar = new JPanel(new MigLayout("novisualpadding, insets 4 8 4 8, gap 8", "[][][]16[][grow][]", "[]"));
         bar.setOpaque(false);
         for (Severity severity : Severity.values()) {
             String word = severity.name().toLowerCase(Locale.ROOT);
             JToggleButton button = new JToggleButton();
             button.setName("issues-show-" + word);
+            button.setMargin(new Insets(2, Spacing.NORMAL, 2, Spacing.NORMAL));
             button.setSelected(true);
             button.setToolTipText("Show " + word + "s, or hide them");
             button.addActionListener(e -> issues.setFilter(issues.filter().with(severity, button.isSelected())));
@@ -177,8 +182,15 @@ public final class IssuesPanel extends JPanel {
         return bar;
     }
 
+    @Override
+    public void doLayout() {
+        deep.setNarrow(getWidth() < Look.px(NARROW));
+        message.setVisible(hasMessage());
+        super.doLayout();
+    }
+
     private JPanel bottom() {
-        JPanel panel = new JPanel(new MigLayout("insets 4 12 6 12, gap 4, wrap, hidemode 3", "[grow, fill]", "[][]"));
+        JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 4 12 6 12, gap 4, wrap, hidemode 3", "[grow, fill]", "[][]"));
         panel.setOpaque(false);
         message.setName("issue-message");
         message.setEditable(false);
@@ -214,7 +226,7 @@ public final class IssuesPanel extends JPanel {
 
     private void showCurrent() {
         message.setText(issues.current().map(IssuesPanel::words).orElse(""));
-        message.setVisible(issues.current().isPresent() && getHeight() > Look.px(LEAST_HEIGHT_OF_MESSAGE));
+        message.setVisible(hasMessage());
         fixes.removeAll();
         issues.current().ifPresent(issue -> {
             for (int i = 0; i < issue.fixes().size(); i++) {
@@ -226,6 +238,10 @@ public final class IssuesPanel extends JPanel {
         });
         fixes.setVisible(fixes.getComponentCount() > 0);
         fixes.revalidate();
+    }
+
+    private boolean hasMessage() {
+        return issues.current().isPresent() && getHeight() > Look.px(LEAST_HEIGHT_OF_MESSAGE);
     }
 
     private static String words(Issue issue) {
@@ -264,18 +280,21 @@ public final class IssuesPanel extends JPanel {
 
     /** What deep checks there are, how the one that runs is doing, and a way to stop it. */
     private static final class DeepChecksBar extends JPanel {
+        private static final String WORDS = "Search deeper";
+
         private final transient IssueCommands commands;
         private final JLabel status = new JLabel();
-        private final JButton begin = new JButton("Search deeper");
+        private final JButton begin = new JButton(WORDS);
         private final CommandButton stop;
 
         DeepChecksBar(IssueCommands commands) {
-            super(new MigLayout("insets 0, gap 8, hidemode 3", "[grow, right][][]", "[]"));
+            super(new MigLayout("novisualpadding, insets 0, gap 8, hidemode 3", "[grow, right][][]", "[]"));
             this.commands = commands;
             setOpaque(false);
             status.setName("deep-check-status");
             begin.setName("deep-checks");
-            begin.setToolTipText("Run the open plan to find what the drawing alone does not show");
+            begin.setToolTipText("Search deeper: run the open plan to find what the drawing alone does not show");
+            begin.getAccessibleContext().setAccessibleName(WORDS);
             begin.addActionListener(e -> {
                 JPopupMenu menu = new JPopupMenu();
                 menu.setName("deep-checks-menu");
@@ -286,6 +305,11 @@ public final class IssuesPanel extends JPanel {
             add(status, "wmin 0");
             add(begin, "hmin 32");
             add(stop, "hmin 32");
+        }
+
+        /** Whether there is room for the icon alone; the tooltip says the rest. */
+        void setNarrow(boolean narrow) {
+            begin.setText(narrow ? "" : WORDS);
         }
 
         void refresh() {

@@ -62,7 +62,7 @@ public final class PaletteList extends JPanel implements Explained {
      */
     public PaletteList(
             DreammContext context, String name, Predicate<PaletteItem> offered, Consumer<PaletteItem> taken) {
-        super(new MigLayout("insets 0, gap 0 4, wrap 1, fill", "[grow, fill]", "[][grow, fill]"));
+        super(new MigLayout("novisualpadding, insets 0, gap 0 4, wrap 1, fill", "[grow, fill]", "[][grow, fill]"));
         this.context = context;
         this.groups = new PaletteGroups(context, offered);
         this.taken = item -> PaletteEdits.locked(context, item)

@@ -12,6 +12,7 @@ import org.sami.spn.edit.Edit;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
+import org.sami.ui.look.VerticalScroll;
 
 /** The toolset palette: the list of what can be added, and below it what the marked item is and what would come with it. */
 public final class PalettePanel extends JPanel {
@@ -22,14 +23,17 @@ public final class PalettePanel extends JPanel {
 
     /** The palette of a window. */
     public PalettePanel(DreammContext context) {
-        super(new MigLayout("insets " + Spacing.NORMAL + ", gap 0 8, wrap 1, fill", "[grow, fill]", "[grow, fill][]"));
+        super(new MigLayout(
+                "insets " + Spacing.NORMAL + ", gap 0 8, wrap 1, fill",
+                "[grow, fill]",
+                "[72:pref:, grow, fill][24:pref:]"));
         this.context = context;
         this.edits = new PaletteEdits(context);
         this.list = new PaletteList(context, "palette", item -> true, this::add);
         this.strip = new SequenceStrip(context.additions());
         setName("palette-panel");
-        add(list, "wmin 0, hmin 120");
-        add(strip, "wmin 0");
+        add(list, "wmin 0, hmin 72");
+        add(new VerticalScroll(strip), "wmin 0, hmin 0");
         if (!GraphicsEnvironment.isHeadless()) {
             list.enableDrag();
         }
@@ -51,6 +55,9 @@ public final class PalettePanel extends JPanel {
         });
         context.commands()
                 .add(new Command("palette-find", "Find what to add", () -> {
+                            context.commands()
+                                    .find("panel-palette")
+                                    .ifPresent(Command::run); // it may be behind another
                             list.searchField().requestFocusInWindow();
                             list.searchField().selectAll();
                         })

@@ -209,8 +209,11 @@ public final class ReplayPanel extends JPanel {
                                 .damage()
                                 .map(text -> "  ▲ not all of it can be read: " + text)
                                 .orElse(""))
-                .orElse("No journal is open: the recorded session of a field day, to see its tokens on the plan"));
-        file.setToolTipText(file.getText());
+                .orElse("No journal is open"));
+        file.setToolTipText(
+                replay.isPresent()
+                        ? file.getText()
+                        : "A journal is the recorded session of a field day; its tokens are shown on the plan");
         Optional<String> differs = replay.flatMap(r -> context.editor().plan().flatMap(r::difference));
         difference.setText(differs.map(text -> "▲ " + text).orElse(""));
         difference.setToolTipText(differs.orElse(null));

@@ -4,6 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Insets;
 import java.awt.Rectangle;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -36,6 +37,9 @@ import org.sami.ui.table.RowTable;
  * Tries the open plan: what can happen now, what one of it needs, and what was done. The tokens are on the net. On the event thread.
  */
 public final class TryOutPanel extends JPanel {
+    private static final int ALL_WORDS = 840;
+    private static final int FEWEST_WORDS = 660;
+
     private final transient DreammContext context;
     private final transient TryOut tryOut;
     private final transient TryOutCommands commands;
@@ -49,7 +53,9 @@ public final class TryOutPanel extends JPanel {
     private final JCheckBox operator = new JCheckBox("Operator answers");
     private final JCheckBox answering = new JCheckBox("Robots answer");
     private final JTabbedPane tabs = new JTabbedPane();
+    private final JLabel label = new JLabel("Robots");
     private final transient CommandButton run;
+    private final transient List<CommandButton> worded = new ArrayList<>();
     private transient Optional<HappeningEditor> editor = Optional.empty();
     private int shownSteps = -1;
 
@@ -94,16 +100,19 @@ public final class TryOutPanel extends JPanel {
     }
 
     private JPanel toolbar() {
-        JPanel bar = new JPanel(new MigLayout("insets 4 8 4 8, gap 6", "[][][][][][]12[][]12[][]push", "[]"));
+        JPanel bar =
+                new JPanel(new MigLayout("insets 4 8 4 8, gap 6, hidemode 3", "[][][][][][]12[][]12[][]push", "[]"));
         bar.setOpaque(false);
         for (String id : List.of("try-start", "try-step")) {
-            bar.add(new CommandButton(context.commands().get(id)), "hmin 32");
+            CommandButton button = new CommandButton(context.commands().get(id));
+            worded.add(button);
+            bar.add(button, "hmin 32");
         }
+        worded.add(run);
         bar.add(run, "hmin 32");
         for (String id : List.of("try-back", "try-restart", "try-stop")) {
             bar.add(CommandButton.iconOnly(context.commands().get(id)), "hmin 32");
         }
-        JLabel label = new JLabel("Robots");
         label.setLabelFor(robots);
         label.setDisplayedMnemonic('b');
         robots.setName("try-robots");
@@ -123,6 +132,18 @@ public final class TryOutPanel extends JPanel {
         bar.add(operator);
         bar.add(answering);
         return bar;
+    }
+
+    /** In a narrow panel buttons show their icons alone, then boxes the first of their words; tooltips say the rest. */
+    @Override
+    public void doLayout() {
+        boolean narrow = getWidth() < Look.px(ALL_WORDS);
+        boolean small = getWidth() < Look.px(FEWEST_WORDS);
+        worded.forEach(button -> button.setHideActionText(narrow));
+        label.setVisible(!small);
+        operator.setText(small ? "Operator" : "Operator answers");
+        answering.setText(small ? "Robots" : "Robots answer");
+        super.doLayout();
     }
 
     private JPanel middle() {
@@ -146,7 +167,7 @@ public final class TryOutPanel extends JPanel {
         one.add(scroll);
         one.add(buttons, BorderLayout.SOUTH);
         JPanel all = new JPanel(new MigLayout(
-                "insets 0, gap 1, fill", "[26%, grow, fill][360:38%, grow, fill][36%, grow, fill]", "[grow, fill]"));
+                "insets 0, gap 1, fill", "[26%, grow, fill][260:38%, grow, fill][36%, grow, fill]", "[grow, fill]"));
         all.setOpaque(false);
         all.add(happenings, "wmin 0, hmin 0");
         all.add(one, "wmin 0, hmin 0");

@@ -1,5 +1,6 @@
 package org.sami.dreamm.window;
 
+import java.awt.Dimension;
 import java.util.List;
 import org.sami.dreamm.canvas.ModelView;
 import org.sami.dreamm.compare.ComparisonPanel;
@@ -11,18 +12,30 @@ import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.dreamm.tree.MissionTreePanel;
 import org.sami.ui.dock.Arrangement;
 import org.sami.ui.dock.DockPanel;
+import org.sami.ui.look.Look;
 
 /** The panels of the window, and how they lie at first (thesis, Figure 5.1). Those that the profile hides are left out. */
 final class DreammPanels {
-    /** How they lie at first. */
-    static final Arrangement FIRST = Arrangement.of("model-view")
+    private static final Arrangement ROOMY = Arrangement.of("model-view")
             .right("palette", "model-view", 0.26)
-            .left("mission-tree", "model-view", 0.22)
+            .left("mission-tree", "model-view", 0.24)
             .below("inspector", "palette", 0.55)
             .below("issues", "model-view", 0.36)
             .behind("try-out", "issues")
             .behind("replay", "issues")
             .behind("comparison", "model-view");
+
+    /** Two columns instead of three: names are read, and the net keeps its room. */
+    private static final Arrangement COMPACT = Arrangement.of("model-view")
+            .right("mission-tree", "model-view", 0.38)
+            .behind("palette", "mission-tree")
+            .below("inspector", "mission-tree", 0.5)
+            .below("issues", "model-view", 0.44)
+            .behind("try-out", "issues")
+            .behind("replay", "issues")
+            .behind("comparison", "model-view");
+
+    private static final int LEAST_ROOMY_WIDTH = 1400;
 
     private final List<DockPanel> all;
     private final List<String> profileIds;
@@ -54,6 +67,15 @@ final class DreammPanels {
     /** The ids by which profiles name them, of those that are hidden as well. */
     List<String> profileIds() {
         return profileIds;
+    }
+
+    /**
+     * How they lie at first: in three columns as in the thesis, in two on a small screen or with large letters.
+     *
+     * @param screen in pixels
+     */
+    static Arrangement first(Dimension screen) {
+        return screen.width < Look.px(LEAST_ROOMY_WIDTH) ? COMPACT : ROOMY;
     }
 
     /** All of them, in order. */

@@ -25,7 +25,8 @@ public final class SequenceStrip extends JPanel {
     private final transient Additions additions;
     private final JLabel title = new JLabel();
     private final WrappedText help = new WrappedText("");
-    private final JPanel choices = new JPanel(new MigLayout("insets 0, gap 0 0, wrap 1", "[grow, fill]"));
+    private final JPanel choices =
+            new JPanel(new MigLayout("novisualpadding, insets 0, gap 0 0, wrap 1", "[grow, fill]"));
     private final WrappedText preview = new WrappedText("");
     private Optional<Edit> offered = Optional.empty();
     private String sequence = "";
@@ -33,7 +34,7 @@ public final class SequenceStrip extends JPanel {
 
     /** A strip over the additions of a window. */
     public SequenceStrip(Additions additions) {
-        super(new MigLayout("insets 0, gap 0 4, wrap 1, fillx, hidemode 3", "[grow, fill]"));
+        super(new MigLayout("novisualpadding, insets 0, gap 0 4, wrap 1, fillx, hidemode 3", "[grow, fill]"));
         this.additions = additions;
         setName("wizard-strip");
         setOpaque(false);

@@ -3,7 +3,9 @@ package org.sami.ui.command;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import javax.swing.JPanel;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Spacing;
@@ -15,6 +17,8 @@ import org.sami.ui.look.Spacing;
 public final class CommandRow extends JPanel {
     private final List<Component> left = new ArrayList<>();
     private final List<Component> right = new ArrayList<>();
+    private final List<Component> spare = new ArrayList<>();
+    private final Set<Component> leftOut = new HashSet<>();
 
     /** An empty row. */
     public CommandRow() {
@@ -35,6 +39,12 @@ public final class CommandRow extends JPanel {
         return this;
     }
 
+    /** Puts something at the right end that is left out where there is no room for all: the first of them first. */
+    public CommandRow spare(Component component) {
+        spare.add(component);
+        return right(component);
+    }
+
     private int gap() {
         return Look.px(Spacing.TIGHT);
     }
@@ -43,8 +53,8 @@ public final class CommandRow extends JPanel {
         return Look.px(Spacing.NORMAL);
     }
 
-    private static int width(Component component) {
-        return component.isVisible() ? component.getPreferredSize().width : 0;
+    private int width(Component component) {
+        return component.isVisible() && !leftOut.contains(component) ? component.getPreferredSize().width : 0;
     }
 
     private int wanted() {
@@ -69,7 +79,11 @@ public final class CommandRow extends JPanel {
 
     @Override
     public void doLayout() {
+        leftOut.clear();
         words();
+        for (int i = 0; i < spare.size() && wanted() > getWidth(); i++) {
+            leftOut.add(spare.get(i));
+        }
         int missing = wanted() - getWidth();
         int x = inset();
         for (Component each : left) {

@@ -12,7 +12,8 @@ public final class Arrangement {
     private final String first;
     private final List<Step> steps;
 
-    private record Step(String panel, String at, DockingRegion region, double part) {}
+    /** A panel that is placed at another. */
+    record Step(String panel, String at, DockingRegion region, double part) {}
 
     private Arrangement(String first, List<Step> steps) {
         this.first = first;
@@ -42,6 +43,16 @@ public final class Arrangement {
     /** A panel behind another, as a tab. */
     public Arrangement behind(String panel, String of) {
         return with(new Step(panel, of, DockingRegion.CENTER, 0.5));
+    }
+
+    /** The panel that fills the window first. */
+    String first() {
+        return first;
+    }
+
+    /** The others, in the order in which they are placed. */
+    List<Step> steps() {
+        return List.copyOf(steps);
     }
 
     private Arrangement with(Step step) {

@@ -135,7 +135,7 @@ enum PlacesText implements TypedText {
 
     private String wanted() {
         return switch (this) {
-            case POINT -> "Click the point on the map, or enter it: 45.7, 10.72";
+            case POINT -> "Click the map, or enter it: 45.7, 10.72";
             case POINTS -> "Click points on the map, or enter them, one a line";
             case PATH -> "Click the path on the map, or enter its points, one a line";
             case AREA -> "Click the corners on the map, or enter them, one a line";

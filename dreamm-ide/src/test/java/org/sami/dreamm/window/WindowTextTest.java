@@ -1,0 +1,85 @@
+package org.sami.dreamm.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Dimension;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.sami.dreamm.OnEventThread;
+import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.context.LibraryProject;
+import org.sami.dreamm.document.ProjectDocument;
+import org.sami.dreamm.profile.Profile;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.ui.check.Layout;
+import org.sami.ui.check.TextFit;
+import org.sami.ui.dock.DockPanel;
+import org.sami.ui.dock.PanelSizes;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.Theme;
+
+/** All panels of the window as large as they are in it at first, laid out in memory: no text is cut. */
+@ExtendWith(OnEventThread.class)
+class WindowTextTest {
+    private static final DomainLibrary LIBRARY =
+            DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
+    private static final int MENUS_AND_STATUS = 90;
+
+    private DreammContext context;
+    private RunParts run;
+
+    static Stream<Arguments> windows() {
+        return Stream.of(Theme.values())
+                .flatMap(theme -> Stream.of(100, 150)
+                        .flatMap(scale -> Stream.of(new Dimension(1280, 800), new Dimension(1600, 1000))
+                                .map(size -> Arguments.of(theme, scale, size))));
+    }
+
+    @AfterEach
+    void close() {
+        run.close();
+        context.close();
+        Look.apply(Theme.LIGHT, 100);
+    }
+
+    @ParameterizedTest
+    @MethodSource("windows")
+    void noTextOfAPanelIsCut(Theme theme, int scale, Dimension size) {
+        Look.apply(theme, scale);
+        context = new DreammContext(
+                LIBRARY,
+                new ProjectDocument(LIBRARY.vocabulary(), LibraryProject.of(LIBRARY), Optional.empty()),
+                Profile.ALL);
+        context.editor().open("station-keep");
+        EditCommands.addTo(context);
+        run = new RunParts(context);
+        List<DockPanel> panels = new DreammPanels(context, run).all();
+        Map<String, Dimension> sizes = PanelSizes.of(
+                DreammPanels.first(size), new Dimension(size.width, size.height - Look.px(MENUS_AND_STATUS)));
+
+        List<String> faults = new ArrayList<>();
+        for (Set<String> selection : List.of(Set.<String>of(), Set.of("assemble"), Set.of("go.arrived"))) {
+            context.editor().select(selection);
+            for (DockPanel panel : panels) {
+                Dimension room = sizes.get(panel.getPersistentID());
+                Layout.layOut(panel, room.width, room.height);
+                TextFit.faults(panel).stream()
+                        .map(fault ->
+                                panel.getPersistentID() + " of " + room.width + " x " + room.height + ": " + fault)
+                        .filter(fault -> !faults.contains(fault))
+                        .forEach(faults::add);
+            }
+        }
+
+        assertThat(faults).isEmpty();
+    }
+}
