@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import javax.swing.BorderFactory;
 import javax.swing.DefaultListModel;
 import javax.swing.JLabel;
 import javax.swing.JList;
@@ -61,7 +62,7 @@ public final class ComparisonPanel extends JPanel {
         view.setMode(NetMode.ALL);
         JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, view, new JScrollPane(list));
         split.setResizeWeight(0.7);
-        split.setBorder(null);
+        split.setBorder(BorderFactory.createEmptyBorder());
         add(row, BorderLayout.NORTH);
         add(split);
         context.document().addListener(change -> refresh());

@@ -32,7 +32,7 @@ public final class HelpView extends JPanel {
         JScrollPane scrolled =
                 new JScrollPane(page, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
         scrolled.setName("help-scroll");
-        scrolled.setBorder(null);
+        scrolled.setBorder(BorderFactory.createEmptyBorder());
         scrolled.getVerticalScrollBar().setUnitIncrement(Look.px(Spacing.HIT_TARGET));
         scrolled.getViewport().setBackground(SemanticColor.SURFACE.get());
         add(scrolled, "wmin 0, hmin 0");

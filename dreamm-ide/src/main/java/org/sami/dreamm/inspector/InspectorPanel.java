@@ -6,6 +6,7 @@ import java.awt.Rectangle;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -61,7 +62,7 @@ public final class InspectorPanel extends JPanel {
         setName("inspector-panel");
         title.setName("inspector-title");
         found.setOpaque(false);
-        scrolled.setBorder(null);
+        scrolled.setBorder(BorderFactory.createEmptyBorder());
         scrolled.getViewport().setOpaque(false);
         scrolled.setOpaque(false);
         scrolled.getVerticalScrollBar().setUnitIncrement(Look.px(STEP));

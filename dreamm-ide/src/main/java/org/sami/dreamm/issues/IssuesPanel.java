@@ -73,17 +73,17 @@ public final class IssuesPanel extends JPanel {
                 Issue::key,
                 List.of(
                         RowColumn.<Issue>words(
-                                        "Code", 160, issue -> issue.finding().code())
+                                        "Code", 200, issue -> issue.finding().code())
                                 .withIcon(IssuesPanel::icon)
                                 .colored(issue -> color(issue.finding().severity())),
                         RowColumn.<Issue>words(
-                                        "Plan", 90, issue -> issue.finding().plan())
+                                        "Plan", 110, issue -> issue.finding().plan())
                                 .colored(issue -> SemanticColor.MUTED),
                         RowColumn.words(
                                 "What is wrong, and what to do",
                                 0,
                                 issue -> issue.finding().message()),
-                        RowColumn.<Issue>words("Fix", 150, IssuesPanel::offer).colored(issue -> SemanticColor.ACCENT)));
+                        RowColumn.<Issue>words("Fix", 160, IssuesPanel::offer).colored(issue -> SemanticColor.ACCENT)));
         deep = new DeepChecksBar(commands);
         bindTable();
         add(top(), BorderLayout.NORTH);
@@ -190,7 +190,8 @@ public final class IssuesPanel extends JPanel {
     }
 
     private JPanel bottom() {
-        JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 4 12 6 12, gap 4, wrap, hidemode 3", "[grow, fill]", "[][]"));
+        JPanel panel = new JPanel(
+                new MigLayout("novisualpadding, insets 4 12 6 12, gap 4, wrap, hidemode 3", "[grow, fill]", "[][]"));
         panel.setOpaque(false);
         message.setName("issue-message");
         message.setEditable(false);

@@ -54,7 +54,7 @@ final class HitList extends JPanel {
             }
         });
         JScrollPane scroll = new JScrollPane(list);
-        scroll.setBorder(null);
+        scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         add(head, BorderLayout.NORTH);
         add(scroll);

@@ -49,7 +49,7 @@ public final class MissionTreePanel extends JPanel {
         search.getAccessibleContext().setAccessibleName("Search everything");
         JScrollPane scroll =
                 new JScrollPane(tree, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
-        scroll.setBorder(null);
+        scroll.setBorder(BorderFactory.createEmptyBorder());
         middle.add(scroll, TREE);
         middle.add(hits, HITS);
         JPanel head = new JPanel(new BorderLayout());

@@ -4,6 +4,7 @@ import java.awt.BorderLayout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
@@ -54,7 +55,7 @@ final class StartMarkingView extends JPanel {
         add(title, "wmin 0");
         JScrollPane scroll = new JScrollPane(both);
         scroll.getVerticalScrollBar().setUnitIncrement(Look.px(24));
-        scroll.setBorder(null);
+        scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.setOpaque(false);
         scroll.getViewport().setOpaque(false);
         add(scroll, "wmin 0, hmin 0");

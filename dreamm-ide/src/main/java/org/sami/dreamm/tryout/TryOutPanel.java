@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import javax.swing.AbstractAction;
+import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
@@ -157,7 +158,7 @@ public final class TryOutPanel extends JPanel {
         one.setOpaque(false);
         JScrollPane scroll = new JScrollPane(
                 editorPlace, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
-        scroll.setBorder(null);
+        scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.getViewport().setOpaque(false);
         scroll.setOpaque(false);
         JPanel buttons = new JPanel(new MigLayout("insets 4 8 4 8, gap 8, hidemode 3", "push[][]", "[]"));

@@ -175,6 +175,7 @@ class RunPanelsTest {
             assertThat(Layout.find(panel[0], "issue-message", JComponent.class)
                             .orElseThrow()
                             .isVisible())
+                    .as("%s of %s at %s", parts.issueList().current(), panel[0].getSize(), Look.scalePercent())
                     .isTrue();
             assertThat(faults(panel[0])).isEmpty();
         });

@@ -3,6 +3,7 @@ package org.sami.ui.look;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Rectangle;
+import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -15,7 +16,7 @@ public final class VerticalScroll extends JScrollPane {
     /** Scrolls a component. */
     public VerticalScroll(JComponent content) {
         super(new AsWide(content), VERTICAL_SCROLLBAR_AS_NEEDED, HORIZONTAL_SCROLLBAR_NEVER);
-        setBorder(null);
+        setBorder(BorderFactory.createEmptyBorder());
         setOpaque(false);
         getViewport().setOpaque(false);
     }
