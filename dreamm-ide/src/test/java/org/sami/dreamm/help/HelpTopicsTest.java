@@ -11,6 +11,7 @@ import javax.swing.JTextArea;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -28,6 +29,7 @@ import org.sami.ui.check.TextFit;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
 
+@Isolated("the look is one for all windows of a process")
 @ExtendWith(OnEventThread.class)
 class HelpTopicsTest {
     private final List<DreammContext> open = new ArrayList<>();

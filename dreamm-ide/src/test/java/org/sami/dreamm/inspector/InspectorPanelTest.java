@@ -14,6 +14,7 @@ import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.dreamm.OnEventThread;
@@ -37,6 +38,7 @@ import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
 
 /** The inspector without a window: each field makes an edit, and no text is cut. */
+@Isolated("the look is one for all windows of a process")
 @ExtendWith(OnEventThread.class)
 class InspectorPanelTest {
     private static final int WIDTH = 340;

@@ -14,6 +14,7 @@ import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.issues.LiveFindings;
@@ -23,6 +24,7 @@ import org.sami.ui.EventThread;
 import org.sami.ui.check.Layout;
 
 /** What the author works at stays where it is in the inspector. Not on the event thread: carets scroll in events of their own. */
+@Isolated("the look is one for all windows of a process")
 class InspectorScrollTest {
     private static final int WIDTH = 340;
     private static final int HEIGHT = 360;

@@ -16,6 +16,7 @@ import javax.swing.JTable;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.sami.dreamm.canvas.ModelView;
@@ -31,6 +32,7 @@ import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
 
 /** The panels that check and run a plan, without a window: they are laid out, painted and used by their names. */
+@Isolated("the look is one for all windows of a process")
 class RunPanelsTest {
     private static final DomainLibrary LIBRARY =
             DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
@@ -175,7 +177,6 @@ class RunPanelsTest {
             assertThat(Layout.find(panel[0], "issue-message", JComponent.class)
                             .orElseThrow()
                             .isVisible())
-                    .as("%s of %s at %s", parts.issueList().current(), panel[0].getSize(), Look.scalePercent())
                     .isTrue();
             assertThat(faults(panel[0])).isEmpty();
         });

@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -28,6 +29,7 @@ import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
 
 /** All panels of the window as large as they are in it at first, laid out in memory: no text is cut. */
+@Isolated("the look is one for all windows of a process")
 @ExtendWith(OnEventThread.class)
 class WindowTextTest {
     private static final DomainLibrary LIBRARY =
