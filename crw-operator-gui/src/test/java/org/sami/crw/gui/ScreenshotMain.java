@@ -21,7 +21,6 @@ import org.sami.crw.operator.BoatSnapshot;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.session.Session;
 import org.sami.crw.sim.run.SimulatedOperatorDriver;
-import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
@@ -84,8 +83,9 @@ final class ScreenshotMain {
         robot.until("all explore", () -> moving() == NAMES.size());
         pass(40);
         picture("explore");
-        session().press("team avoid boat", Ids.NONE, List.of());
-        pass(8);
+        robot.clickRow("boats-table", "bert");
+        robot.click("interrupt-battery-swap");
+        pass(6); // bert is on its way home, the others explore
         picture("interrupt");
         boats.end("emil");
         robot.until("emil is lost", () -> boat("emil").link() == LinkState.LOST);

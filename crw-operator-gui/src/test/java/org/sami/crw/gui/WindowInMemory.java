@@ -3,6 +3,7 @@ package org.sami.crw.gui;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -15,6 +16,7 @@ import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
 import org.sami.ui.check.WindowRobot;
+import org.sami.ui.dock.DockPanel;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Theme;
 
@@ -44,6 +46,23 @@ final class WindowInMemory {
                 return null;
             });
         }
+    }
+
+    /** The ids of the panels that do not lie behind others. */
+    List<String> panelsInSight() {
+        return WindowRobot.ask(() -> panels(root()));
+    }
+
+    private static List<String> panels(Container container) {
+        List<String> found = new ArrayList<>();
+        for (Component child : container.getComponents()) {
+            if (child instanceof DockPanel panel && panel.isVisible()) {
+                found.add(panel.getPersistentID());
+            } else if (child.isVisible() && child instanceof Container inner) {
+                found.addAll(panels(inner));
+            }
+        }
+        return found;
     }
 
     /** What is wrong with its texts, with each tab in front once; of tabs of one name in panes of one name, one. */

@@ -93,6 +93,22 @@ class WindowTextTest {
     }
 
     @Test
+    void aSmallWindowHasFewerPanelsBesideOneAnother() {
+        WindowInMemory shown = new WindowInMemory(window);
+        shown.look(Theme.LIGHT, 100);
+
+        shown.size(1600, 1000);
+        assertThat(shown.panelsInSight())
+                .containsExactlyInAnyOrder("map", "missions", "boats", "decisions", "interrupts", "messages");
+        shown.size(1280, 800);
+        assertThat(shown.panelsInSight()).containsExactlyInAnyOrder("map", "missions", "boats", "decisions");
+        shown.size(1600, 1000);
+        shown.look(Theme.LIGHT, 150);
+        shown.size(1600, 1000);
+        assertThat(shown.panelsInSight()).containsExactlyInAnyOrder("map", "missions", "boats", "decisions");
+    }
+
+    @Test
     void noTextIsCutOrOverlapped() throws Exception {
         WindowInMemory shown = new WindowInMemory(window);
         List<String> faults = new ArrayList<>();

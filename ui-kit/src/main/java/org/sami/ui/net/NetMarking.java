@@ -40,8 +40,14 @@ public record NetMarking(Map<String, List<Token>> tokens, Set<String> visitedByN
         return tokens.getOrDefault(place, List.of());
     }
 
-    /** The marked places in which other tokens stand than in another marking. */
-    Set<String> changedFrom(NetMarking other) {
+    /** The places to which tokens have come since another marking; where none came, those in which others stand now. */
+    Set<String> newIn(NetMarking before) {
+        Set<String> came = changedFrom(before);
+        came.removeIf(place -> at(place).size() <= before.at(place).size());
+        return came.isEmpty() ? changedFrom(before) : came;
+    }
+
+    private Set<String> changedFrom(NetMarking other) {
         Set<String> places = new HashSet<>(tokens.keySet());
         places.removeIf(place -> at(place).equals(other.at(place)));
         return places;

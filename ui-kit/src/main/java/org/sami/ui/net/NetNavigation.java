@@ -61,7 +61,7 @@ final class NetNavigation {
     /** Keeps places whose tokens have changed in sight, where somebody watches a mission. */
     void follow(NetMarking before) {
         if (following) {
-            reveal(view.marking().changedFrom(before));
+            reveal(view.marking().newIn(before));
         }
     }
 

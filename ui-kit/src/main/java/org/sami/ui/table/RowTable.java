@@ -251,6 +251,11 @@ public final class RowTable<R> extends JScrollPane {
             }
         }
         shrinkWords(needed - width);
+        for (int i = 0; i < columns.size(); i++) {
+            if (columns.get(i).width() == 0) {
+                all.get(i).setPreferredWidth(Math.max(Look.px(LEAST_REST), width - needed + Look.px(LEAST_REST)));
+            }
+        }
         for (int i = 0, at = 0; i < all.size(); i++) {
             boolean there =
                     at < table.getColumnCount() && table.getColumnModel().getColumn(at) == all.get(i);

@@ -50,6 +50,11 @@ public final class BoatWords {
         return mark + (text.startsWith(name) ? text.substring(name.length()) : text);
     }
 
+    /** The same without how far it is on its path, which stands beside it. */
+    static String brief(BoatSnapshot boat) {
+        return state(boat).replaceFirst(", \\d+ of \\d+ points visited", "");
+    }
+
     /** Its charge in percent. */
     public static String battery(BoatSnapshot boat) {
         return boat.battery()

@@ -39,7 +39,7 @@ public final class BoatsPanel extends JPanel {
                         RowColumn.<Shown>words("Boat", 96, shown -> shown.boat().boat())
                                 .withIcon(shown -> Optional.of(new MarkIcon(
                                         context.marks().of(shown.boat().boat())))),
-                        RowColumn.<Shown>words("What it does", 0, shown -> BoatWords.state(shown.boat()))
+                        RowColumn.<Shown>words("What it does", 0, shown -> BoatWords.brief(shown.boat()))
                                 .colored(shown -> BoatWords.color(BoatWords.trouble(shown.boat()))),
                         number("Battery", 76, shown -> BoatWords.battery(shown.boat()))
                                 .colored(shown -> batteryColor(shown)),

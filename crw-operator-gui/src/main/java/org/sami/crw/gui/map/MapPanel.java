@@ -100,6 +100,14 @@ public final class MapPanel extends JPanel {
         show(map().snapshot());
     }
 
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (preview != null) {
+            tellConsequence(); // its colour is the theme's
+        }
+    }
+
     private MapModel map() {
         return context.models().map();
     }

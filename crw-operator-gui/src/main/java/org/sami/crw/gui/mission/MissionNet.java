@@ -6,6 +6,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
@@ -13,8 +15,10 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.EngineText;
 import org.sami.crw.operator.MissionSnapshot;
 import org.sami.crw.operator.MissionsSnapshot;
+import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 import org.sami.ui.look.Look;
 import org.sami.ui.net.NetListener;
@@ -40,6 +44,7 @@ final class MissionNet extends JPanel {
     private long drawn = Ids.NONE;
     private Optional<Plan> plan = Optional.empty();
     private boolean filling;
+    private boolean modeChosen;
 
     /** A mission in the list of those that can be shown. */
     private record Shown(long mission, String title) {
@@ -85,6 +90,7 @@ final class MissionNet extends JPanel {
         mode.addActionListener(e -> {
             if (mode.getSelectedItem() instanceof Mode chosen) {
                 net.setMode(chosen.mode());
+                modeChosen |= !filling;
             }
         });
         head.add(which, "wmin 80");
@@ -187,7 +193,9 @@ final class MissionNet extends JPanel {
                     .snapshot()
                     .queues()
                     .forEach((boat, tasks) -> tasks.forEach(task -> robots.put(task, boat)));
-            net.setMarking(new NetMarking(mission.marking(), mission.visitedByNobody(), robots));
+            NetMarking marking = new NetMarking(mission.marking(), mission.visitedByNobody(), robots);
+            showHidden(marking);
+            net.setMarking(marking);
             long before = firings.getOrDefault(drawn, mission.firings());
             long fresh = Math.max(0, mission.firings() - before); // a replay goes back as well
             List<MissionSnapshot.Firing> last = mission.lastFirings();
@@ -195,6 +203,25 @@ final class MissionNet extends JPanel {
                     .forEach(firing -> net.fired(firing.transition()));
             firings.put(drawn, mission.firings());
         });
+    }
+
+    /**
+     * Nobody looks for boats in parts that are not shown: these are shown when a boat or a task comes there, unless the operator has
+     * chosen what is.
+     */
+    private void showHidden(NetMarking marking) {
+        Set<String> shown =
+                net.scene().vertices().stream().map(NetDrawing.Vertex::id).collect(Collectors.toSet());
+        if (!modeChosen
+                && net.mode() == NetMode.NOMINAL
+                && marking.tokens().entrySet().stream()
+                        .filter(place -> !shown.contains(place.getKey()))
+                        .flatMap(place -> place.getValue().stream())
+                        .anyMatch(token -> !(token instanceof Token.Generic))) {
+            filling = true;
+            mode.setSelectedItem(new Mode(NetMode.ALL));
+            filling = false;
+        }
     }
 
     private Optional<String> whyNotFiring(String transition) {

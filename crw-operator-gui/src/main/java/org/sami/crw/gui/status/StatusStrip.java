@@ -113,6 +113,7 @@ public final class StatusStrip extends JPanel {
         super.updateUI();
         if (stop != null) {
             style();
+            refresh(); // colours are the theme's
         }
     }
 
