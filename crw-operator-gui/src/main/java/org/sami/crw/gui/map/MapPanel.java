@@ -136,9 +136,15 @@ public final class MapPanel extends JPanel {
         Command base = new Command("map-base", "Base map…", this::openBaseMap).withIcon("map");
         tools.right(new CommandButton(context.commands().add(base)));
         context.commands().add(view.stopReading());
+        context.commands().add(new SimulatedBoatAdder(context, this::middle).command());
         view.command(MapKey.MEASURE).withKey("ctrl shift L").withIcon("measure");
         view.command(MapKey.FIT).withKey("ctrl shift F").withIcon("fit");
         view.commands().forEach(context.commands()::add);
+    }
+
+    private GeoPoint middle() {
+        MapFrame frame = view.frame();
+        return frame.point(frame.width() / 2.0, frame.height() / 2.0);
     }
 
     private void tool(String id, String title, String key, String icon, Runnable run) {

@@ -38,6 +38,7 @@ public final class WindowMenus {
                 "Boats",
                 'B',
                 "boat-connect",
+                "boat-add-simulated",
                 "",
                 "boat-stop",
                 "boat-release",
