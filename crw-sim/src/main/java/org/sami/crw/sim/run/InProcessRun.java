@@ -205,11 +205,12 @@ public final class InProcessRun {
 
     private void begin(RunObserver observer) {
         session.begin();
+        boolean isWatched = !observer.equals(RunObserver.NONE);
         repeat(LOOK_MILLIS, () -> {
             if (records.visits().isLookingOut()) {
                 records.visits().look(now(), water.boats());
             }
-            if (observer != RunObserver.NONE) {
+            if (isWatched) {
                 observer.progress().accept(records.progress(catchingUp ? "catching up" : "running"));
             }
         });
