@@ -36,6 +36,7 @@ final class PathHandler implements ActivationHandler {
     static final String TYPE = "PathRequest";
     private static final String POINTS = "points";
     private static final String CLEARANCE = "clearance";
+    private static final String DETOUR = "detour";
 
     private final PathService service;
     private final BoatPositions positions;
@@ -111,8 +112,10 @@ final class PathHandler implements ActivationHandler {
             return none("it was given no location");
         }
         Water water = Restrictions.water(activation, from.get());
+        double detour =
+                activation.value(DETOUR).isPresent() ? ActivationFields.number(activation, DETOUR) : PathProblem.DETOUR;
         PathProblem problem =
-                new PathProblem(from.get(), to.get(), water, ActivationFields.metres(activation, CLEARANCE));
+                new PathProblem(from.get(), to.get(), water, ActivationFields.metres(activation, CLEARANCE), detour);
         return service.find(problem, Markups.criterion(activation), Markups.optionsWanted(activation));
     }
 

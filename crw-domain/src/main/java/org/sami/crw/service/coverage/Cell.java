@@ -3,6 +3,7 @@ package org.sami.crw.service.coverage;
 import java.util.ArrayList;
 import java.util.List;
 import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Geometry;
 
 /**
  * Lanes of successive lines, one a line, each beside the next and no other: a boat drives them one after the other, to and fro (H.
@@ -21,12 +22,25 @@ final class Cell {
         lanes.add(first);
     }
 
-    /** The cells of a sweep, in the order of their first lanes. */
-    static List<Cell> of(SweepLanes sweep) {
+    /** The cells of a sweep, by the polygons in which they lie, then in the order of their first lanes. */
+    static List<Cell> of(SweepLanes sweep, Geometry drivable) {
+        List<Cell> cells = new ArrayList<>();
+        for (int i = 0; i < drivable.getNumGeometries(); i++) {
+            Geometry polygon = drivable.getGeometryN(i);
+            cells.addAll(of(sweep.rows().stream()
+                    .map(row -> row.stream()
+                            .filter(lane -> lane.isIn(polygon, drivable))
+                            .toList())
+                    .toList()));
+        }
+        return cells;
+    }
+
+    private static List<Cell> of(List<List<Lane>> rows) {
         List<Cell> cells = new ArrayList<>();
         List<Cell> open = List.of();
         List<Lane> before = List.of();
-        for (List<Lane> row : sweep.rows()) {
+        for (List<Lane> row : rows) {
             List<Cell> next = new ArrayList<>();
             for (Lane lane : row) {
                 List<Cell> beside =
@@ -53,6 +67,11 @@ final class Cell {
 
     private Lane last() {
         return lanes.get(lanes.size() - 1);
+    }
+
+    /** Whether it lies in a polygon, one of several in one of which it does. */
+    boolean isIn(Geometry polygon, Geometry all) {
+        return lanes.get(0).isIn(polygon, all);
     }
 
     /** The two ends of each lane. */

@@ -1,11 +1,13 @@
 package org.sami.crw.service.coverage;
 
+import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
@@ -17,14 +19,17 @@ import org.sami.spn.value.GeoPoint;
  * @param spacingM distance between two lanes, more than zero: a point is covered when the track comes as near as half of it
  * @param avoid areas that are not to be entered, on the boats' way to the area as well
  * @param within the area to stay in, if there is one, likewise
+ * @param error how far boats may be beside their tracks: these keep as much off what is not to be entered
  */
 public record CoverageProblem(
         Map<String, Optional<GeoPoint>> boats,
         GeoArea area,
         double spacingM,
         List<GeoArea> avoid,
-        Optional<GeoArea> within) {
+        Optional<GeoArea> within,
+        CrossTrackError error) {
     public CoverageProblem {
+        Objects.requireNonNull(error, "error");
         boats = Collections.unmodifiableMap(new LinkedHashMap<>(boats));
         Objects.requireNonNull(area, "area");
         avoid = List.copyOf(avoid);
@@ -37,15 +42,31 @@ public record CoverageProblem(
         }
     }
 
+    /** An area for boats that are where their tracks are. */
+    public CoverageProblem(
+            Map<String, Optional<GeoPoint>> boats,
+            GeoArea area,
+            double spacingM,
+            List<GeoArea> avoid,
+            Optional<GeoArea> within) {
+        this(boats, area, spacingM, avoid, within, CrossTrackError.NONE);
+    }
+
     /** An area in open water. */
     public static CoverageProblem of(Map<String, Optional<GeoPoint>> boats, GeoArea area, double spacingM) {
         return new CoverageProblem(boats, area, spacingM, List.of(), Optional.empty());
     }
 
     /** The same for fewer boats. */
-    CoverageProblem without(String boat) {
+    CoverageProblem withBoats(Collection<String> some) {
         Map<String, Optional<GeoPoint>> others = new LinkedHashMap<>(boats);
-        others.remove(boat);
-        return new CoverageProblem(others, area, spacingM, avoid, within);
+        others.keySet().retainAll(some);
+        return new CoverageProblem(others, area, spacingM, avoid, within, error);
+    }
+
+    /** The same without one boat. */
+    CoverageProblem without(String boat) {
+        return withBoats(
+                boats.keySet().stream().filter(other -> !other.equals(boat)).toList());
     }
 }

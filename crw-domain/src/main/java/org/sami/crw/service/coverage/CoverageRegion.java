@@ -38,24 +38,30 @@ final class CoverageRegion {
         Polygon area = Areas.polygon(problem.area(), plane, "The area");
         List<GeoArea> avoid = new ArrayList<>(problem.avoid());
         problem.area().holes().forEach(hole -> avoid.add(new GeoArea(hole, List.of())));
-        water = Water.of(origin, avoid, problem.within());
+        water = Water.of(origin, avoid, problem.within()).drivenWith(problem.error());
         region = Water.of(origin, problem.avoid(), problem.within()).allowed(area);
         if (region.isEmpty()) {
             throw new IllegalArgumentException("Nothing of the area may be entered");
         }
         double narrowestM = new MinimumDiameter(region).getLength();
-        drivable = region.buffer(-Math.min(MOST_MARGIN_M, MARGIN_OF_SPACING * Math.min(spacingM, narrowestM)));
+        Geometry inside = region.buffer(-Math.min(MOST_MARGIN_M, MARGIN_OF_SPACING * Math.min(spacingM, narrowestM)));
+        Geometry wide = offForbidden(inside, problem.error().marginM());
+        drivable = wide.isEmpty() ? offForbidden(inside, problem.error().steeringM()) : wide;
         sweep = SweepLanes.best(region, drivable, spacingM)
                 .orElseThrow(() -> new IllegalArgumentException("The area is too narrow to be driven in"));
     }
 
-    /** One track through everything. */
-    List<Coordinate> tour() {
-        List<Cell> cells = new ArrayList<>(Cell.of(sweep));
+    private Geometry offForbidden(Geometry inside, double marginM) {
+        return marginM > 0 && !water.isOpen()
+                ? OverlayNGRobust.overlay(inside, water.forbidden().buffer(marginM), OverlayNG.DIFFERENCE)
+                : inside;
+    }
+
+    /** What boats can drive on in one go: for each part of the region that ways connect, one track through it. */
+    List<CoveragePart> parts() {
+        List<Cell> cells = new ArrayList<>(Cell.of(sweep, drivable));
         cells.addAll(cellsForRest(cells));
-        Geometry forbidden =
-                region instanceof Polygon ? Water.inside(plane, region).forbidden() : water.forbidden();
-        return CellTour.through(cells, new LaneConnections(forbidden));
+        return CoveragePart.of(region, drivable, cells, water);
     }
 
     /** Strips that are left beside holes and bays, as these do not care where lanes lie, get lanes of their own. */
@@ -68,7 +74,9 @@ final class CoverageRegion {
             Geometry piece = rest.getGeometryN(i);
             if (piece.getArea() >= LEAST_REST * spacingM * spacingM) {
                 Geometry within = OverlayNGRobust.overlay(piece, drivable, OverlayNG.INTERSECTION);
-                SweepLanes.best(piece, within, spacingM).map(Cell::of).ifPresent(more::addAll);
+                SweepLanes.best(piece, within, spacingM)
+                        .map(lanesOfPiece -> Cell.of(lanesOfPiece, within))
+                        .ifPresent(more::addAll);
             }
         }
         return more;

@@ -1,6 +1,7 @@
 package org.sami.crw.service.coverage;
 
 import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Geometry;
 
 /**
  * One straight stretch of a sweep.
@@ -16,6 +17,15 @@ record Lane(int row, double fromM, double toM, Coordinate start, Coordinate end)
     /** Whether two stretches of neighbouring lines lie side by side. */
     boolean isBeside(Lane other) {
         return fromM < other.toM && other.fromM < toM;
+    }
+
+    /** Whether it lies in a polygon, one of several in one of which it does. */
+    boolean isIn(Geometry polygon, Geometry all) {
+        if (all.getNumGeometries() == 1) {
+            return true;
+        }
+        Geometry middle = all.getFactory().createPoint(new Coordinate((start.x + end.x) / 2, (start.y + end.y) / 2));
+        return polygon.distance(middle) <= all.distance(middle);
     }
 
     double lengthM() {

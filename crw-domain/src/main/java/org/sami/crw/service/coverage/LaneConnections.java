@@ -1,5 +1,6 @@
 package org.sami.crw.service.coverage;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.locationtech.jts.geom.Coordinate;
@@ -7,20 +8,42 @@ import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.prep.PreparedGeometry;
 import org.locationtech.jts.geom.prep.PreparedGeometryFactory;
+import org.locationtech.jts.operation.overlayng.OverlayNG;
+import org.locationtech.jts.operation.overlayng.OverlayNGRobust;
+import org.sami.crw.service.path.PathAnswer;
+import org.sami.crw.service.path.PathProblem;
+import org.sami.crw.service.path.ShortestPath;
 import org.sami.crw.service.path.VisibilityGraph;
+import org.sami.crw.service.water.Areas;
+import org.sami.crw.service.water.Water;
 
-/** Ways between lanes: straight where that enters nothing forbidden, else the shortest. */
+/**
+ * Ways between lanes: straight where that stays in what is drivable, else the shortest there, else the shortest in the area, else the
+ * shortest through what is not forbidden.
+ */
 final class LaneConnections {
     private static final GeometryFactory FACTORY = new GeometryFactory();
+    /** Lanes end on the edge of what is drivable; ways between them may touch it. */
+    private static final double EDGE_M = 0.02;
 
-    private final Geometry forbidden;
+    private final Water water;
+    private final Geometry region;
+    private final Geometry outside;
     private final PreparedGeometry prepared;
-    private Optional<VisibilityGraph> graph = Optional.empty();
+    private Optional<VisibilityGraph> onDrivable = Optional.empty();
+    private Optional<VisibilityGraph> inRegion = Optional.empty();
 
-    /** Ways that stay out of polygons on the plane. */
-    LaneConnections(Geometry forbidden) {
-        this.forbidden = forbidden;
-        prepared = PreparedGeometryFactory.prepare(forbidden);
+    /**
+     * Ways on what is drivable of a region.
+     *
+     * @param drivable polygons on the plane of the water
+     * @param region what they are part of
+     */
+    LaneConnections(Geometry drivable, Geometry region, Water water) {
+        this.water = water;
+        this.region = region;
+        outside = Water.inside(water.plane(), drivable.buffer(EDGE_M)).forbidden();
+        prepared = PreparedGeometryFactory.prepare(outside);
     }
 
     /** The places of the shortest way with both its ends; empty where there is none. */
@@ -28,9 +51,33 @@ final class LaneConnections {
         if (from.equals2D(to) || !prepared.intersects(FACTORY.createLineString(new Coordinate[] {from, to}))) {
             return Optional.of(List.of(from, to));
         }
-        if (graph.isEmpty()) {
-            graph = Optional.of(new VisibilityGraph(forbidden, 0));
+        if (onDrivable.isEmpty()) {
+            onDrivable = Optional.of(new VisibilityGraph(outside, 0));
         }
-        return graph.get().shortest(from, to);
+        return onDrivable.get().shortest(from, to).or(() -> inRegion(from, to)).or(() -> throughWater(from, to));
+    }
+
+    private Optional<List<Coordinate>> inRegion(Coordinate from, Coordinate to) {
+        if (inRegion.isEmpty()) {
+            Geometry beyond = Water.inside(water.plane(), region).forbidden();
+            double leastM = water.error().steeringM();
+            inRegion = Optional.of(new VisibilityGraph(
+                    leastM > 0 && !water.isOpen()
+                            ? OverlayNGRobust.overlay(beyond, water.forbidden().buffer(leastM), OverlayNG.UNION)
+                            : beyond,
+                    0));
+        }
+        return inRegion.get().shortest(from, to);
+    }
+
+    private Optional<List<Coordinate>> throughWater(Coordinate from, Coordinate to) {
+        PathAnswer answer = new ShortestPath()
+                .find(new PathProblem(Areas.point(from, water.plane()), Areas.point(to, water.plane()), water, 1));
+        if (!(answer instanceof PathAnswer.Way way)) {
+            return Optional.empty();
+        }
+        List<Coordinate> places = new ArrayList<>(List.of(from));
+        way.points().forEach(point -> places.add(Areas.coordinate(point, water.plane())));
+        return Optional.of(places);
     }
 }

@@ -1,5 +1,6 @@
 package org.sami.crw.service.coverage;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -8,18 +9,37 @@ import org.locationtech.jts.geom.Geometry;
 /**
  * To and fro in lanes, as one mows a lawn (thesis 6.2). One tour through the whole area is cut into pieces of equal length, one for
  * each boat, so no boat's share lies in another's. The pieces are given out so that the boats' ways to them are least in sum, and
- * each is driven from its nearer end.
+ * each is driven from its nearer end. Where what is not to be entered cuts the area apart, each part has a tour of its own, for the boats that
+ * can get to it; what none can get to is named.
  *
- * <p>Tracks never leave the area and enter none of its holes; where the area is in parts, boats cross from one to the next through
- * what is not forbidden. Lanes end a little before the area's edge, half a metre at most.
+ * <p>Tracks never leave the area and keep off its holes and what is to be avoided by the boats' cross-track error; where the area is in parts,
+ * boats cross from one to the next through what is not forbidden. Lanes end a little before the area's edge, half a metre at most.
  */
 public final class LawnMower implements CoverageAlgorithm {
     @Override
     public Coverage cover(CoverageProblem problem) {
         CoverageRegion lawn = new CoverageRegion(problem);
         Map<String, String> noWay = new LinkedHashMap<>();
-        Map<String, CoverageShare> shares = TrackShares.of(problem, lawn.tour(), lawn.water(), noWay);
+        List<CoveragePart> parts = lawn.parts();
+        Map<String, CoveragePart> partOf = BoatsOfParts.of(problem, parts, noWay);
+        Map<String, CoverageShare> found = new LinkedHashMap<>();
+        List<Coverage.Unreached> unreached = new ArrayList<>();
+        for (CoveragePart part : parts) {
+            List<String> boats = problem.boats().keySet().stream()
+                    .filter(boat -> partOf.get(boat) == part)
+                    .toList();
+            Map<String, CoverageShare> shares = boats.isEmpty()
+                    ? Map.of()
+                    : TrackShares.of(problem.withBoats(boats), part.tour(), lawn.water(), noWay);
+            if (shares.isEmpty()) {
+                unreached.add(new Coverage.Unreached(part.place(), part.areaM2()));
+            }
+            found.putAll(shares);
+        }
+        Map<String, CoverageShare> shares = new LinkedHashMap<>();
+        problem.boats().keySet().stream().filter(found::containsKey).forEach(boat -> shares.put(boat, found.get(boat)));
         Geometry rest = lawn.rest(List.copyOf(shares.values()));
-        return new Coverage(shares, noWay, lawn.areaM2(), rest.getArea(), UncoveredArea.areas(rest, lawn.plane()));
+        return new Coverage(
+                shares, noWay, lawn.areaM2(), rest.getArea(), UncoveredArea.areas(rest, lawn.plane()), unreached);
     }
 }

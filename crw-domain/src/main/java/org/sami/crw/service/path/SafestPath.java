@@ -5,13 +5,11 @@ import org.sami.crw.service.choice.Criterion;
 import org.sami.crw.service.choice.Merit;
 
 /**
- * The shortest of the ways that keep a clearance from what is forbidden. Where none keeps all of it, half of it is tried, and so on
- * down to half a metre; then the shortest way at all. A start or a goal nearer than the clearance is left and reached
- * straight.
+ * The shortest of the ways that keep a clearance from what is forbidden wherever there is room. In gaps that are too narrow it keeps as much
+ * of it as they allow; around them it goes where that is not too long a detour. A start or a goal nearer than the clearance is
+ * left and reached straight.
  */
 public final class SafestPath implements PathAlgorithm {
-    private static final double LEAST_CLEARANCE_M = 0.5;
-
     @Override
     public String name() {
         return "Safest path";
@@ -24,13 +22,7 @@ public final class SafestPath implements PathAlgorithm {
 
     @Override
     public PathAnswer find(PathProblem problem) {
-        WayAround around = new WayAround(problem, name());
-        for (double clearanceM = problem.clearanceM(); clearanceM >= LEAST_CLEARANCE_M; clearanceM /= 2) {
-            PathAnswer answer = around.find(clearanceM);
-            if (answer instanceof PathAnswer.Way) {
-                return answer;
-            }
-        }
-        return around.find(0);
+        double leastM = problem.water().error().marginM();
+        return new WayAround(problem, name()).find(Math.max(leastM, problem.clearanceM()));
     }
 }

@@ -3,8 +3,9 @@ package org.sami.crw.service.path;
 import java.util.Map;
 import org.sami.crw.service.choice.Criterion;
 import org.sami.crw.service.choice.Merit;
+import org.sami.crw.service.water.Water;
 
-/** The shortest way around what is forbidden, passing its corners at a decimetre. */
+/** The shortest way around what is forbidden, passing its corners as near as boats can be held to their ways ({@link Water#error}). */
 public final class ShortestPath implements PathAlgorithm {
     @Override
     public String name() {
@@ -21,6 +22,6 @@ public final class ShortestPath implements PathAlgorithm {
 
     @Override
     public PathAnswer find(PathProblem problem) {
-        return new WayAround(problem, name()).find(0);
+        return new WayAround(problem, name()).find(problem.water().error().marginM());
     }
 }

@@ -6,7 +6,7 @@ import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.choice.Criterion;
 import org.sami.crw.service.choice.Merit;
 
-/** The straight way, where nothing forbidden is on it. One test, so the fastest to compute. */
+/** The straight way, where nothing forbidden is on it or too near for boats to be held off. One test, so the fastest to compute. */
 public final class StraightPath implements PathAlgorithm {
     @Override
     public String name() {
@@ -21,8 +21,8 @@ public final class StraightPath implements PathAlgorithm {
     @Override
     public PathAnswer find(PathProblem problem) {
         double clearanceM = problem.water().clearanceM(List.of(problem.from(), problem.to()));
-        if (clearanceM <= 0) {
-            return new PathAnswer.NoWay("the straight way leads through what is forbidden", 1);
+        if (clearanceM <= problem.water().error().steeringM()) {
+            return new PathAnswer.NoWay("the straight way leads through what is forbidden, or past it too near", 1);
         }
         double lengthM = Geodesy.distanceM(problem.from(), problem.to());
         return new PathAnswer.Way(List.of(problem.to()), lengthM, clearanceM, name(), 1);

@@ -32,6 +32,12 @@ public final class VisibilityGraph {
     /** Corners stand off what is blocked by this, in metres. */
     static final double STAND_OFF_M = 0.1;
 
+    /** Slivers narrower than this, in metres, are roundings of corners and no gaps. */
+    private static final double LEAST_GAP_M = 0.05;
+
+    /** At so little clearance, in metres, a corner is passed with one turn, not in a circle. */
+    private static final double MOST_CORNER_M = 1;
+
     private static final int QUADRANT_SEGMENTS = 4;
     /** A circle's polygon of that many segments lies inside the circle, by this factor where it is nearest. */
     private static final double INSIDE = Math.cos(Math.PI / 4 / QUADRANT_SEGMENTS);
@@ -54,10 +60,19 @@ public final class VisibilityGraph {
      * @param clearanceM least distance that ways keep from them; zero = they pass close by
      */
     public VisibilityGraph(Geometry forbidden, double clearanceM) {
-        blocked = clearanceM > 0 ? forbidden.buffer(clearanceM / INSIDE, QUADRANT_SEGMENTS) : forbidden;
-        around = clearanceM > 0
-                ? forbidden.buffer(clearanceM / INSIDE / INSIDE + STAND_OFF_M, QUADRANT_SEGMENTS)
-                : BufferOp.bufferOp(forbidden, STAND_OFF_M, mitred());
+        this(around(forbidden, clearanceM), corners(forbidden, clearanceM));
+    }
+
+    /** What ways turn at: corners of what is blocked where it is near, circles about them where ways keep far off. */
+    private static Geometry corners(Geometry forbidden, double clearanceM) {
+        return clearanceM <= MOST_CORNER_M
+                ? BufferOp.bufferOp(forbidden, clearanceM / INSIDE + STAND_OFF_M, mitred())
+                : forbidden.buffer(clearanceM / INSIDE / INSIDE + STAND_OFF_M, QUADRANT_SEGMENTS);
+    }
+
+    private VisibilityGraph(Geometry blocked, Geometry around) {
+        this.blocked = blocked;
+        this.around = around;
         prepared = PreparedGeometryFactory.prepare(blocked);
         for (int i = 0; i < around.getNumGeometries(); i++) {
             Polygon polygon = (Polygon) around.getGeometryN(i);
@@ -66,6 +81,31 @@ public final class VisibilityGraph {
                 addRing(polygon.getInteriorRingN(hole), false);
             }
         }
+    }
+
+    /**
+     * A graph whose ways keep a clearance wherever there is room for it, and less of it in the gaps that are too narrow: the gaps are what
+     * is left between polygons grown by the clearance and shrunk again.
+     *
+     * @param gapM what ways keep in the gaps, less than the clearance
+     */
+    static VisibilityGraph withGaps(Geometry forbidden, double clearanceM, double gapM) {
+        Geometry wide = around(forbidden, clearanceM);
+        Geometry tight = around(forbidden, gapM);
+        double stepM = clearanceM - gapM;
+        Geometry gaps = wide.buffer(-stepM, QUADRANT_SEGMENTS)
+                .difference(around(forbidden, gapM + LEAST_GAP_M))
+                .buffer(-LEAST_GAP_M);
+        if (gaps.isEmpty()) {
+            return new VisibilityGraph(forbidden, clearanceM);
+        }
+        Geometry open = gaps.buffer(stepM + 2 * LEAST_GAP_M + STAND_OFF_M, QUADRANT_SEGMENTS);
+        Geometry blocked = wide.difference(open).union(tight);
+        return new VisibilityGraph(blocked, blocked.buffer(STAND_OFF_M, QUADRANT_SEGMENTS));
+    }
+
+    private static Geometry around(Geometry forbidden, double clearanceM) {
+        return clearanceM > 0 ? forbidden.buffer(clearanceM / INSIDE, QUADRANT_SEGMENTS) : forbidden;
     }
 
     private static BufferParameters mitred() {

@@ -2,6 +2,7 @@ package org.sami.crw.service.path;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.locationtech.jts.geom.Coordinate;
 import org.sami.crw.service.Geodesy;
@@ -9,8 +10,15 @@ import org.sami.crw.service.water.Areas;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
 
-/** Finds the shortest way for a problem that keeps a clearance. */
+/**
+ * Finds the shortest way for a problem that keeps a clearance where there is room. In gaps that are too narrow it keeps as much of it as
+ * they allow, and never less than the boats' steering needs; a gap is taken where keeping all of the clearance costs more than the
+ * problem's detour.
+ */
 final class WayAround {
+    /** What of the clearance is tried in gaps, the most first. */
+    private static final double[] PARTS = {0.9, 0.75, 0.5, 0.25, 0.1};
+
     private final PathProblem problem;
     private final Water water;
     private final String method;
@@ -30,7 +38,25 @@ final class WayAround {
         if (forbidden.isPresent()) {
             return new PathAnswer.NoWay(forbidden.get(), tested);
         }
-        VisibilityGraph graph = new VisibilityGraph(water.forbidden(), clearanceM);
+        double leastM = water.error().steeringM();
+        PathAnswer shortest = find(new VisibilityGraph(water.forbidden(), leastM));
+        if (clearanceM <= leastM || !(shortest instanceof PathAnswer.Way tight)) {
+            return shortest;
+        }
+        double longestM = problem.detour() * tight.lengthM();
+        PathAnswer kept = find(new VisibilityGraph(water.forbidden(), clearanceM));
+        for (int i = 0; !isWorth(kept, longestM) && i < PARTS.length; i++) {
+            double gapM = Math.max(leastM, PARTS[i] * clearanceM);
+            kept = find(VisibilityGraph.withGaps(water.forbidden(), clearanceM, gapM));
+        }
+        return isWorth(kept, longestM) ? kept : shortest;
+    }
+
+    private static boolean isWorth(PathAnswer answer, double longestM) {
+        return answer instanceof PathAnswer.Way way && way.lengthM() <= longestM;
+    }
+
+    private PathAnswer find(VisibilityGraph graph) {
         List<Coordinate> out = leave(problem.from(), graph);
         List<Coordinate> in = leave(problem.to(), graph);
         Optional<List<Coordinate>> between = out.isEmpty() || in.isEmpty()
@@ -38,8 +64,16 @@ final class WayAround {
                 : graph.shortest(out.get(out.size() - 1), in.get(in.size() - 1));
         tested += graph.tested();
         return between.map(way -> way(joined(out, way, in)))
-                .orElseGet(() ->
-                        new PathAnswer.NoWay("what is forbidden lies all the way between start and goal", tested));
+                .orElseGet(() -> new PathAnswer.NoWay(
+                        "what is forbidden lies all the way between start and goal" + room(), tested));
+    }
+
+    private String room() {
+        double leastM = water.error().steeringM();
+        return leastM == 0
+                ? ""
+                : String.format(
+                        Locale.ROOT, ", or leaves gaps of less than %.1f m, in which boats cannot steer", 2 * leastM);
     }
 
     private Optional<String> forbiddenEnd() {

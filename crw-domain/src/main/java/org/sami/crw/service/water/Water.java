@@ -25,10 +25,22 @@ public final class Water {
 
     private final LocalPlane plane;
     private final Geometry forbidden;
+    private final CrossTrackError error;
 
-    private Water(LocalPlane plane, Geometry forbidden) {
+    private Water(LocalPlane plane, Geometry forbidden, CrossTrackError error) {
         this.plane = plane;
         this.forbidden = forbidden;
+        this.error = error;
+    }
+
+    /** The same water, for boats that are so far beside their ways. */
+    public Water drivenWith(CrossTrackError other) {
+        return new Water(plane, forbidden, other);
+    }
+
+    /** How far boats here may be beside their ways; nothing unless it was said. */
+    public CrossTrackError error() {
+        return error;
     }
 
     /** Water without anything in it. */
@@ -51,12 +63,12 @@ public final class Water {
         }
         Optional<Geometry> inside = within.map(area -> Areas.polygon(area, plane, "The area to stay in"));
         inside.ifPresent(polygon -> parts.add(outside(polygon)));
-        return new Water(plane, union(parts));
+        return new Water(plane, union(parts), CrossTrackError.NONE);
     }
 
     /** The water of a polygon on a plane. */
     public static Water inside(LocalPlane plane, Geometry polygon) {
-        return new Water(plane, outside(polygon));
+        return new Water(plane, outside(polygon), CrossTrackError.NONE);
     }
 
     private static Geometry outside(Geometry polygon) {
@@ -76,7 +88,7 @@ public final class Water {
      * @param depthM in metres, from 0
      */
     public Water shrunk(double depthM) {
-        return new Water(plane, forbidden.buffer(-depthM));
+        return new Water(plane, forbidden.buffer(-depthM), error);
     }
 
     /** The plane of all geometries here. */

@@ -31,6 +31,31 @@ class LawnMowerTest {
         assertThat(coverage.shares().get("boat-1").track()).hasSize(12);
     }
 
+    @Test
+    void anAreaThatIsCutInTwoIsCoveredByTheBoatsOnEachSideAndWhatNobodyReachesIsNamed() {
+        GeoArea area = box(0, 0, 100, 60);
+        GeoArea wall = box(0, 0, 4, 120);
+        Optional<GeoArea> bay = Optional.of(box(0, 0, 120, 80));
+        Map<String, Optional<GeoPoint>> both = new LinkedHashMap<>();
+        both.put("west", Optional.of(at(-55, 5)));
+        both.put("east", Optional.of(at(55, 20)));
+
+        Coverage together = lawnMower.cover(new CoverageProblem(both, area, 10, List.of(wall), bay));
+        Coverage alone = lawnMower.cover(
+                new CoverageProblem(Map.of("west", Optional.of(at(-55, 5))), area, 10, List.of(wall), bay));
+
+        assertThat(together.noWay()).isEmpty();
+        assertThat(together.shares()).containsOnlyKeys("west", "east");
+        assertThat(together.unreached()).isEmpty();
+        assertThat(together.uncoveredM2()).isLessThan(10);
+        assertThat(alone.shares()).containsOnlyKeys("west");
+        assertThat(alone.unreached()).singleElement().satisfies(part -> {
+            assertThat(part.areaM2()).isCloseTo(48 * 60, within(120.0));
+            assertThat(part.near().lonDeg()).isGreaterThan(at(0, 0).lonDeg());
+        });
+        assertThat(alone.words()).contains("no boat can reach");
+    }
+
     /** Every point that no track comes near is in the reported rest, which is no larger than that; no track leaves the area. */
     @Test
     void whatNoTrackComesNearIsReportedAndNoTrackLeavesTheArea() {

@@ -95,6 +95,27 @@ class PathsTest {
         assertThat(clearance(channel)).isBetween(2.4, 3.0);
     }
 
+    /** The walls end 400 m away: around them the way is more than twice as long. */
+    @Test
+    void aGapThatIsALittleTooNarrowIsTakenAndTheClearanceKeptElsewhere() {
+        List<GeoArea> walls = List.of(wall(3, 400), wall(-400, -3));
+        GeoArea rock = box(-175, 10, 8);
+        Water water = Water.of(AreaOfTest.CENTRE, List.of(walls.get(0), walls.get(1), rock), Optional.empty());
+        PathProblem problem = new PathProblem(WEST, EAST, water, 3.1);
+
+        PathAnswer.Way way = (PathAnswer.Way) new SafestPath().find(problem);
+        PathAnswer.Way around = (PathAnswer.Way) new SafestPath().find(new PathProblem(WEST, EAST, water, 3.1, 3));
+
+        assertThat(way.lengthM()).isLessThan(410);
+        assertThat(way.clearanceM()).isGreaterThan(2.7);
+        List<GeoPoint> whole = new ArrayList<>(List.of(WEST));
+        whole.addAll(way.points());
+        assertThat(Water.of(AreaOfTest.CENTRE, List.of(rock), Optional.empty()).clearanceM(whole))
+                .isGreaterThanOrEqualTo(3.1);
+        assertThat(around.clearanceM()).isGreaterThanOrEqualTo(3.1);
+        assertThat(around.lengthM()).isGreaterThan(800);
+    }
+
     private static double clearance(Water water) {
         return ((PathAnswer.Way) new SafestPath().find(new PathProblem(WEST, EAST, water, 20))).clearanceM();
     }

@@ -13,25 +13,38 @@ import picocli.CommandLine.TypeConversionException;
 /** The options that say what the simulated water is like, and what boats measure in it. */
 final class ConditionsOptions {
     @Option(
+            names = "--conditions",
+            paramLabel = "NAME",
+            description =
+                    "What the water and the instruments are like: calm, field (a lake on an ordinary day, noise as "
+                            + "measured), rough; the options below change single things of it (default: calm).")
+    private NamedConditions named = NamedConditions.calm;
+
+    @Option(
             names = "--gps-noise",
             paramLabel = "METRES",
-            defaultValue = "0",
-            description = "Standard deviation of the position that a boat knows, 0 to 100 (default ${DEFAULT-VALUE}).")
-    private double gpsNoiseM;
+            description =
+                    "Standard deviation of the position that a boat knows, 0 to 100 (default: that of --conditions).")
+    private Double gpsNoiseM;
+
+    @Option(
+            names = "--gps-jumps",
+            paramLabel = "METRES",
+            description = "How far that position jumps at most, every half minute or so, 0 to 100 (default: likewise).")
+    private Double gpsJumpM;
 
     @Option(
             names = "--compass-noise",
             paramLabel = "DEGREES",
-            defaultValue = "0",
-            description = "Standard deviation of the heading that a boat knows, 0 to 90 (default ${DEFAULT-VALUE}).")
-    private double compassNoiseDeg;
+            description = "Standard deviation of the heading that a boat knows, 0 to 90 (default: likewise).")
+    private Double compassNoiseDeg;
 
     @Option(
             names = "--current",
             paramLabel = "MPS@DEG",
             converter = Flows.class,
-            description = "How fast the water flows, and where to: 0.3@90 is 0.3 m/s eastward (default: not at all).")
-    private Flow current = Flow.NONE;
+            description = "How fast the water flows, and where to: 0.3@90 is 0.3 m/s eastward (default: likewise).")
+    private Flow current;
 
     @Option(
             names = "--wind",
@@ -39,8 +52,8 @@ final class ConditionsOptions {
             converter = Flows.class,
             description =
                     "How fast the wind blows, and where from: 5@270 is 5 m/s from the west, in gusts; it pushes a "
-                            + "hull with 3 %% of its speed (default: not at all).")
-    private Flow wind = Flow.NONE;
+                            + "hull with 3 %% of its speed (default: likewise).")
+    private Flow wind;
 
     @Option(
             names = "--sensor",
@@ -67,7 +80,28 @@ final class ConditionsOptions {
      * @throws IllegalArgumentException if it makes no sense
      */
     Conditions conditions() {
-        return new Conditions(gpsNoiseM, compassNoiseDeg, current, wind, sensors, dischargeIntervalS);
+        Conditions all = named.conditions;
+        return new Conditions(
+                gpsNoiseM == null ? all.gpsNoiseM() : gpsNoiseM,
+                gpsJumpM == null ? all.gpsJumpM() : gpsJumpM,
+                compassNoiseDeg == null ? all.compassNoiseDeg() : compassNoiseDeg,
+                current == null ? all.current() : current,
+                wind == null ? all.wind() : wind,
+                sensors,
+                dischargeIntervalS);
+    }
+
+    /** The conditions that have a name; picocli prints and reads the constants as they are written. */
+    private enum NamedConditions {
+        calm(Conditions.CALM),
+        field(Conditions.FIELD),
+        rough(Conditions.ROUGH);
+
+        private final Conditions conditions;
+
+        NamedConditions(Conditions conditions) {
+            this.conditions = conditions;
+        }
     }
 
     private static <T> T read(Function<String, T> reader, String text) {

@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
  * What makes simulated water less than ideal, and what boats measure in it; the same for all boats of a run.
  *
  * @param gpsNoiseM standard deviation of the position that a boat knows, east and north each, in metres
+ * @param gpsJumpM how far that position jumps at most, now and then; the jump fades as the noise does
  * @param compassNoiseDeg standard deviation of the heading that a boat knows, in degrees
  * @param current how the water flows; its direction is the one it flows to
  * @param wind how the wind blows; its direction is the one it comes from
@@ -20,6 +21,7 @@ import java.util.stream.Collectors;
  */
 public record Conditions(
         double gpsNoiseM,
+        double gpsJumpM,
         double compassNoiseDeg,
         Flow current,
         Flow wind,
@@ -40,21 +42,45 @@ public record Conditions(
     /** Still water, exact instruments, no sensors. */
     public static final Conditions CALM = new Conditions(0, 0, Flow.NONE, Flow.NONE, List.of());
 
+    /**
+     * A lake on an ordinary day: position as in the logs of the boats of 2013 to 2015 (1.4 m along each axis, jumps to 2.1 m), the compass of
+     * a phone, a light current and breeze.
+     */
+    public static final Conditions FIELD = new Conditions(
+            1.4, 2.1, 4, Flow.parse("0.15@90"), Flow.parse("3@270"), List.of(), USUAL_DISCHARGE_INTERVAL_S);
+
+    /** About the worst in which a boat of 3 m/s is still sent out: a receiver under trees, a river, a fresh wind. */
+    public static final Conditions ROUGH =
+            new Conditions(2.5, 4, 8, Flow.parse("0.4@60"), Flow.parse("7@300"), List.of(), USUAL_DISCHARGE_INTERVAL_S);
+
     private static final String GPS = "gpsNoiseM";
+    private static final String GPS_JUMP = "gpsJumpM";
     private static final String COMPASS = "compassNoiseDeg";
     private static final String CURRENT = "current";
     private static final String WIND = "wind";
     private static final String SENSORS = "sensors";
     private static final String DISCHARGE_INTERVAL = "dischargeIntervalS";
 
-    /** Conditions under which a battery is drawn on as usual. */
+    /** Conditions under which positions do not jump and a battery is drawn on as usual. */
     public Conditions(double gpsNoiseM, double compassNoiseDeg, Flow current, Flow wind, List<SensorSetting> sensors) {
-        this(gpsNoiseM, compassNoiseDeg, current, wind, sensors, USUAL_DISCHARGE_INTERVAL_S);
+        this(gpsNoiseM, 0, compassNoiseDeg, current, wind, sensors, USUAL_DISCHARGE_INTERVAL_S);
+    }
+
+    /** Conditions under which positions do not jump. */
+    public Conditions(
+            double gpsNoiseM,
+            double compassNoiseDeg,
+            Flow current,
+            Flow wind,
+            List<SensorSetting> sensors,
+            double dischargeIntervalS) {
+        this(gpsNoiseM, 0, compassNoiseDeg, current, wind, sensors, dischargeIntervalS);
     }
 
     /** Refuses noise without bounds and two sensors of a kind. */
     public Conditions {
         within("the GPS noise in metres", gpsNoiseM, MOST_GPS_NOISE_M);
+        within("the GPS jumps in metres", gpsJumpM, MOST_GPS_NOISE_M);
         within("the compass noise in degrees", compassNoiseDeg, MOST_COMPASS_NOISE_DEG);
         within("the discharge interval in seconds", dischargeIntervalS, LONGEST_DISCHARGE_INTERVAL_S);
         Objects.requireNonNull(current, "current");
@@ -71,11 +97,19 @@ public record Conditions(
         }
     }
 
+    /** The same water, in which boats measure something. */
+    public Conditions measuring(List<SensorSetting> others) {
+        return new Conditions(gpsNoiseM, gpsJumpM, compassNoiseDeg, current, wind, others, dischargeIntervalS);
+    }
+
     /** As text by name, for the header of a journal; what is as in calm water is left out. */
     public Map<String, String> toMap() {
         Map<String, String> map = new TreeMap<>();
         if (gpsNoiseM != 0) {
             map.put(GPS, String.valueOf(gpsNoiseM));
+        }
+        if (gpsJumpM != 0) {
+            map.put(GPS_JUMP, String.valueOf(gpsJumpM));
         }
         if (compassNoiseDeg != 0) {
             map.put(COMPASS, String.valueOf(compassNoiseDeg));
@@ -103,6 +137,7 @@ public record Conditions(
     public static Conditions fromMap(Map<String, String> map) {
         return new Conditions(
                 read(map, GPS, Double::parseDouble, 0.0),
+                read(map, GPS_JUMP, Double::parseDouble, 0.0),
                 read(map, COMPASS, Double::parseDouble, 0.0),
                 read(map, CURRENT, Flow::parse, Flow.NONE),
                 read(map, WIND, Flow::parse, Flow.NONE),

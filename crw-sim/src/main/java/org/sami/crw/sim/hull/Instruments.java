@@ -13,12 +13,14 @@ import org.sami.boat.server.Vehicle;
  */
 public final class Instruments implements Vehicle {
     private static final double GPS_S = 20; // a receiver filters: its error is nearly the same a second later
+    private static final long JUMP_SEED = 0x6a756d70L; // drawn apart, so that what does not jump is as it always was
     private static final double COMPASS_S = 2; // waves
 
     private final SimulatedHull hull;
     private final GaussMarkovError eastM;
     private final GaussMarkovError northM;
     private final GaussMarkovError headingRad;
+    private final JumpingError jump;
     private final boolean exactGps;
     private final List<Sensor> sensors = new ArrayList<>();
     private double trueLatDeg = Double.NaN; // where the hull was when the next two were computed
@@ -35,13 +37,14 @@ public final class Instruments implements Vehicle {
     public Instruments(SimulatedHull hull, Conditions conditions, long seed, long fieldSeed) {
         this.hull = hull;
         SplittableRandom seeds = new SplittableRandom(seed);
-        exactGps = conditions.gpsNoiseM() == 0;
+        exactGps = conditions.gpsNoiseM() == 0 && conditions.gpsJumpM() == 0;
         eastM = new GaussMarkovError(conditions.gpsNoiseM(), GPS_S, seeds.split());
         northM = new GaussMarkovError(conditions.gpsNoiseM(), GPS_S, seeds.split());
         headingRad = new GaussMarkovError(Math.toRadians(conditions.compassNoiseDeg()), COMPASS_S, seeds.split());
         for (SensorSetting setting : conditions.sensors()) {
             sensors.add(new FieldSensor(setting, hull, fieldSeed, seeds.split()));
         }
+        jump = new JumpingError(conditions.gpsJumpM(), GPS_S, new SplittableRandom(seed ^ JUMP_SEED));
     }
 
     /** Lets time pass for the errors; the hull's own time passes elsewhere. */
@@ -50,6 +53,7 @@ public final class Instruments implements Vehicle {
         northM.step(seconds);
         headingRad.step(seconds);
         trueLatDeg = Double.NaN;
+        jump.step(seconds);
     }
 
     @Override
@@ -75,8 +79,9 @@ public final class Instruments implements Vehicle {
             trueLatDeg = hull.latDeg();
             trueLonDeg = hull.lonDeg();
             LocalFrame plane = new LocalFrame(trueLatDeg, trueLonDeg);
-            shownLatDeg = plane.latDeg(eastM.value(), northM.value());
-            shownLonDeg = plane.lonDegOn(shownLatDeg, eastM.value());
+            double offEastM = eastM.value() + jump.eastM();
+            shownLatDeg = plane.latDeg(offEastM, northM.value() + jump.northM());
+            shownLonDeg = plane.lonDegOn(shownLatDeg, offEastM);
         }
     }
 

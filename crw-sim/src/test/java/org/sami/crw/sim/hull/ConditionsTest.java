@@ -109,6 +109,38 @@ class ConditionsTest {
     }
 
     @Test
+    void positionsJumpNowAndThenAndComeBack() {
+        SimulatedHull hull = hull(Conditions.CALM, 1);
+        Conditions jumping =
+                new Conditions(0, 2.1, 0, Flow.NONE, Flow.NONE, List.of(), Conditions.USUAL_DISCHARGE_INTERVAL_S);
+        Instruments instruments = new Instruments(hull, jumping, 3, 1);
+        int jumps = 0;
+        double farthestM = 0;
+        double beforeM = 0;
+        for (int i = 0; i < 100_000; i++) {
+            instruments.step(0.1);
+            double offM = FRAME.distanceM(instruments.latDeg(), instruments.lonDeg());
+            jumps += offM > beforeM + 0.3 ? 1 : 0;
+            farthestM = Math.max(farthestM, offM);
+            beforeM = offM;
+        }
+
+        assertThat(jumps).as("in 10,000 s").isBetween(150, 330);
+        assertThat(farthestM).isBetween(1.9, 2.1);
+        assertThat(hull.northM()).as("the truth stays").isZero();
+    }
+
+    @Test
+    void conditionsHaveNames() {
+        assertThat(Conditions.FIELD.toMap())
+                .containsEntry("gpsNoiseM", "1.4")
+                .containsEntry("gpsJumpM", "2.1")
+                .containsEntry("compassNoiseDeg", "4.0");
+        assertThat(Conditions.fromMap(Conditions.FIELD.toMap())).isEqualTo(Conditions.FIELD);
+        assertThat(Conditions.fromMap(Conditions.ROUGH.toMap())).isEqualTo(Conditions.ROUGH);
+    }
+
+    @Test
     void exactInstrumentsKnowTheTruthToTheLastBit() {
         SimulatedHull hull = hull(Conditions.CALM, 1);
         Instruments instruments = new Instruments(hull, Conditions.CALM, 3, 1);
