@@ -3,7 +3,6 @@ package org.sami.crw.gui.mission;
 import java.awt.BorderLayout;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -101,7 +100,7 @@ public final class PlansPanel extends JPanel {
             String offered = loaded.plan(SessionOpener.OFFERED_PLAN).isPresent()
                     ? SessionOpener.OFFERED_PLAN
                     : loaded.plans().get(0).id();
-            table.selectKeys(Set.of(offered));
+            table.offer(offered);
             context.commands().refresh();
         }
     }
