@@ -100,7 +100,8 @@ final class WindowInMemory {
             }
             tabs.setSelectedIndex(next);
             any = seen.add(key(tabs, next));
-            return tabs.getComponentAt(next) instanceof Container page && bringToFront(page, seen) || any;
+            boolean inner = tabs.getComponentAt(next) instanceof Container page && bringToFront(page, seen);
+            return inner || any;
         }
         for (Component child : container.getComponents()) {
             if (child instanceof Container inner) {
@@ -112,7 +113,7 @@ final class WindowInMemory {
 
     private static boolean hasUnseen(JTabbedPane tabs, int index, Set<String> seen) {
         return !seen.contains(key(tabs, index))
-                || tabs.getComponentAt(index) instanceof Container page && hasUnseen(page, seen);
+                || (tabs.getComponentAt(index) instanceof Container page && hasUnseen(page, seen));
     }
 
     private static boolean hasUnseen(Container container, Set<String> seen) {
