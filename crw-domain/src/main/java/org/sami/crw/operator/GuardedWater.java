@@ -54,7 +54,8 @@ final class GuardedWater {
             return Optional.empty();
         }
         GeoPoint next = points.get(entry.visited());
-        boolean forbidden = ofPaths.allows(List.of(position.get())) && !ofPaths.allows(List.of(position.get(), next));
+        boolean forbidden = // the way begins where the boat seems to be
+                ofPositions.allows(List.of(position.get())) && !ofPositions.allows(List.of(position.get(), next));
         return forbidden ? Optional.of(next) : Optional.empty();
     }
 
