@@ -36,6 +36,7 @@ import org.sami.ui.look.Theme;
 @TestInstance(Lifecycle.PER_CLASS)
 class WindowTextTest {
     private static final List<String> NAMES = List.of("anna", "bert", "carl", "dora", "emil");
+    private static final List<Priority> PRIORITIES = List.of(Priority.values());
     private static final List<Dimension> SIZES = List.of(new Dimension(1280, 800), new Dimension(1600, 1000));
 
     private final CompletableFuture<Integer> ended = new CompletableFuture<>();
@@ -72,7 +73,7 @@ class WindowTextTest {
                 0,
                 number * 1000L,
                 OperatorMessage.Source.PLAN,
-                Priority.values()[number % Priority.values().length],
+                PRIORITIES.get(number % PRIORITIES.size()),
                 "Exploring " + (number + 1) * 500 + " m² in " + (number + 1) * 10 + " m of track, for 5 boats",
                 List.of("anna"),
                 "");
