@@ -41,7 +41,6 @@ public final class RowTable<R> extends JScrollPane {
     private final List<Runnable> selectionListeners = new ArrayList<>();
     private List<R> rows = List.of();
     private boolean replacing;
-    private boolean offered;
 
     /**
      * An empty table.
@@ -64,7 +63,6 @@ public final class RowTable<R> extends JScrollPane {
         table.putClientProperty("terminateEditOnFocusLost", true);
         table.getSelectionModel().addListSelectionListener(e -> {
             if (!replacing && !e.getValueIsAdjusting()) {
-                offered = false;
                 selectionListeners.forEach(Runnable::run);
             }
         });
@@ -130,20 +128,6 @@ public final class RowTable<R> extends JScrollPane {
         replacing = true;
         select(keys);
         replacing = false;
-    }
-
-    /** Selects what a key is about, for the user to go on with: it is in sight until the user selects something. Listeners are not told. */
-    public void offer(Object key) {
-        selectKeys(Set.of(key));
-        offered = true;
-        revealOffered();
-    }
-
-    private void revealOffered() {
-        int row = table.getSelectedRow();
-        if (offered && row >= 0 && table.getHeight() > 0) {
-            table.scrollRectToVisible(table.getCellRect(row, 0, true));
-        }
     }
 
     /** The selected row, if one is; of several the first. */
@@ -244,7 +228,6 @@ public final class RowTable<R> extends JScrollPane {
             hint.setSize(width, Short.MAX_VALUE);
             int height = hint.getPreferredSize().height;
             hint.setBounds(inset, Math.max(Look.px(Spacing.NORMAL), (getHeight() - height) / 2), width, height);
-            revealOffered();
         }
 
         @Override

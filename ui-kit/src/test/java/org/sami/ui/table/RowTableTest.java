@@ -2,11 +2,9 @@ package org.sami.ui.table;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.Rectangle;
 import java.util.Collections;
 import java.util.List;
 import java.util.Set;
-import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
@@ -47,22 +45,6 @@ class RowTableTest {
         table.table().setRowSelectionInterval(0, 0);
         assertThat(told[0]).isPositive();
         assertThat(table.table().getValueAt(0, 1)).isEqualTo("1 m");
-    }
-
-    @Test
-    void whatIsOfferedIsInSightWhateverTheTablesSize() {
-        table.show(IntStream.range(0, 12).mapToObj(i -> new Row("row " + i, i)).toList());
-
-        table.offer("row 8");
-
-        for (int height : new int[] {400, 150, 220}) {
-            Layout.layOut(table, 300, height);
-            Rectangle row = table.table().getCellRect(8, 0, true);
-            assertThat(table.getViewport().getViewRect().contains(row))
-                    .as("%s is in sight at a height of %d", row, height)
-                    .isTrue();
-        }
-        assertThat(table.selected()).contains(new Row("row 8", 8));
     }
 
     @Test

@@ -3,6 +3,7 @@ package org.sami.crw.gui.mission;
 import java.awt.BorderLayout;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -100,7 +101,7 @@ public final class PlansPanel extends JPanel {
             String offered = loaded.plan(SessionOpener.OFFERED_PLAN).isPresent()
                     ? SessionOpener.OFFERED_PLAN
                     : loaded.plans().get(0).id();
-            table.offer(offered);
+            table.selectKeys(Set.of(offered));
             context.commands().refresh();
         }
     }
