@@ -45,7 +45,7 @@ public final class ServerSession {
 
     /** Takes one whole frame from the client. What cannot be read is counted and, where it names a command, refused. */
     public void receive(byte[] frame, long nowMs) {
-        if (isDeaf()) {
+        if (takesNothing()) {
             return;
         }
         try {
@@ -62,14 +62,14 @@ public final class ServerSession {
 
     /** Takes a frame from a client whose link carries no bytes. */
     public void receive(Frame frame, long nowMs) {
-        if (!isDeaf()) {
+        if (!takesNothing()) {
             server.received(this, frame, nowMs);
             lastReceivedMs = nowMs;
         }
     }
 
     /** Whether the boat takes nothing more from this client. */
-    private boolean isDeaf() {
+    private boolean takesNothing() {
         return !open || dismissal.isPresent();
     }
 
