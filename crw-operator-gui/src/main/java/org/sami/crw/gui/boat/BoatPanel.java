@@ -12,7 +12,6 @@ import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.gui.value.WidthTrackingPanel;
 import org.sami.crw.operator.BoatSnapshot;
 import org.sami.crw.proxy.BoatTuning;
 import org.sami.ui.command.CommandButton;
@@ -22,6 +21,7 @@ import org.sami.ui.look.Look;
 import org.sami.ui.look.MarkIcon;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
+import org.sami.ui.look.WidthTrackingPanel;
 
 /**
  * The selected boat: why it moves or not, its command queue, what is to be so before it is launched, driving by hand, its settings, and what

@@ -15,7 +15,6 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
-import org.sami.crw.gui.value.WidthTrackingPanel;
 import org.sami.crw.markup.Attention;
 import org.sami.crw.operator.PendingDecision;
 import org.sami.crw.session.RefusedException;
@@ -26,6 +25,7 @@ import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.WidthTrackingPanel;
 import org.sami.ui.value.ValueEditors;
 import org.sami.ui.value.WrappedText;
 

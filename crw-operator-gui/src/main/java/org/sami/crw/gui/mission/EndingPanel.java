@@ -10,11 +10,11 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
-import org.sami.crw.gui.value.WidthTrackingPanel;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.WidthTrackingPanel;
 import org.sami.ui.value.WrappedText;
 
 /** Says what an abort or a completion will do, in place, and has it done or left. Not seen while nothing is proposed. */

@@ -1,4 +1,4 @@
-package org.sami.crw.gui.value;
+package org.sami.ui.look;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -8,7 +8,6 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.Scrollable;
-import org.sami.ui.look.Look;
 
 /** Scrolls what is in it upwards and downwards only: it is as wide as the pane, and as high as long as what is in it can be. */
 public final class WidthTrackingPanel extends JPanel implements Scrollable {
