@@ -162,8 +162,8 @@ class SpoiltEngineTest {
                         "R-RET-1",
                         "a return value is told to nobody",
                         "SubMissions.java",
-                        "if (input.checks(r.value)) {",
-                        "if (!input.checks(r.value)) {"),
+                        "if (input.checks(r.value, r.instance.plan())) {",
+                        "if (!input.checks(r.value, r.instance.plan())) {"),
                 arguments(
                         "R-FIRE-2",
                         "the value of a return that was used is checked",

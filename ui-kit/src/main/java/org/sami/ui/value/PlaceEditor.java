@@ -87,7 +87,12 @@ final class PlaceEditor extends ValueEditor {
 
     private void typed() {
         if (!following) {
-            text.entry().value().ifPresent(value -> follow(() -> sketch.show(value)));
+            Entry entry = text.entry();
+            if (entry instanceof Entry.Given given) {
+                follow(() -> sketch.show(given.given()));
+            } else if (entry instanceof Entry.Missing missing && !missing.wrong()) {
+                follow(sketch::clear);
+            }
             drawn = sketch.points();
             changed();
         }

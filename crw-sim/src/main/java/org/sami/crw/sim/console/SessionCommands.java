@@ -55,7 +55,7 @@ final class SessionCommands {
                         this::load),
                 ConsoleCommand.of(
                         "wait decision|ended|tasks|boats N|SECONDS [within SECONDS]",
-                        "Waits until something is asked, no mission runs, boats have tasks, N boats are linked, or for a time.",
+                        "Waits until something is asked, no mission runs, boats have tasks, N boats are linked and tell where they are, or for a time.",
                         this::await,
                         words -> words.size() > 1 ? List.of("within") : List.of("decision", "ended", "tasks", "boats")),
                 ConsoleCommand.of(
@@ -153,7 +153,7 @@ final class SessionCommands {
             case "ended" -> this::noMissionRuns;
             case "tasks" ->
                 () -> !context.models().allocation().snapshot().queues().isEmpty();
-            case "boats" -> () -> linked() >= count;
+            case "boats" -> () -> ready() >= count;
             default -> null;
         };
         if (wanted == null) {
@@ -181,9 +181,9 @@ final class SessionCommands {
         return !missions.missions().isEmpty() && missions.missions().stream().allMatch(MissionSnapshot::hasEnded);
     }
 
-    private long linked() {
+    private long ready() {
         return context.models().fleet().snapshot().stream()
-                .filter(boat -> boat.link() == LinkState.LINKED)
+                .filter(boat -> boat.link() == LinkState.LINKED && boat.pose().isPresent())
                 .count();
     }
 

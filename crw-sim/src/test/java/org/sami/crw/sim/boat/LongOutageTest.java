@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -55,6 +57,11 @@ class LongOutageTest {
             base.submit(name, TcpTestFleet.path("m1-" + name, 1));
         }
         names.forEach(name -> base.awaitMode(name, BoatMode.PATH));
+        // On a machine that stands still for a second a list goes out again before the outage.
+        Map<String, Long> uploaded = new HashMap<>();
+        for (String name : names) {
+            uploaded.put(name, fleet.executed(name, "upload"));
+        }
 
         routers.forEach(router -> router.setSwallows(true));
         long off = clockMs();
@@ -72,7 +79,7 @@ class LongOutageTest {
         names.forEach(name -> base.awaitMode(name, BoatMode.PATH));
         for (String name : names) {
             assertThat(fleet.executedIds(name)).doesNotHaveDuplicates();
-            assertThat(fleet.executed(name, "upload")).isEqualTo(1);
+            assertThat(fleet.executed(name, "upload")).isEqualTo(uploaded.get(name));
         }
         assertThat(base.failures).isEmpty();
     }
