@@ -8,6 +8,7 @@ import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.assembly.AssemblyAlgorithm;
 import org.sami.crw.service.assembly.AssemblyProblem;
+import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
@@ -26,10 +27,12 @@ final class AssembleHandler implements ActivationHandler {
 
     private final AssemblyAlgorithm algorithm;
     private final BoatPositions positions;
+    private final CrossTrackError error;
 
-    AssembleHandler(AssemblyAlgorithm algorithm, BoatPositions positions) {
+    AssembleHandler(AssemblyAlgorithm algorithm, BoatPositions positions, CrossTrackError error) {
         this.algorithm = algorithm;
         this.positions = positions;
+        this.error = error;
     }
 
     @Override
@@ -49,7 +52,7 @@ final class AssembleHandler implements ActivationHandler {
                 centre,
                 ActivationFields.metres(activation, "spacing"),
                 List.copyOf(assembled.values()),
-                Restrictions.water(activation, centre)));
+                context.query(view -> PlanAreas.water(activation, view, centre, error))));
         assembled.putAll(points);
         context.post(List.of(
                 new Input.Remember(activation.mission(), MEMORY, ProxyMaps.toValue(assembled)),

@@ -50,7 +50,8 @@ public final class CrwDomain implements AutoCloseable {
         this.events = events;
         NewBoats newBoats = new NewBoats();
         WayQuestions ways = new WayQuestions(boats, fleet);
-        MotionCommands motion = new MotionCommands(boats, messages, ways);
+        ClearWays clearWays = new ClearWays(boats, messages, services.error());
+        MotionCommands motion = new MotionCommands(boats, messages, ways, clearWays);
         computations = new Computations(fleet, messages, threads);
         BoatSettings settings = new BoatSettings(boats, messages);
         AreaSubscriptions areas = new AreaSubscriptions(boats, fleet);
@@ -80,7 +81,8 @@ public final class CrwDomain implements AutoCloseable {
         handlers.putAll(movers(motion));
         handlers.put(
                 ExploreAreaHandler.TYPE,
-                new ExploreAreaHandler(services.coverage(), positions, motion, messages, computations));
+                new ExploreAreaHandler(
+                        services.coverage(), positions, motion, messages, computations, services.error()));
         Withdrawals withdrawals = new Withdrawals(handlers.keySet(), motion, computations, fleet);
         handlers.put(AreaSubscriptions.TYPE, areas);
         handlers.put(MeasurementHandler.TYPE, measurements);
@@ -94,11 +96,13 @@ public final class CrwDomain implements AutoCloseable {
                 AllocationHandler.TYPE,
                 new AllocationHandler(
                         services.allocation(), positions, boat -> rangeM(boats, boat), messages, computations));
-        handlers.put(PathHandler.TYPE, new PathHandler(services.paths(), positions, messages, computations));
-        handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions));
+        handlers.put(
+                PathHandler.TYPE,
+                new PathHandler(services.paths(), positions, messages, computations, services.error()));
+        handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions, services.error()));
         handlers.put(
                 DistributeHandler.TYPE,
-                new DistributeHandler(services.allocation(), positions, messages, computations));
+                new DistributeHandler(services.allocation(), positions, messages, computations, services.error()));
         handlers.put(CompareDistanceHandler.TYPE, new CompareDistanceHandler(positions));
         handlers.put(BatterySubscriptions.TYPE, batteries);
         for (AbortScope scope : AbortScope.values()) {

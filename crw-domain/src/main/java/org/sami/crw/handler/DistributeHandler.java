@@ -12,6 +12,7 @@ import org.sami.crw.service.allocation.AllocationProblem;
 import org.sami.crw.service.allocation.AllocationService;
 import org.sami.crw.service.allocation.WorkItem;
 import org.sami.crw.service.assembly.HexagonalPlacement;
+import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
@@ -37,13 +38,19 @@ final class DistributeHandler implements ActivationHandler {
     private final BoatPositions positions;
     private final MessageSink messages;
     private final Computations computations;
+    private final CrossTrackError error;
 
     DistributeHandler(
-            AllocationService service, BoatPositions positions, MessageSink messages, Computations computations) {
+            AllocationService service,
+            BoatPositions positions,
+            MessageSink messages,
+            Computations computations,
+            CrossTrackError error) {
         this.service = service;
         this.positions = positions;
         this.messages = messages;
         this.computations = computations;
+        this.error = error;
     }
 
     @Override
@@ -107,12 +114,12 @@ final class DistributeHandler implements ActivationHandler {
                 ""));
     }
 
-    private static List<GeoPoint> locations(Activation activation) {
+    private List<GeoPoint> locations(Activation activation) {
         Optional<GeoArea> area = activation.value(AREA).map(value -> Restrictions.area(value, AREA));
         if (activation.value(LOCATIONS).isPresent() || area.isEmpty()) {
             return ActivationFields.points(ActivationFields.required(activation, LOCATIONS), LOCATIONS);
         }
-        Water water = Restrictions.water(activation, area.get().outline().get(0));
+        Water water = Restrictions.water(activation, area.get().outline().get(0), error);
         List<GeoPoint> spread =
                 HexagonalPlacement.over(area.get(), ActivationFields.metres(activation, "spacing"), water);
         if (spread.isEmpty()) {

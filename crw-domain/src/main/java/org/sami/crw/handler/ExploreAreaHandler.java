@@ -16,6 +16,7 @@ import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.coverage.Coverage;
 import org.sami.crw.service.coverage.CoverageAlgorithm;
 import org.sami.crw.service.coverage.CoverageProblem;
+import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
@@ -45,6 +46,7 @@ final class ExploreAreaHandler implements ActivationHandler {
     private final MotionCommands motion;
     private final MessageSink messages;
     private final Computations computations;
+    private final CrossTrackError error;
     /** What waits until an area is divided, by mission and area. */
     private final Map<String, List<Consumer<Map<String, GeoPath>>>> underWay = new HashMap<>();
 
@@ -53,12 +55,14 @@ final class ExploreAreaHandler implements ActivationHandler {
             BoatPositions positions,
             MotionCommands motion,
             MessageSink messages,
-            Computations computations) {
+            Computations computations,
+            CrossTrackError error) {
         this.algorithm = algorithm;
         this.positions = positions;
         this.motion = motion;
         this.messages = messages;
         this.computations = computations;
+        this.error = error;
     }
 
     @Override
@@ -138,7 +142,12 @@ final class ExploreAreaHandler implements ActivationHandler {
         Map<String, Optional<GeoPoint>> from = new LinkedHashMap<>();
         boats.forEach(boat -> from.put(boat.boat(), positions.positionOf(boat.boat())));
         CoverageProblem problem = new CoverageProblem(
-                from, one.area, one.spacingM, Restrictions.avoid(one.activation), Restrictions.within(one.activation));
+                from,
+                one.area,
+                one.spacingM,
+                Restrictions.avoid(one.activation),
+                Restrictions.within(one.activation),
+                error);
         underWay.put(one.name(), new ArrayList<>());
         boolean[] begun = new boolean[1];
         try {

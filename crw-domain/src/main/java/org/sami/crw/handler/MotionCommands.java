@@ -36,11 +36,13 @@ final class MotionCommands implements BoatListener {
     private final ProxyRegistry boats;
     private final MessageSink messages;
     private final WayQuestions questions;
+    private final ClearWays clearWays;
     private final Map<String, SentCommand> sent = new LinkedHashMap<>();
     private final Map<String, List<SentCommand>> again = new LinkedHashMap<>(); // by command, who had it sent once more
     private final Map<Long, Set<String>> takenBack = new HashMap<>();
 
-    MotionCommands(ProxyRegistry boats, MessageSink messages, WayQuestions questions) {
+    MotionCommands(ProxyRegistry boats, MessageSink messages, WayQuestions questions, ClearWays clearWays) {
+        this.clearWays = clearWays;
         this.boats = boats;
         this.questions = questions;
         this.messages = messages;
@@ -53,7 +55,8 @@ final class MotionCommands implements BoatListener {
         List<Move> wanted = moves.stream()
                 .filter(move -> !without.contains(move.addressee().boat()))
                 .toList();
-        List<Move> clear = questions.hold(activation, context, wanted, new WayQuestions.Sender() {
+        List<Move> limited = clearWays.limit(activation, context, wanted);
+        List<Move> clear = questions.hold(activation, context, limited, new WayQuestions.Sender() {
             @Override
             public void send(Activation asked, HandlerContext answerTo, List<Move> allowed) {
                 sendNow(asked, answerTo, allowed);

@@ -20,6 +20,11 @@ record Move(Addressee addressee, BoatCommand command, Optional<PathProgress.Alon
         Objects.requireNonNull(reply, "reply");
     }
 
+    /** The same with the command changed. */
+    Move with(BoatCommand other) {
+        return new Move(addressee, other, progress, reply);
+    }
+
     /** The command's id: the same whenever the activation is delivered, and no other's. */
     static String commandId(Activation activation, Addressee addressee) {
         return "m" + activation.mission() + "-a" + activation.id() + "-" + addressee.boat();

@@ -13,6 +13,7 @@ import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.path.PathAnswer;
 import org.sami.crw.service.path.PathProblem;
 import org.sami.crw.service.path.PathService;
+import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
@@ -42,12 +43,19 @@ final class PathHandler implements ActivationHandler {
     private final BoatPositions positions;
     private final MessageSink messages;
     private final Computations computations;
+    private final CrossTrackError error;
 
-    PathHandler(PathService service, BoatPositions positions, MessageSink messages, Computations computations) {
+    PathHandler(
+            PathService service,
+            BoatPositions positions,
+            MessageSink messages,
+            Computations computations,
+            CrossTrackError error) {
         this.service = service;
         this.positions = positions;
         this.messages = messages;
         this.computations = computations;
+        this.error = error;
     }
 
     @Override
@@ -111,7 +119,7 @@ final class PathHandler implements ActivationHandler {
         if (to.isEmpty()) {
             return none("it was given no location");
         }
-        Water water = Restrictions.water(activation, from.get());
+        Water water = Restrictions.water(activation, from.get(), error);
         double detour =
                 activation.value(DETOUR).isPresent() ? ActivationFields.number(activation, DETOUR) : PathProblem.DETOUR;
         PathProblem problem =

@@ -3,6 +3,7 @@ package org.sami.crw.handler;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.value.GeoArea;
@@ -16,17 +17,18 @@ import org.sami.spn.value.Value;
  */
 final class Restrictions {
     static final String AVOID = "avoid";
-    private static final String WITHIN = "within";
+    static final String WITHIN = "within";
 
     private Restrictions() {}
 
     /**
      * The water of an activation, on a plane that touches at a point near by.
      *
+     * @param error how far boats may be beside their ways in it
      * @throws IllegalArgumentException for an area that is no simple polygon
      */
-    static Water water(Activation activation, GeoPoint origin) {
-        return Water.of(origin, avoid(activation), within(activation));
+    static Water water(Activation activation, GeoPoint origin, CrossTrackError error) {
+        return Water.of(origin, avoid(activation), within(activation)).drivenWith(error);
     }
 
     /** The areas that are not to be entered. */

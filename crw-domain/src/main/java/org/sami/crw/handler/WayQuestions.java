@@ -24,6 +24,7 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.reach.Way;
 import org.sami.crw.service.reach.WayCheck;
 import org.sami.crw.service.reach.WayDoubt;
+import org.sami.crw.service.water.Water;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.host.HostListener;
@@ -108,9 +109,12 @@ final class WayQuestions implements HostListener {
 
     private Optional<Way> way(Move move, List<GeoArea> avoid) {
         List<GeoPoint> points = List.of();
+        Optional<Water> water = Optional.empty();
         if (move.command() instanceof FollowPath path) {
+            water = path.water();
             points = path.points().subList(path.startIndex(), path.points().size());
         } else if (move.command() instanceof KeepStation station) {
+            water = station.water();
             points = List.of(station.point());
         }
         String boat = move.addressee().boat();
@@ -121,7 +125,7 @@ final class WayQuestions implements HostListener {
         return points.isEmpty()
                 ? Optional.empty()
                 : Optional.of(new Way(
-                        boat, status.flatMap(BoatStatus::pose).map(BoatPose::position), percent, points, avoid));
+                        boat, status.flatMap(BoatStatus::pose).map(BoatPose::position), percent, points, avoid, water));
     }
 
     private void askUnlessAnswered(Held one) {

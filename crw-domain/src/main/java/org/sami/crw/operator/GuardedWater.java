@@ -9,6 +9,7 @@ import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.CommandQueueSnapshot.Entry;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.KeepStation;
+import org.sami.crw.service.path.Detour;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
 
@@ -54,8 +55,9 @@ final class GuardedWater {
             return Optional.empty();
         }
         GeoPoint next = points.get(entry.visited());
-        boolean forbidden = // the way begins where the boat seems to be
-                ofPositions.allows(List.of(position.get())) && !ofPositions.allows(List.of(position.get(), next));
+        List<GeoPoint> way = List.of(position.get(), next); // it begins where the boat seems to be
+        boolean forbidden =
+                ofPositions.allows(List.of(position.get())) && leaves(ofPositions, way, entry.command());
         return forbidden ? Optional.of(next) : Optional.empty();
     }
 
@@ -63,7 +65,7 @@ final class GuardedWater {
     Optional<GeoPoint> segment(String boat, Entry entry) {
         List<GeoPoint> points = points(entry.command());
         int[] wrong = breaches.computeIfAbsent(boat, id -> new HashMap<>())
-                .computeIfAbsent(entry.command().commandId(), id -> breaches(points));
+                .computeIfAbsent(entry.command().commandId(), id -> breaches(points, entry.command()));
         for (int segment : wrong) {
             if (segment >= entry.visited()) {
                 return Optional.of(points.get(segment));
@@ -73,16 +75,40 @@ final class GuardedWater {
     }
 
     /** The segments, by the index of the point at which they begin, and the last point alone. */
-    private int[] breaches(List<GeoPoint> points) {
+    private int[] breaches(List<GeoPoint> points, BoatCommand command) {
         List<Integer> wrong = new ArrayList<>();
         if (!points.isEmpty() && !ofPaths.allows(points)) {
             for (int i = 0; i < points.size(); i++) {
-                if (!ofPaths.allows(points.subList(i, Math.min(i + 2, points.size())))) {
+                if (leaves(ofPaths, points.subList(i, Math.min(i + 2, points.size())), command)) {
                     wrong.add(i);
                 }
             }
         }
         return wrong.stream().mapToInt(Integer::intValue).toArray();
+    }
+
+    /** Whether a segment, or a point alone, leads through what is forbidden, also as it is driven: around what the command's water bars. */
+    private static boolean leaves(Water allowed, List<GeoPoint> segment, BoatCommand command) {
+        return !allowed.allows(segment)
+                && (segment.size() < 2
+                        || water(command)
+                                .flatMap(limits -> Detour.between(segment.get(0), segment.get(1), limits))
+                                .filter(turns -> allowed.allows(joined(segment.get(0), turns, segment.get(1))))
+                                .isEmpty());
+    }
+
+    private static List<GeoPoint> joined(GeoPoint from, List<GeoPoint> turns, GeoPoint to) {
+        List<GeoPoint> way = new ArrayList<>(List.of(from));
+        way.addAll(turns);
+        way.add(to);
+        return way;
+    }
+
+    private static Optional<Water> water(BoatCommand command) {
+        if (command instanceof FollowPath path) {
+            return path.water();
+        }
+        return command instanceof KeepStation station ? station.water() : Optional.empty();
     }
 
     private static List<GeoPoint> points(BoatCommand command) {

@@ -19,6 +19,7 @@ import org.sami.boat.link.SetLostLinkAction;
 import org.sami.boat.link.SetVelocityMultiplier;
 import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Teleoperate;
+import org.sami.spn.value.GeoPoint;
 
 /**
  * One boat, as the base sees it: its link, its latest status, and the queue of commands that missions have for it.
@@ -51,10 +52,14 @@ public final class BoatProxy {
         fleetRequests = new PendingRequests(link, config);
         announcements = new DeferredNotifications(Objects.requireNonNull(listener, "listener"));
         handOver = new HandOver(boatId, link, config, announcements);
-        driver = new CommandDriver(boatId, config, link, announcements);
-        tuner = new SettingsSender(boatId, link, config, announcements);
         condition = new BoatCondition(boatId, link);
+        driver = new CommandDriver(boatId, config, link, announcements, this::position);
+        tuner = new SettingsSender(boatId, link, config, announcements);
         messages = new BoatMessages(boatId, condition, link, handOver, tuner, fleetRequests, driver, announcements);
+    }
+
+    private Optional<GeoPoint> position() {
+        return condition.status.pose().map(BoatPose::position);
     }
 
     /** For how many milliseconds nothing has come from the boat; empty as long as nothing ever has. */

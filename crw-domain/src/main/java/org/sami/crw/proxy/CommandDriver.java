@@ -2,6 +2,7 @@ package org.sami.crw.proxy;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Nack;
@@ -24,6 +25,7 @@ final class CommandDriver {
     private final PendingRequests requests; // of the running command, or to stop for want of one
     private final CommandQueue queue = new CommandQueue();
     private final Uploads uploads;
+    private final Supplier<Optional<GeoPoint>> position;
     private Optional<CommandRun> run = Optional.empty();
     private LastCommandOutcome lastWord = LastCommandOutcome.NONE;
     private int wireIds;
@@ -31,7 +33,18 @@ final class CommandDriver {
     private Progress held = new Progress("", 0, false);
     private String earlierList = "";
 
-    CommandDriver(String boatId, ProxyConfig config, ProxyLink link, DeferredNotifications announcements) {
+    /**
+     * A driver.
+     *
+     * @param position gives where the boat is, if that is known
+     */
+    CommandDriver(
+            String boatId,
+            ProxyConfig config,
+            ProxyLink link,
+            DeferredNotifications announcements,
+            Supplier<Optional<GeoPoint>> position) {
+        this.position = position;
         this.boatId = boatId;
         this.config = config;
         this.announcements = announcements;
@@ -130,24 +143,16 @@ final class CommandDriver {
     void at(GeoPoint position, boolean canMove, long nowMs) {
         Optional<ProgressMonitor> headway = run.flatMap(CommandRun::headway);
         if (headway.isPresent()) {
-            int next = run.get().queued().visited();
-            List<GeoPoint> points = pointsOf(run.get().queued().command());
-            if (!canMove || next >= points.size()) {
+            Optional<GeoPoint> target = run.get().target();
+            if (!canMove || target.isEmpty()) {
                 headway.get().pause(nowMs);
             } else {
-                headway.get().at(position, next, points.get(next), nowMs);
+                headway.get().at(position, run.get().targetIndex(), target.get(), nowMs);
             }
             if (headway.get().isHopeless()) {
                 conclude(run.get().because(Verdict.FAILED, headway.get().words()));
             }
         }
-    }
-
-    private static List<GeoPoint> pointsOf(BoatCommand command) {
-        if (command instanceof FollowPath path) {
-            return path.points();
-        }
-        return command instanceof KeepStation station ? List.of(station.point()) : List.of();
     }
 
     /** The boat lies, or drifts, at a position. */
@@ -214,9 +219,9 @@ final class CommandDriver {
     private CommandRun run(QueuedCommand queued, String wireId) {
         double speedMps = config.cruiseSpeedMps();
         if (queued.command() instanceof FollowPath path) {
-            return new PathRun(queued, path, wireId, adoptable(queued), speedMps, requests, uploads::reached);
+            return new PathRun(queued, path, position, wireId, adoptable(queued), speedMps, requests, uploads::reached);
         } else if (queued.command() instanceof KeepStation station) {
-            return new StationRun(queued, station, wireId, speedMps, requests, uploads::reached);
+            return new StationRun(queued, station, position, wireId, speedMps, requests, uploads::reached);
         }
         return queued.command() instanceof Panorama panorama
                 ? new PanoramaRun(queued, panorama, wireId, requests)
@@ -303,8 +308,9 @@ final class CommandDriver {
     /** Returns whether the report was about the command under way. */
     private boolean noteVisited(Progress progress) {
         boolean told = run.isPresent() && run.get().isAbout(progress);
+        int visited = told ? run.get().visited(progress) : 0;
         if (told && run.get().queued().command() instanceof FollowPath) { // a station is come to again and again
-            visited(run.get().queued(), progress.nextIndex());
+            visited(run.get().queued(), visited);
         }
         return told;
     }

@@ -48,6 +48,21 @@ abstract class CommandRun {
         return Optional.empty();
     }
 
+    /** How many points of the command's path are behind the boat, which has said how far it is. */
+    int visited(Progress progress) {
+        return progress.nextIndex();
+    }
+
+    /** The point to which the boat drives now. */
+    Optional<GeoPoint> target() {
+        return Optional.empty();
+    }
+
+    /** Tells that point from those before and after it. */
+    int targetIndex() {
+        return 0;
+    }
+
     /** Whether the boat is expected to be under way. */
     abstract boolean isDriving();
 

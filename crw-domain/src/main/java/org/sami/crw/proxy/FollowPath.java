@@ -2,7 +2,9 @@ package org.sami.crw.proxy;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import org.sami.crw.service.water.Water;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
@@ -12,6 +14,7 @@ import org.sami.spn.value.GeoPoint;
  * @param points in driving order; altitudes are of no meaning
  * @param speedMps speed in m/s; the fleet's cruise speed if empty
  * @param startIndex the first point that has not been visited yet; those before it are not driven to
+ * @param water where the boat may go: legs that would leave it turn around what is in their way; empty = everywhere
  */
 public record FollowPath(
         String commandId,
@@ -21,7 +24,8 @@ public record FollowPath(
         OptionalDouble speedMps,
         int startIndex,
         Priority priority,
-        boolean block)
+        boolean block,
+        Optional<Water> water)
         implements BoatCommand {
 
     /** Refuses a start behind the end of the path and a speed that is not positive. */
@@ -29,12 +33,26 @@ public record FollowPath(
         CommandChecks.check(commandId, priority);
         points = List.copyOf(points);
         Objects.requireNonNull(speedMps, "speedMps");
+        Objects.requireNonNull(water, "water");
         if (startIndex < 0 || startIndex > points.size()) {
             throw new IllegalArgumentException("a start at " + startIndex + " of " + points.size() + " points");
         }
         if (speedMps.isPresent() && !(speedMps.getAsDouble() > 0 && speedMps.getAsDouble() <= 50)) {
             throw new IllegalArgumentException("a speed of " + speedMps.getAsDouble() + " m/s");
         }
+    }
+
+    /** A path in open water. */
+    public FollowPath(
+            String commandId,
+            long mission,
+            long activation,
+            List<GeoPoint> points,
+            OptionalDouble speedMps,
+            int startIndex,
+            Priority priority,
+            boolean block) {
+        this(commandId, mission, activation, points, speedMps, startIndex, priority, block, Optional.empty());
     }
 
     /** A path from its first point, at cruise speed, that does not block. */
@@ -55,17 +73,23 @@ public record FollowPath(
 
     /** The same path, from its first unvisited point on. */
     public FollowPath startingAt(int index) {
-        return new FollowPath(commandId, mission, activation, points, speedMps, index, priority, block);
+        return new FollowPath(commandId, mission, activation, points, speedMps, index, priority, block, water);
     }
 
     /** The same path at a speed in m/s. */
     public FollowPath atSpeed(double mps) {
         return new FollowPath(
-                commandId, mission, activation, points, OptionalDouble.of(mps), startIndex, priority, block);
+                commandId, mission, activation, points, OptionalDouble.of(mps), startIndex, priority, block, water);
     }
 
     /** The same command, keeping the boat for its mission. */
     public FollowPath blocking() {
-        return new FollowPath(commandId, mission, activation, points, speedMps, startIndex, priority, true);
+        return new FollowPath(commandId, mission, activation, points, speedMps, startIndex, priority, true, water);
+    }
+
+    /** The same path for a boat that may not go everywhere. */
+    public FollowPath in(Water limits) {
+        return new FollowPath(
+                commandId, mission, activation, points, speedMps, startIndex, priority, block, Optional.of(limits));
     }
 }

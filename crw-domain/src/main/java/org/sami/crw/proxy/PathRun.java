@@ -18,7 +18,7 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * Has the boat drive along a path: uploads it as a list under a new id, reads it back, starts it where the command is, and
- * follows its progress. The list holds the whole path, so that its indices are those of the path.
+ * follows its progress. The list holds the whole path, and the points at which the boat turns to keep clear of what is not to be entered.
  */
 final class PathRun extends CommandRun {
 
@@ -40,7 +40,11 @@ final class PathRun extends CommandRun {
     private final Optional<Adopted> adopted;
     private final PendingRequests requests;
     private final Consumer<Upload> reached;
-    private final List<Waypoint> waypoints;
+    private final FollowPath path;
+    private final Supplier<Optional<GeoPoint>> position;
+    private final double speedMps;
+    private DrivenPath driven;
+    private int next; // of the points that are driven along, as the boat said last
     private Phase phase = Phase.UPLOADING;
     private Optional<ProgressMonitor> headway = Optional.empty();
     private int starts;
@@ -56,12 +60,14 @@ final class PathRun extends CommandRun {
     /**
      * A try.
      *
+     * @param position gives where the boat is, if that is known
      * @param adopted goes on with the list that the boat holds, if that is the path; else the path is sent under a new id
      * @param reached hears how far the upload has come, once for each state
      */
     PathRun(
             QueuedCommand queued,
             FollowPath path,
+            Supplier<Optional<GeoPoint>> position,
             String wireId,
             Optional<Adopted> adopted,
             double cruiseSpeedMps,
@@ -73,11 +79,18 @@ final class PathRun extends CommandRun {
         this.adopted = adopted;
         this.listId = adopted.map(Adopted::listId).orElse(wireId);
         this.requests = requests;
-        double speedMps = path.speedMps().orElse(cruiseSpeedMps);
-        waypoints = new ArrayList<>(path.points().size());
-        for (GeoPoint point : path.points()) {
+        this.path = path;
+        this.position = position;
+        speedMps = path.speedMps().orElse(cruiseSpeedMps);
+        driven = DrivenPath.of(path.points(), path.points().size(), Optional.empty(), Optional.empty());
+    }
+
+    private List<Waypoint> waypoints(List<GeoPoint> points) {
+        List<Waypoint> waypoints = new ArrayList<>(points.size());
+        for (GeoPoint point : points) {
             waypoints.add(new Waypoint(point.latDeg(), point.lonDeg(), speedMps));
         }
+        return waypoints;
     }
 
     @Override
@@ -100,8 +113,10 @@ final class PathRun extends CommandRun {
         if (adopted.isPresent()) {
             readBack(nowMs);
         } else {
+            driven = DrivenPath.of(path.points(), queued().visited(), position.get(), path.water());
+            next = driven.indexAfter(queued().visited());
             reach(Upload.State.SENT);
-            requests.send(new UploadWaypoints(wireId + "/upload", listId, waypoints), nowMs);
+            requests.send(new UploadWaypoints(wireId + "/upload", listId, waypoints(driven.points())), nowMs);
         }
     }
 
@@ -111,15 +126,23 @@ final class PathRun extends CommandRun {
             reach(Upload.State.ACKNOWLEDGED);
             readBack(nowMs);
         } else if (answer instanceof HeldWaypoints held) {
-            if (!held.listId().equals(listId) || !held.waypoints().equals(waypoints)) {
-                return because(Verdict.RETRY, "the boat does not hold the path that was sent");
-            }
-            return adopted.isPresent() ? goOn(adopted.get(), nowMs) : startUploaded(nowMs);
+            return readBack(held, nowMs);
         } else if (asked instanceof StartWaypoints) {
             phase = Phase.DRIVING;
             headway = Optional.of(new ProgressMonitor(nowMs));
         }
         return Verdict.GO_ON;
+    }
+
+    private Verdict readBack(HeldWaypoints held, long nowMs) {
+        Optional<DrivenPath> along = adopted.isPresent()
+                ? DrivenPath.held(held.waypoints(), waypoints(path.points()))
+                : Optional.of(driven).filter(sent -> held.waypoints().equals(waypoints(sent.points())));
+        if (!held.listId().equals(listId) || along.isEmpty()) {
+            return because(Verdict.RETRY, "the boat does not hold the path that was sent");
+        }
+        driven = along.get();
+        return adopted.isPresent() ? goOn(adopted.get(), nowMs) : startUploaded(nowMs);
     }
 
     private void readBack(long nowMs) {
@@ -136,19 +159,42 @@ final class PathRun extends CommandRun {
     /** What the boat has visited while nobody commanded it is behind it. */
     private Verdict goOn(Adopted list, long nowMs) {
         phase = Phase.STARTING;
-        list.visited().accept(list.held().get().nextIndex());
+        list.visited().accept(visited(list.held().get()));
         return resume(list.held().get(), nowMs);
     }
 
     private void reach(Upload.State state) {
-        reached.accept(Upload.of(listId, queued().command().commandId(), waypoints.size(), state));
+        reached.accept(Upload.of(
+                listId, queued().command().commandId(), driven.points().size(), state));
     }
 
     /** Has the boat drive, from where the command is. */
     void start(long nowMs) {
         phase = Phase.STARTING;
         headway = Optional.empty();
-        requests.send(new StartWaypoints(wireId + "/start" + ++starts, listId, queued().visited()), nowMs);
+        requests.send(new StartWaypoints(wireId + "/start" + ++starts, listId, firstIndex()), nowMs);
+    }
+
+    /** Where on its way the boat is; to its last point it is sent again and again where that is a station. */
+    private int firstIndex() {
+        int behind = Math.max(next, driven.indexAfter(queued().visited()));
+        return Math.min(behind, driven.points().size() - 1);
+    }
+
+    @Override
+    int visited(Progress progress) {
+        next = progress.nextIndex();
+        return driven.visited(next);
+    }
+
+    @Override
+    Optional<GeoPoint> target() {
+        return next < driven.points().size() ? Optional.of(driven.points().get(next)) : Optional.empty();
+    }
+
+    @Override
+    int targetIndex() {
+        return next;
     }
 
     @Override

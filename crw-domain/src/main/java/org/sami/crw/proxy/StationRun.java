@@ -2,6 +2,7 @@ package org.sami.crw.proxy;
 
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Progress;
@@ -17,13 +18,14 @@ final class StationRun extends CommandRun {
     StationRun(
             QueuedCommand queued,
             KeepStation station,
+            Supplier<Optional<GeoPoint>> position,
             String wireId,
             double cruiseSpeedMps,
             PendingRequests requests,
             Consumer<Upload> reached) {
         super(queued);
         this.station = station;
-        way = new PathRun(queued, station.way(), wireId, Optional.empty(), cruiseSpeedMps, requests, reached);
+        way = new PathRun(queued, station.way(), position, wireId, Optional.empty(), cruiseSpeedMps, requests, reached);
     }
 
     /** Whether the boat has come to its station, and has not left it since. */
@@ -59,6 +61,21 @@ final class StationRun extends CommandRun {
     @Override
     boolean isAbout(Progress progress) {
         return way.isAbout(progress);
+    }
+
+    @Override
+    int visited(Progress progress) {
+        return way.visited(progress);
+    }
+
+    @Override
+    Optional<GeoPoint> target() {
+        return way.target();
+    }
+
+    @Override
+    int targetIndex() {
+        return way.targetIndex();
     }
 
     /** The boat has arrived, and goes on to keep its station. */

@@ -5,7 +5,6 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.PanoramaReport;
 import org.sami.boat.link.TakePanorama;
-import org.sami.boat.link.Waypoint;
 
 /**
  * Decides what the motors do: follows the waypoint track, keeps station, obeys the hand that drives, returns home, rests.
@@ -17,6 +16,7 @@ final class ModeControl {
     private final ServerConfig config;
     private final Vehicle vehicle;
     private final SteeringControl steering;
+    private final PathFollower follower;
     private final LocalFrame home;
     private BoatMode mode = BoatMode.STOPPED;
     private boolean moved; // since the server started
@@ -35,6 +35,7 @@ final class ModeControl {
         this.config = config;
         this.vehicle = vehicle;
         steering = new SteeringControl(vehicle, config);
+        follower = new PathFollower(vehicle, steering, config.arrivalRadiusM());
         home = here();
         target = home;
     }
@@ -79,7 +80,7 @@ final class ModeControl {
             hold();
         } else {
             mode = BoatMode.PATH;
-            aimAtNext();
+            follower.follow(track);
         }
     }
 
@@ -185,16 +186,16 @@ final class ModeControl {
     }
 
     private boolean tickPath(double seconds) {
-        boolean reached = steering.distanceM(target) <= config.arrivalRadiusM();
+        boolean reached = follower.isAtTarget();
         if (reached) {
             track.reached();
             if (track.isCompleted()) {
-                hold(target);
+                hold(follower.end());
                 return true;
             }
-            aimAtNext();
+            follower.goOn(track);
         }
-        steering.steerTo(target, track.target().speedMps() * velocityMultiplier, seconds);
+        follower.steer(track.target().speedMps() * velocityMultiplier, seconds);
         return reached;
     }
 
@@ -241,11 +242,6 @@ final class ModeControl {
         } else {
             steering.drive(thrust, rudder);
         }
-    }
-
-    private void aimAtNext() {
-        Waypoint next = track.target();
-        target = new LocalFrame(next.latDeg(), next.lonDeg());
     }
 
     private LocalFrame here() {

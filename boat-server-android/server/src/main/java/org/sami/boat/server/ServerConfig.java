@@ -70,7 +70,7 @@ public final class ServerConfig {
         return returnSpeedMps;
     }
 
-    /** A waypoint is reached at this distance in metres. */
+    /** A waypoint that the boat has come past is reached at this distance in metres; so is home. Before it the boat goes on to it. */
     public double arrivalRadiusM() {
         return arrivalRadiusM;
     }
@@ -166,7 +166,7 @@ public final class ServerConfig {
             return this;
         }
 
-        /** Distance in metres at which a waypoint is reached. */
+        /** Distance in metres within which a boat may pass a waypoint. */
         public Builder arrivalRadiusM(double value) {
             arrivalRadiusM = positive("arrival radius", value);
             return this;

@@ -4,10 +4,13 @@ import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
 
 /**
- * Steers the vehicle towards a target: heading by one loop, speed by feed-forward and another. Steering goes before
+ * Steers the vehicle along a heading or towards a target: heading by one loop, speed by feed-forward and another. Steering goes before
  * thrust, and the boat slows down while it points elsewhere, so that it turns on the spot rather than circle a target.
  */
 final class SteeringControl {
+    /** The integral of the speed loop learns what current and wear take, and not that a boat needs time to get up to speed. */
+    private static final double LEARNING_MPS = 0.6;
+
     private final Vehicle vehicle;
     private final double fullThrustSpeedMps;
     private final ControlLoop heading;
@@ -42,13 +45,20 @@ final class SteeringControl {
     void steerTo(LocalFrame target, double speedMps, double seconds) {
         double eastM = target.eastM(vehicle.latDeg(), vehicle.lonDeg());
         double northM = target.northM(vehicle.latDeg(), vehicle.lonDeg());
-        double error = turn(StrictMath.atan2(-eastM, -northM) - vehicle.headingRad());
+        steerAlong(StrictMath.atan2(-eastM, -northM), speedMps, seconds);
+    }
+
+    /** Steers a heading in radians, clockwise from north, for one tick; rests likewise. */
+    void steerAlong(double headingRad, double speedMps, double seconds) {
+        double error = turn(headingRad - vehicle.headingRad());
         if (Double.isNaN(error + vehicle.speedMps())) {
             rest();
             return;
         }
         double wantedMps = speedMps * Math.max(0, StrictMath.cos(error));
-        double thrust = wantedMps / fullThrustSpeedMps + speed.effort(wantedMps - vehicle.speedMps(), seconds);
+        double lackMps = wantedMps - vehicle.speedMps();
+        double learningS = Math.abs(lackMps) < LEARNING_MPS ? seconds : 0;
+        double thrust = wantedMps / fullThrustSpeedMps + speed.effort(lackMps, learningS);
         drive(thrust, heading.effort(error, seconds));
     }
 

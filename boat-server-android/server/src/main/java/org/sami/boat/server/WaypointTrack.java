@@ -41,6 +41,16 @@ final class WaypointTrack {
         return waypoints.get(next);
     }
 
+    /** Whether so many waypoints after that there is another. */
+    boolean hasAfterTarget(int count) {
+        return next + count < waypoints.size();
+    }
+
+    /** The waypoint so many after the one to head for. */
+    Waypoint afterTarget(int count) {
+        return waypoints.get(next + count);
+    }
+
     boolean isCompleted() {
         return completed;
     }

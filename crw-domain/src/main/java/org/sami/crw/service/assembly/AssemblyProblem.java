@@ -16,7 +16,7 @@ import org.sami.spn.value.GeoPoint;
  * @param centre the point about which they assemble
  * @param spacingM least distance between two boats, more than zero
  * @param taken points at which other boats stay
- * @param water where they may be; half the spacing is kept from what is forbidden
+ * @param water where they may be; half the spacing is kept from what is forbidden, and no less than the boats' cross-track error
  */
 public record AssemblyProblem(
         Map<String, Optional<GeoPoint>> boats, GeoPoint centre, double spacingM, List<GeoPoint> taken, Water water) {

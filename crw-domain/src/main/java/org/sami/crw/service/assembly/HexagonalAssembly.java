@@ -81,7 +81,9 @@ public final class HexagonalAssembly implements AssemblyAlgorithm {
 
     private static boolean isFree(GeoPoint candidate, AssemblyProblem problem) {
         double leastM = problem.spacingM() * (1 - SLACK);
-        return problem.water().clearanceM(candidate) >= problem.spacingM() / 2
+        return problem.water().clearanceM(candidate)
+                        >= Math.max(
+                                problem.spacingM() / 2, problem.water().error().marginM())
                 && problem.taken().stream().allMatch(taken -> Geodesy.distanceM(taken, candidate) >= leastM);
     }
 }

@@ -23,7 +23,7 @@ public final class HexagonalPlacement {
     /**
      * The locations, by rows from the south.
      *
-     * @param spacingM distance between two neighbours; half of it is kept from what is forbidden
+     * @param spacingM distance between two neighbours; half of it is kept from what is forbidden, and no less than the boats' cross-track error
      * @throws IllegalArgumentException for an area that is no simple polygon, or a spacing at which there are too many
      */
     public static List<GeoPoint> over(GeoArea area, double spacingM, Water water) {
@@ -49,7 +49,8 @@ public final class HexagonalPlacement {
                 Coordinate place = new Coordinate(x, y);
                 GeoPoint point = Areas.point(place, water.plane());
                 if (prepared.covers(polygon.getFactory().createPoint(place))
-                        && water.clearanceM(point) >= spacingM / 2) {
+                        && water.clearanceM(point)
+                                >= Math.max(spacingM / 2, water.error().marginM())) {
                     spread.add(point);
                 }
             }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
@@ -14,18 +15,31 @@ import org.sami.spn.value.GeoPoint;
  * @param batteryPercent its charge in percent of full, if that is known
  * @param points in driving order
  * @param avoid areas that the plan keeps its boats out of, such as land
+ * @param water where the boat may go; empty = everywhere
  */
 public record Way(
         String boat,
         Optional<GeoPoint> from,
         OptionalDouble batteryPercent,
         List<GeoPoint> points,
-        List<GeoArea> avoid) {
+        List<GeoArea> avoid,
+        Optional<Water> water) {
+    /** A way in open water. */
+    public Way(
+            String boat,
+            Optional<GeoPoint> from,
+            OptionalDouble batteryPercent,
+            List<GeoPoint> points,
+            List<GeoArea> avoid) {
+        this(boat, from, batteryPercent, points, avoid, Optional.empty());
+    }
+
     public Way {
         Objects.requireNonNull(boat, "boat");
         Objects.requireNonNull(from, "from");
         Objects.requireNonNull(batteryPercent, "batteryPercent");
         points = List.copyOf(points);
         avoid = List.copyOf(avoid);
+        Objects.requireNonNull(water, "water");
     }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.path.Detour;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
@@ -25,7 +26,10 @@ public final class WayCheck {
             return Optional.empty();
         }
         GeoPoint from = way.from().get();
-        return far(way, from).or(() -> onLand(way)).or(() -> beyondCharge(way, from));
+        return far(way, from)
+                .or(() -> onLand(way))
+                .or(() -> noWayAround(way, from))
+                .or(() -> beyondCharge(way, from));
     }
 
     private static Optional<WayDoubt> far(Way way, GeoPoint from) {
@@ -62,6 +66,26 @@ public final class WayCheck {
                                     + " of its way, which lies in an area that the plan avoids"));
                 }
             }
+        }
+        return Optional.empty();
+    }
+
+    /** A leg that leads through what is to be avoided, and around it there is no way; a boat that is in it may leave it. */
+    private static Optional<WayDoubt> noWayAround(Way way, GeoPoint from) {
+        GeoPoint at = from;
+        for (GeoPoint point : way.points()) {
+            GeoPoint start = at;
+            boolean isBarred = way.water()
+                    .filter(water -> water.clearanceM(start) > 0 && water.clearanceM(List.of(start, point)) == 0)
+                    .filter(water -> Detour.between(start, point, water).isEmpty())
+                    .isPresent();
+            if (isBarred) {
+                return Optional.of(new WayDoubt(
+                        WayDoubt.Kind.PLACE,
+                        way.boat() + " is to go to " + text(point)
+                                + " through what the plan avoids, and there is no way around"));
+            }
+            at = point;
         }
         return Optional.empty();
     }

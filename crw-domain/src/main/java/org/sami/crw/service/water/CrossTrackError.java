@@ -3,7 +3,8 @@ package org.sami.crw.service.water;
 import java.util.Locale;
 
 /**
- * How far a boat may truly be beside the straight line that it is to follow. Planners keep paths off what is not to be entered by it.
+ * How far a boat may truly be beside the straight line that it is to follow. Planners keep paths off what is not to be entered by it
+ * (docs/decisions, 0301).
  *
  * @param steeringM in still water with exact instruments, at corners too: what no path is ever planned nearer to what is forbidden
  * @param positionM standard deviation of the position that the boat knows, along each axis, in metres

@@ -6,6 +6,7 @@ import java.util.Objects;
 import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.sami.crw.service.water.CrossTrackError;
 
 /**
  * What makes simulated water less than ideal, and what boats measure in it; the same for all boats of a run.
@@ -100,6 +101,12 @@ public record Conditions(
     /** The same water, in which boats measure something. */
     public Conditions measuring(List<SensorSetting> others) {
         return new Conditions(gpsNoiseM, gpsJumpM, compassNoiseDeg, current, wind, others, dischargeIntervalS);
+    }
+
+    /** How far boats may be beside their ways in it: what planners are told. */
+    public CrossTrackError crossTrackError() {
+        double jumpM = gpsJumpM / 3; // as a deviation: a jump is rare, of any size up to its largest, and fades
+        return CrossTrackError.of(Math.hypot(gpsNoiseM, jumpM), current.speedMps() + Weather.LEEWAY * wind.speedMps());
     }
 
     /** As text by name, for the header of a journal; what is as in calm water is left out. */

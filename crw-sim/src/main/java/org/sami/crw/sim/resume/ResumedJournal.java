@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.TreeMap;
 import java.util.function.Supplier;
@@ -47,6 +48,10 @@ public final class ResumedJournal implements RunJournal, EarlierProcesses, AutoC
         SqliteJournal journal = SqliteJournal.open(file, WrittenJournal.OPTIONS);
         JournalReader reader = null;
         try {
+            Optional<String> other = RunRecord.otherDriving(journal.header());
+            if (other.isPresent()) {
+                throw new IOException(file + ": " + other.get());
+            }
             reader = JournalReader.open(journal.file());
             Map<Long, MarkText> marks = new TreeMap<>();
             for (WorldMark mark : reader.marks()) {

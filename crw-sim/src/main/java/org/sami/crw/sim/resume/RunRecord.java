@@ -24,6 +24,14 @@ public record RunRecord(
     private static final String KIND = "kind";
     private static final String IN_PROCESS = "in-process";
     private static final String TCP = "tcp";
+    private static final String DRIVING = "driving";
+
+    /**
+     * How simulated boats drive: 1, which headers do not name, straight for the next waypoint; 2 along the lines between them
+     * (docs/decisions, 0300). A run of another version cannot be gone through again.
+     */
+    private static final String PRESENT_DRIVING = "2";
+
     private static final String SOURCE = "source";
     private static final String STARTED_AT = "startedAt";
     private static final String TIME_ZONE = "timeZone";
@@ -59,6 +67,9 @@ public record RunRecord(
         Map<String, String> map = new TreeMap<>(settings.toMap());
         map.put(KIND, settings.isConnected() ? TCP : IN_PROCESS);
         map.put(SOURCE, source);
+        if (!settings.isConnected()) {
+            map.put(DRIVING, PRESENT_DRIVING);
+        }
         start.ifPresent(begun -> {
             map.put(STARTED_AT, begun.at().toString());
             map.put(TIME_ZONE, begun.zone().getId());
@@ -82,6 +93,16 @@ public record RunRecord(
                 header.project(),
                 header.vocabulary(),
                 start(map));
+    }
+
+    /** Why the run of a header cannot be gone through again; empty where it can. */
+    static Optional<String> otherDriving(JournalHeader header) {
+        String driving = header.settings().getOrDefault(DRIVING, "1");
+        return IN_PROCESS.equals(header.settings().get(KIND)) && !driving.equals(PRESENT_DRIVING)
+                ? Optional.of("it is of a program whose simulated boats drove otherwise (version " + driving
+                        + " of driving, this one's is " + PRESENT_DRIVING
+                        + "), so the run cannot be gone on with; crw journal and crw export read it")
+                : Optional.empty();
     }
 
     private static Optional<Start> start(Map<String, String> map) {

@@ -65,7 +65,7 @@ public final class InProcessRun {
                 new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());
         RunSettings.Fleet fleet = settings.fleet();
         SimulatedBoatConnector connector = new SimulatedBoatConnector(executor);
-        session = open(plan, journal, new SessionRuntime.OneThread(clock, executor, connector));
+        session = open(plan, settings, journal, new SessionRuntime.OneThread(clock, executor, connector));
         RunNotes notes = new RunNotes(line -> {});
         session.addListener(notes);
         water = new SimulatedWater(clock, fleet, connector::listenerOf);
@@ -94,13 +94,14 @@ public final class InProcessRun {
         lifecycle = new RunLifecycle(plan, settings, parameters, session, records);
     }
 
-    private static Session open(RunPlan plan, RunJournal journal, SessionRuntime world) {
+    private static Session open(RunPlan plan, RunSettings settings, RunJournal journal, SessionRuntime world) {
         try {
             return Session.open(new SessionSetup(
                     plan.vocabulary(),
                     plan.project(),
                     SessionJournal.over(journal.inputs()),
-                    CrwServices.STANDARD,
+                    CrwServices.STANDARD.drivenWith(
+                            settings.fleet().conditions().crossTrackError()),
                     world));
         } catch (IOException noFile) {
             throw new UncheckedIOException(noFile); // it reads none

@@ -55,7 +55,8 @@ class InterruptedVisitsTest {
 
     @Test
     void rechargedBoatDoesNotVisitAnythingTwice() {
-        long afterTwo = visitTimesOf("boat2", UNDISTURBED).get(1) + 2_000;
+        // the report counts a visit at 3.5 m; the boat slows down and comes to the location itself
+        long afterTwo = visitTimesOf("boat2", UNDISTURBED).get(1) + 8_000;
 
         RunReport report = run("recharge:2@" + seconds(afterTwo));
 
@@ -249,7 +250,7 @@ class InterruptedVisitsTest {
         RunReport report = run("recharge@" + seconds(finished + 5_000));
 
         assertAllVisited(report);
-        assertThat(report.interrupts().get(0).boat()).isEqualTo("boat1 boat2 boat3");
+        assertThat(report.interrupts().get(0).boat().split(" ")).containsExactlyInAnyOrder("boat1", "boat2", "boat3");
         assertThat(recharges(report)).containsExactly(1, 1, 1);
         assertThat(move("Start recharge of a finished boat", report)).contains(first);
     }

@@ -1,0 +1,80 @@
+package org.sami.boat.server;
+
+import org.sami.boat.link.Waypoint;
+
+/**
+ * Drives a vehicle along a waypoint track, leg by leg, on the straight lines between the waypoints and not merely towards them. The
+ * first leg begins where the vehicle is when it is told to follow.
+ */
+final class PathFollower {
+    private final Vehicle vehicle;
+    private final SteeringControl steering;
+    private final double arrivalRadiusM;
+    private final DriftEstimate drift = new DriftEstimate();
+    private LocalFrame end; // of the leg
+    private LegGuidance leg;
+
+    /**
+     * A follower.
+     *
+     * @param arrivalRadiusM how far beside a waypoint the vehicle may pass it
+     */
+    PathFollower(Vehicle vehicle, SteeringControl steering, double arrivalRadiusM) {
+        this.vehicle = vehicle;
+        this.steering = steering;
+        this.arrivalRadiusM = arrivalRadiusM;
+    }
+
+    /** Follows a track that is not completed, from where the vehicle is to its target and on. */
+    void follow(WaypointTrack track) {
+        begin(track, vehicle.latDeg(), vehicle.lonDeg());
+    }
+
+    private void begin(WaypointTrack track, double fromLatDeg, double fromLonDeg) {
+        Waypoint target = track.target();
+        end = new LocalFrame(target.latDeg(), target.lonDeg());
+        double fromEastM = end.eastM(fromLatDeg, fromLonDeg);
+        double fromNorthM = end.northM(fromLatDeg, fromLonDeg);
+        leg = new LegGuidance(fromEastM, fromNorthM, CornerSpeed.atTarget(track, end, fromEastM, fromNorthM));
+        drift.lookElsewhere();
+    }
+
+    /** Where the vehicle is to come to. */
+    LocalFrame end() {
+        return end;
+    }
+
+    /** Whether the vehicle has come to the track's target; then {@link #goOn} or nothing. */
+    boolean isAtTarget() {
+        return leg.isDone(eastM(), northM(), arrivalRadiusM);
+    }
+
+    /** The track has got its next target: on from the one that was reached. */
+    void goOn(WaypointTrack track) {
+        begin(track, end.originLatDeg(), end.originLonDeg());
+    }
+
+    /** Steers for one tick; rests as long as the vehicle does not know where it is or what it does. */
+    void steer(double speedMps, double seconds) {
+        double eastM = eastM();
+        double northM = northM();
+        double headingRad = vehicle.headingRad();
+        if (Double.isNaN(eastM + northM + headingRad)) {
+            steering.rest();
+            drift.lookElsewhere();
+            return;
+        }
+        drift.see(eastM, northM, headingRad, seconds);
+        double wantedMps = leg.speedMps(eastM, northM, speedMps, drift.speedMps());
+        double courseRad = leg.courseRad(eastM, northM, wantedMps);
+        steering.steerAlong(drift.headingRad(courseRad, wantedMps), wantedMps, seconds);
+    }
+
+    private double eastM() {
+        return end.eastM(vehicle.latDeg(), vehicle.lonDeg());
+    }
+
+    private double northM() {
+        return end.northM(vehicle.latDeg(), vehicle.lonDeg());
+    }
+}

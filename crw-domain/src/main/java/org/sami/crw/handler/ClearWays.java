@@ -1,0 +1,117 @@
+package org.sami.crw.handler;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.sami.crw.operator.MessageSink;
+import org.sami.crw.operator.OperatorMessage;
+import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.proxy.BoatPose;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.KeepStation;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.service.path.Detour;
+import org.sami.crw.service.water.CrossTrackError;
+import org.sami.crw.service.water.Water;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Has boats keep clear of what the plan avoids and in what it names as the area to stay in, on whichever way they are sent
+ * (docs/decisions, 0301). Tells the operator where a boat may nevertheless come into it. For the fleet's thread.
+ */
+final class ClearWays {
+    private final ProxyRegistry boats;
+    private final MessageSink messages;
+    private final CrossTrackError error;
+
+    ClearWays(ProxyRegistry boats, MessageSink messages, CrossTrackError error) {
+        this.boats = boats;
+        this.messages = messages;
+        this.error = error;
+    }
+
+    /** The same moves, with the water in which the boats may go. */
+    List<Move> limit(Activation activation, HandlerContext context, List<Move> moves) {
+        List<GeoArea> avoid = moves.isEmpty() ? List.of() : context.query(view -> PlanAreas.avoided(activation, view));
+        Optional<GeoArea> within =
+                moves.isEmpty() ? Optional.empty() : context.query(view -> PlanAreas.within(activation, view));
+        if (avoid.isEmpty() && within.isEmpty()) {
+            return moves;
+        }
+        List<Move> limited = new ArrayList<>();
+        for (Move move : moves) {
+            Optional<GeoPoint> from = boats.find(move.addressee().boat())
+                    .flatMap(boat -> boat.status().pose())
+                    .map(BoatPose::position);
+            List<GeoPoint> points = points(move.command());
+            Optional<Water> water = points.isEmpty() ? Optional.empty() : water(from, points, avoid, within);
+            limited.add(
+                    water.map(limits -> move.with(in(limits, move.command()))).orElse(move));
+            if (from.isPresent() && water.isPresent()) {
+                tellOfDanger(activation, context, move, from.get(), points, water.get());
+            }
+        }
+        return limited;
+    }
+
+    private static List<GeoPoint> points(BoatCommand command) {
+        if (command instanceof FollowPath path) {
+            return path.points().subList(path.startIndex(), path.points().size());
+        }
+        return command instanceof KeepStation station ? List.of(station.point()) : List.of();
+    }
+
+    private static BoatCommand in(Water water, BoatCommand command) {
+        if (command instanceof FollowPath path) {
+            return path.in(water);
+        }
+        return command instanceof KeepStation station ? station.in(water) : command;
+    }
+
+    /**
+     * A boat that is outside of the area to stay in, as a quay mostly is, or is sent there, is not kept in. Areas that are no simple polygons
+     * keep nobody out: they are named where they are asked with, and by the fence's alarm.
+     */
+    private Optional<Water> water(
+            Optional<GeoPoint> from, List<GeoPoint> points, List<GeoArea> avoid, Optional<GeoArea> within) {
+        GeoPoint origin = from.orElse(points.get(0));
+        try {
+            Water inside = Water.of(origin, List.of(), within);
+            boolean stays =
+                    inside.allows(List.of(origin)) && points.stream().allMatch(point -> inside.allows(List.of(point)));
+            return Optional.of(
+                    Water.of(origin, avoid, stays ? within : Optional.empty()).drivenWith(error));
+        } catch (IllegalArgumentException crossed) {
+            return Optional.empty();
+        }
+    }
+
+    private void tellOfDanger(
+            Activation activation,
+            HandlerContext context,
+            Move move,
+            GeoPoint from,
+            List<GeoPoint> points,
+            Water water) {
+        List<GeoPoint> way = new ArrayList<>(List.of(from));
+        for (GeoPoint point : points) {
+            Detour.between(way.get(way.size() - 1), point, water).ifPresent(way::addAll);
+            way.add(point);
+        }
+        double clearanceM = water.clearanceM(way);
+        if (error.insideM(clearanceM) > 0) {
+            messages.tell(new OperatorMessage(
+                    context.nowMillis(),
+                    activation.mission(),
+                    OperatorMessage.Source.DOMAIN,
+                    Priority.LOW,
+                    move.addressee().boat() + " " + error.words(clearanceM),
+                    List.of(move.addressee().boat()),
+                    ""));
+        }
+    }
+}

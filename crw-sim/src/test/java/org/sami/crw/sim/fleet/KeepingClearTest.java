@@ -1,0 +1,138 @@
+package org.sami.crw.sim.fleet;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Random;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.service.coverage.Coverage;
+import org.sami.crw.service.coverage.CoverageProblem;
+import org.sami.crw.service.coverage.LawnMower;
+import org.sami.crw.service.path.PathAnswer;
+import org.sami.crw.service.path.PathProblem;
+import org.sami.crw.service.path.ShortestPath;
+import org.sami.crw.service.water.CrossTrackError;
+import org.sami.crw.service.water.Water;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.HullConfig;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+
+/** Whether boats stay out of what they are to avoid: measured on where the hulls truly are. */
+class KeepingClearTest {
+    private static SimulatedTestWorld world(Conditions conditions, long seed) {
+        FleetConfig enduring = FleetConfig.DEFAULT
+                .withHull(HullConfig.DEFAULT.withBatteryPercentPerM(0))
+                .withConditions(conditions);
+        SimulatedTestWorld world = new SimulatedTestWorld(1, seed, enduring);
+        world.run(1);
+        return world;
+    }
+
+    private static Conditions conditions(String name) {
+        return switch (name) {
+            case "calm" -> Conditions.CALM;
+            case "field" -> Conditions.FIELD;
+            default -> Conditions.ROUGH;
+        };
+    }
+
+    @ParameterizedTest
+    @CsvSource({"calm, 1", "calm, 2", "calm, 3", "field, 1", "field, 2", "rough, 3"})
+    void theShortestWayIsDrivenAroundWhatIsToBeAvoided(String name, long seed) {
+        Conditions conditions = conditions(name);
+        SimulatedTestWorld world = world(conditions, seed);
+        List<GeoArea> rocks = rocks(world, new Random(seed), 12);
+        Water water =
+                Water.of(world.boat().position(), rocks, Optional.empty()).drivenWith(conditions.crossTrackError());
+        GeoPoint goal = world.points(400, 0).get(0);
+        PathAnswer.Way way = (PathAnswer.Way)
+                new ShortestPath().find(new PathProblem(world.boat().position(), goal, water, 5));
+
+        TrueTrack track = TrueTrack.of(world, way.points(), 7200);
+
+        assertThat(track.isCompleted()).isTrue();
+        double announcedM = conditions.crossTrackError().insideM(way.clearanceM());
+        assertThat(track.deepestInM(rocks)).isLessThanOrEqualTo(announcedM);
+        if (name.equals("calm")) {
+            assertThat(announcedM).isZero();
+        }
+    }
+
+    /** The plan knows nothing of the rocks between its points; neither did the boat when another command took it away. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4})
+    void anyPathIsDrivenAroundWhatIsToBeAvoidedAlsoWhenTheBoatComesBackFromElsewhere(long seed) {
+        SimulatedTestWorld world = world(Conditions.CALM, seed);
+        List<GeoArea> rocks = rocks(world, new Random(seed), 12);
+        Water water = Water.of(world.boat().position(), rocks, Optional.empty()).drivenWith(CrossTrackError.CALM);
+        List<GeoPoint> points = world.points(400, 0, 30, 90, 30, -90, 400, 10);
+        FollowPath path = FollowPath.of("way", 1, 1, points, Priority.MEDIUM).in(water);
+        FollowPath elsewhere = FollowPath.goTo(
+                        "aside", 2, 2, world.points(200, 130).get(0), Priority.CRITICAL)
+                .in(water);
+
+        TrueTrack track = TrueTrack.of(world, path, 7200, 120, elsewhere);
+
+        assertThat(track.isCompleted()).isTrue();
+        assertThat(track.deepestInM(rocks)).isZero();
+        assertThat(points)
+                .allSatisfy(point -> assertThat(track.distanceM(point)).isLessThan(0.6));
+        assertThat(world.reports()).contains("completed aside", "visited 4 of way");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"calm, 5", "calm, 10", "field, 10", "rough, 20"})
+    void lanesKeepOutOfHolesAndWhatIsToBeAvoided(String name, double spacingM) {
+        Conditions conditions = conditions(name);
+        SimulatedTestWorld world = world(conditions, 5);
+        List<GeoPoint> hole = world.points(60, 60, 95, 70, 80, 100);
+        GeoArea rock = new GeoArea(world.points(120, 30, 150, 45, 135, 60), List.of());
+        GeoArea area = new GeoArea(world.points(20, 20, 180, 20, 180, 130, 20, 130), List.of(hole));
+        Coverage coverage = new LawnMower()
+                .cover(new CoverageProblem(
+                        Map.of("boat1", Optional.of(world.boat().position())),
+                        area,
+                        spacingM,
+                        List.of(rock),
+                        Optional.empty(),
+                        conditions.crossTrackError()));
+        List<GeoPoint> path = coverage.shares().get("boat1").path().points();
+        Water water = Water.of(world.boat().position(), List.of(rock, new GeoArea(hole, List.of())), Optional.empty());
+
+        TrueTrack track = TrueTrack.of(world, path, 9000);
+
+        assertThat(track.isCompleted()).isTrue();
+        double announcedM = conditions.crossTrackError().insideM(water.clearanceM(path));
+        assertThat(track.deepestInM(List.of(rock, new GeoArea(hole, List.of()))))
+                .isLessThanOrEqualTo(announcedM);
+        if (name.equals("calm")) {
+            assertThat(announcedM).isZero();
+        }
+    }
+
+    /** Rocks with five corners between the boat and its goal, 400 m to the east. */
+    private static List<GeoArea> rocks(SimulatedTestWorld world, Random random, int count) {
+        List<GeoArea> rocks = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            double eastM = 50 + 300 * random.nextDouble();
+            double northM = 120 * (random.nextDouble() - 0.5);
+            double[] corners = new double[10];
+            for (int corner = 0; corner < 5; corner++) {
+                double radiusM = 8 + 17 * random.nextDouble();
+                double angle = 2 * Math.PI * corner / 5;
+                corners[2 * corner] = eastM + radiusM * Math.cos(angle);
+                corners[2 * corner + 1] = northM + radiusM * Math.sin(angle);
+            }
+            rocks.add(new GeoArea(world.points(corners), List.of()));
+        }
+        return rocks;
+    }
+}

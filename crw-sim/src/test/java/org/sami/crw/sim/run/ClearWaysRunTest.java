@@ -1,0 +1,138 @@
+package org.sami.crw.sim.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalLong;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Envelope;
+import org.locationtech.jts.geom.Geometry;
+import org.locationtech.jts.geom.GeometryFactory;
+import org.sami.boat.server.LocalFrame;
+import org.sami.crw.decision.AnswersFileReader;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.spn.json.ProjectReader;
+import org.sami.spn.model.Project;
+import org.sami.spn.value.GeoPoint;
+
+/** Whole missions around a rock in the middle of the water, which the allocation is to avoid: measured on the boats' true tracks. */
+class ClearWaysRunTest {
+    private static final double HALF_M = 60;
+    private static final GeometryFactory FACTORY = new GeometryFactory();
+    private static final Geometry ROCK = FACTORY.toGeometry(new Envelope(-HALF_M, HALF_M, -HALF_M, HALF_M));
+    private static final String ALLOCATION = "\"fields\": {\"locations\": {\"variable\": \"@locations\"}}";
+
+    @ParameterizedTest
+    @CsvSource({
+        "clv, ''",
+        "clv-interrupts, alarm@60",
+        "clv-interrupts, recharge:2@90",
+        "clv-interrupts, recharge@battery"
+    })
+    void inCalmWaterNoBoatEntersTheRockOnWhicheverWay(String plan, String interrupt) {
+        RunReport report = run(plan, interrupt, Conditions.CALM, 1);
+
+        assertThat(report.result().outcome()).as(report.result().reason()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.locations()).hasSize(8).allMatch(LocationResult::visited);
+        assertThat(deepestM(report)).isZero();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1", "2", "3"})
+    void inTheFieldNoBoatComesDeeperIntoTheRockThanWasAnnounced(long seed) {
+        RunReport report = run("clv-interrupts", "alarm@60", Conditions.FIELD, seed);
+
+        assertThat(report.result().outcome()).as(report.result().reason()).isEqualTo(RunOutcome.ENDED);
+        double announcedM = report.notes().stream()
+                .map(note -> note.message().replaceAll(".* so up to ([0-9.]+) m inside.*", "$1"))
+                .filter(words -> words.matches("[0-9.]+"))
+                .mapToDouble(Double::parseDouble)
+                .max()
+                .orElse(0);
+        assertThat(deepestM(report)).isLessThanOrEqualTo(announcedM);
+        assertThat(announcedM).isPositive();
+    }
+
+    private static RunReport run(String planId, String interrupt, Conditions conditions, long seed) {
+        Project project = new ProjectReader(TestRuns.LIBRARY.vocabulary())
+                .read(text(planId)
+                        .replace(ALLOCATION, ALLOCATION.replace("}}", "}, \"avoid\": {\"value\": " + rock() + "}}")))
+                .orThrow();
+        RunPlan plan = new RunPlan(
+                TestRuns.LIBRARY.vocabulary(), project, project.plan(planId).orElseThrow());
+        String answers = """
+                {"format": "crw-answers", "version": 1, "rules": [
+                 {"event": "OperatorCreateLocations", "answer": {"values": {"locations": [%s]}}}]}""".formatted(locations());
+        RunSettings.Fleet fleet = new RunSettings.Fleet(3, 8, 400, seed).on(conditions);
+        RunSettings settings = new RunSettings(
+                        planId, planId, fleet, Speed.MAX, OptionalLong.of(7_200_000), Map.of(), 5_000, answers)
+                .withInterrupts(interrupt.isEmpty() ? java.util.List.of() : java.util.List.of(interrupt));
+        if (interrupt.endsWith("battery")) {
+            settings = settings.withFleet(fleet.with(InitialCharges.parse("100,32,100")));
+        }
+        return new InProcessRun(
+                        plan,
+                        settings,
+                        AnswersFileReader.read(answers, TestRuns.LIBRARY.vocabulary())
+                                .orThrow(),
+                        RunJournal.none())
+                .run(Pacer.UNPACED, RunObserver.NONE);
+    }
+
+    private static String text(String plan) {
+        try (InputStream in =
+                ClearWaysRunTest.class.getResourceAsStream("/org/sami/domain/crw/plans/" + plan + ".json")) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private static String rock() {
+        return "[{\"outline\": [" + point(-HALF_M, -HALF_M) + ", " + point(HALF_M, -HALF_M) + ", "
+                + point(HALF_M, HALF_M) + ", " + point(-HALF_M, HALF_M) + "]}]";
+    }
+
+    /** Around the rock, in turn on opposite sides. */
+    private static String locations() {
+        StringBuilder locations = new StringBuilder();
+        for (int i = 0; i < 8; i++) {
+            double angle = Math.PI * (i * 3 % 8) / 4 + 0.2;
+            locations.append(i == 0 ? "" : ", ").append(point(100 * Math.cos(angle), 100 * Math.sin(angle)));
+        }
+        return locations.toString();
+    }
+
+    private static String point(double eastM, double northM) {
+        GeoPoint centre = Site.USUAL.centreInProcess();
+        LocalFrame frame = new LocalFrame(centre.latDeg(), centre.lonDeg());
+        return String.format(
+                Locale.ROOT,
+                "{\"lat\": %.9f, \"lon\": %.9f}",
+                frame.latDeg(eastM, northM),
+                frame.lonDeg(eastM, northM));
+    }
+
+    private static double deepestM(RunReport report) {
+        double deepestM = 0;
+        for (BoatResult boat : report.boats()) {
+            Geometry track = FACTORY.createLineString(boat.track().stream()
+                    .map(point -> new Coordinate(point.eastM(), point.northM()))
+                    .toArray(Coordinate[]::new));
+            for (Coordinate place : track.intersection(ROCK).getCoordinates()) {
+                deepestM = Math.max(deepestM, ROCK.getBoundary().distance(FACTORY.createPoint(place)));
+            }
+        }
+        return deepestM;
+    }
+}
