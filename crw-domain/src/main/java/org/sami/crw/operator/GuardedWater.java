@@ -56,8 +56,7 @@ final class GuardedWater {
         }
         GeoPoint next = points.get(entry.visited());
         List<GeoPoint> way = List.of(position.get(), next); // it begins where the boat seems to be
-        boolean forbidden =
-                ofPositions.allows(List.of(position.get())) && leaves(ofPositions, way, entry.command());
+        boolean forbidden = ofPositions.allows(List.of(position.get())) && leaves(ofPositions, way, entry.command());
         return forbidden ? Optional.of(next) : Optional.empty();
     }
 

@@ -12,6 +12,7 @@ import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.LinearRing;
+import org.locationtech.jts.geom.Point;
 import org.locationtech.jts.geom.Polygon;
 import org.locationtech.jts.geom.prep.PreparedGeometry;
 import org.locationtech.jts.geom.prep.PreparedGeometryFactory;
@@ -37,6 +38,9 @@ public final class VisibilityGraph {
 
     /** At so little clearance, in metres, a corner is passed with one turn, not in a circle. */
     private static final double MOST_CORNER_M = 1;
+
+    /** Places, and lines, so near to one another, in metres, are the same but for rounding. */
+    private static final double SAME_PLACE_M = 1e-6;
 
     private static final int QUADRANT_SEGMENTS = 4;
     /** A circle's polygon of that many segments lies inside the circle, by this factor where it is nearest. */
@@ -135,6 +139,14 @@ public final class VisibilityGraph {
         return !blocked.isEmpty() && prepared.intersects(FACTORY.createPoint(place));
     }
 
+    /** Whether a place is not blocked, but so near that it lies behind the corners at which ways turn: no way is found from there. */
+    boolean isBehindCorners(Coordinate place) {
+        Point point = FACTORY.createPoint(place);
+        return !isBlocked(place)
+                && around.intersects(point)
+                && around.getBoundary().distance(point) > SAME_PLACE_M;
+    }
+
     /** The nearest place that is not blocked. */
     Coordinate nearestFree(Coordinate place) {
         return DistanceOp.nearestPoints(around.getBoundary(), FACTORY.createPoint(place))[0];
@@ -219,7 +231,7 @@ public final class VisibilityGraph {
             double dx = to.x - from.x;
             double dy = to.y - from.y;
             double offM = (dx * (place.y - from.y) - dy * (place.x - from.x)) / Math.max(1, Math.hypot(dx, dy));
-            return Math.abs(offM) < 1e-6 ? 0 : Math.signum(offM);
+            return Math.abs(offM) < SAME_PLACE_M ? 0 : Math.signum(offM);
         }
 
         private List<Coordinate> way() {

@@ -89,13 +89,17 @@ final class WayAround {
     /** From an end that is too near, straight to where the clearance is kept; empty where that way is barred. */
     private List<Coordinate> leave(GeoPoint end, VisibilityGraph graph) {
         Coordinate at = Areas.coordinate(end, water.plane());
-        if (!graph.isBlocked(at)) {
+        boolean blocked = graph.isBlocked(at);
+        if (!blocked && !graph.isBehindCorners(at)) {
             return List.of(at);
         }
         Coordinate free = graph.nearestFree(at);
         GeoPoint outside = Areas.point(free, water.plane());
         tested++;
-        return !graph.isBlocked(free) && water.clearanceM(List.of(end, outside)) > 0 ? List.of(at, free) : List.of();
+        if (!graph.isBlocked(free) && water.clearanceM(List.of(end, outside)) > 0) {
+            return List.of(at, free);
+        }
+        return blocked ? List.of() : List.of(at);
     }
 
     /** The points after the start. */

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.sami.crw.service.AreaOfTest;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.choice.Criterion;
+import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
@@ -55,6 +56,25 @@ class PathsTest {
         }
         assertThat(ways).isGreaterThan(40);
         assertThat(straight).isLessThan(ways);
+    }
+
+    @Test
+    void wayIsFoundHoweverNearToWhatIsForbiddenItBegins() {
+        GeoArea rock = new GeoArea(List.of(at(-20, -20), at(20, -20), at(20, 20), at(-20, 20)), List.of());
+        Water water =
+                Water.of(AreaOfTest.CENTRE, List.of(rock), Optional.empty()).drivenWith(CrossTrackError.CALM);
+        for (int cm = 5; cm <= 120; cm += 5) {
+            GeoPoint from = at(-18, -20 - cm / 100.0);
+
+            Optional<List<GeoPoint>> turns = Detour.between(from, at(0, 100), water);
+
+            assertThat(turns).as("%s cm off", cm).isPresent();
+            List<GeoPoint> way = new ArrayList<>(List.of(from));
+            way.addAll(turns.get());
+            way.add(at(0, 100));
+            assertThat(water.clearanceM(way)).as("%s cm off", cm).isPositive();
+            assertThat(turns.get().size()).as("%s cm off", cm).isLessThanOrEqualTo(3);
+        }
     }
 
     @Test
