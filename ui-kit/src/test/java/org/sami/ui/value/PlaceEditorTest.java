@@ -3,6 +3,7 @@ package org.sami.ui.value;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Container;
+import java.awt.event.MouseEvent;
 import javax.swing.JComponent;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
@@ -29,6 +30,23 @@ class PlaceEditorTest {
         JComponent panel = laidOut(400);
 
         assertThat(SwingUtilities.convertPoint(text(), 0, 0, panel).y).isGreaterThan(map().getHeight() - 1);
+    }
+
+    @Test
+    void textThatIsEmptiedTakesTheDrawingAway() {
+        laidOut(620);
+        text().setText("45.1, 10.1\n45.1, 10.2\n45.2, 10.2");
+
+        text().setText("");
+        click(map().canvas(), 40, 30);
+
+        assertThat(text().getText().lines()).hasSize(1);
+    }
+
+    private static void click(JComponent canvas, int x, int y) {
+        for (int what : new int[] {MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED}) {
+            canvas.dispatchEvent(new MouseEvent(canvas, what, 0, 0, x, y, 1, false, MouseEvent.BUTTON1));
+        }
     }
 
     private JComponent laidOut(int width) {
