@@ -1,7 +1,5 @@
 package org.sami.crw.handler;
 
-import java.util.ArrayList;
-import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -36,12 +34,11 @@ final class AreaSubscriptions implements ActivationHandler, BoatListener, HostLi
     private static final String AREA = "area";
 
     private final ProxyRegistry boats;
-    private final Executor fleet;
-    private final Map<Long, Subscription> open = new LinkedHashMap<>(); // by activation
+    private final OpenSubscriptions<Subscription> open;
 
     AreaSubscriptions(ProxyRegistry boats, Executor fleet) {
         this.boats = boats;
-        this.fleet = fleet;
+        open = new OpenSubscriptions<>(fleet, subscription -> subscription.byBoat.isEmpty());
     }
 
     @Override
@@ -50,7 +47,7 @@ final class AreaSubscriptions implements ActivationHandler, BoatListener, HostLi
             throw new IllegalArgumentException("\"" + AREA + "\" is no area: " + activation.value(AREA));
         }
         Subscription subscription = new Subscription(activation, context, area);
-        open.put(activation.id(), subscription);
+        open.add(activation.id(), subscription);
         for (String boat : List.copyOf(subscription.byBoat.keySet())) {
             boats.find(boat)
                     .flatMap(proxy -> proxy.status().pose())
@@ -60,28 +57,12 @@ final class AreaSubscriptions implements ActivationHandler, BoatListener, HostLi
 
     @Override
     public void onStatus(BoatStatus status) {
-        status.pose().ifPresent(pose -> {
-            for (Iterator<Subscription> all = open.values().iterator(); all.hasNext(); ) {
-                Subscription subscription = all.next();
-                subscription.at(status.boatId(), pose.position());
-                if (subscription.byBoat.isEmpty()) {
-                    all.remove();
-                }
-            }
-        });
+        status.pose().ifPresent(pose -> open.tell(subscription -> subscription.at(status.boatId(), pose.position())));
     }
 
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
-        List<Long> ended = new ArrayList<>();
-        for (Effect effect : effects) {
-            if (effect instanceof Effect.ActivationEnded over) {
-                ended.add(over.activation());
-            }
-        }
-        if (!ended.isEmpty()) {
-            fleet.execute(() -> ended.forEach(open::remove));
-        }
+        open.onStep(index, atMillis, input, effects, view);
     }
 
     /** One activation, its area on a plane, and where each of its boats was last: inside or not. */

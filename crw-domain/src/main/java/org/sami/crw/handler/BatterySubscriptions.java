@@ -1,9 +1,6 @@
 package org.sami.crw.handler;
 
-import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.Iterator;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -41,19 +38,18 @@ final class BatterySubscriptions implements ActivationHandler, BoatListener, Hos
     private static final String CRITICAL = "critical";
 
     private final ProxyRegistry boats;
-    private final Executor fleet;
-    private final Map<Long, Subscription> open = new LinkedHashMap<>(); // by activation
+    private final OpenSubscriptions<Subscription> open;
 
     BatterySubscriptions(ProxyRegistry boats, Executor fleet) {
         this.boats = boats;
-        this.fleet = fleet;
+        open = new OpenSubscriptions<>(fleet, subscription -> subscription.byBoat.isEmpty());
     }
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
         Subscription subscription = new Subscription(activation, context);
         if (!subscription.byBoat.isEmpty() && subscription.isOpen()) {
-            open.put(activation.id(), subscription);
+            open.add(activation.id(), subscription);
             subscription
                     .byBoat
                     .keySet()
@@ -65,7 +61,7 @@ final class BatterySubscriptions implements ActivationHandler, BoatListener, Hos
 
     /** The missions that have subscribed to a boat's battery: what they are told goes by their thresholds alone. */
     Set<Long> subscribers(String boat) {
-        return open.values().stream()
+        return open.stream()
                 .filter(subscription -> subscription.byBoat.containsKey(boat))
                 .map(subscription -> subscription.activation.mission())
                 .collect(Collectors.toSet());
@@ -82,26 +78,12 @@ final class BatterySubscriptions implements ActivationHandler, BoatListener, Hos
     }
 
     private void look(String boat, BatteryState battery) {
-        for (Iterator<Subscription> all = open.values().iterator(); all.hasNext(); ) {
-            Subscription subscription = all.next();
-            subscription.look(boat, battery);
-            if (subscription.byBoat.isEmpty()) {
-                all.remove();
-            }
-        }
+        open.tell(subscription -> subscription.look(boat, battery));
     }
 
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
-        List<Long> ended = new ArrayList<>();
-        for (Effect effect : effects) {
-            if (effect instanceof Effect.ActivationEnded over) {
-                ended.add(over.activation());
-            }
-        }
-        if (!ended.isEmpty()) {
-            fleet.execute(() -> ended.forEach(open::remove));
-        }
+        open.onStep(index, atMillis, input, effects, view);
     }
 
     /** One activation, and what each of its boats was told last. */

@@ -1,15 +1,14 @@
 package org.sami.dreamm.help;
 
 import java.awt.Dimension;
-import java.awt.Rectangle;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.Scrollable;
 import net.miginfocom.swing.MigLayout;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.ScrolledPanel;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.value.WrappedText;
@@ -29,25 +28,20 @@ public final class HelpView extends JPanel {
         page.setSize(Look.px(PAGE_WIDTH), Integer.MAX_VALUE);
         page.doLayout(); // texts that wrap say their height when they have a width
         page.doLayout();
-        JScrollPane scrolled =
-                new JScrollPane(page, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        JScrollPane scrolled = page.inPane();
         scrolled.setName("help-scroll");
-        scrolled.setBorder(BorderFactory.createEmptyBorder());
-        scrolled.getVerticalScrollBar().setUnitIncrement(Look.px(Spacing.HIT_TARGET));
-        scrolled.getViewport().setBackground(SemanticColor.SURFACE.get());
         add(scrolled, "wmin 0, hmin 0");
         int height = Math.min(Look.px(MOST_HEIGHT), page.getPreferredSize().height + 2 * Look.px(2));
         setPreferredSize(new Dimension(Look.px(PAGE_WIDTH), height));
     }
 
-    private static final class Page extends JPanel implements Scrollable {
+    private static final class Page extends ScrolledPanel {
         Page(HelpTopic topic) {
             super(new MigLayout(
                     "insets " + Spacing.INSET + ", gap 12 6, fillx, wrap 2",
                     "[" + PAGE_WIDTH / 3 + "!, fill][grow, fill]",
                     "[top]"));
             setName("help-page");
-            setOpaque(false);
             setFocusable(true); // its scroll pane has the keys
             getAccessibleContext().setAccessibleName("Help on " + topic.title());
             getAccessibleContext().setAccessibleDescription(topic.text());
@@ -77,31 +71,6 @@ public final class HelpView extends JPanel {
             text.setName(name);
             text.setColor(color);
             return text;
-        }
-
-        @Override
-        public Dimension getPreferredScrollableViewportSize() {
-            return getPreferredSize();
-        }
-
-        @Override
-        public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
-            return Look.px(Spacing.HIT_TARGET);
-        }
-
-        @Override
-        public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
-            return visible.height;
-        }
-
-        @Override
-        public boolean getScrollableTracksViewportWidth() {
-            return true;
-        }
-
-        @Override
-        public boolean getScrollableTracksViewportHeight() {
-            return false;
         }
     }
 }

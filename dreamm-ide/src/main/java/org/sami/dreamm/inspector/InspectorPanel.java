@@ -1,17 +1,13 @@
 package org.sami.dreamm.inspector;
 
-import java.awt.Dimension;
 import java.awt.Point;
-import java.awt.Rectangle;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.Scrollable;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.EditorListener;
@@ -27,19 +23,17 @@ import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.wizard.AddEvent;
 import org.sami.spn.wizard.EventTarget;
 import org.sami.ui.look.Fonts;
-import org.sami.ui.look.Look;
+import org.sami.ui.look.ScrolledPanel;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
 /** Editors of what is selected, one below the other; of the plan where nothing is selected. The focus stays where it is over an edit. */
 public final class InspectorPanel extends JPanel {
-    private static final int STEP = 24;
-
     private final transient DreammContext context;
     private final JLabel title = new JLabel();
-    private final Column column = new Column();
-    private final JScrollPane scrolled =
-            new JScrollPane(column, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+    private final ScrolledPanel column =
+            new ScrolledPanel(new MigLayout("novisualpadding, insets 0, gap 0 8, wrap 1, fillx", "[grow, fill]"));
+    private final JScrollPane scrolled = column.inPane();
     private final JPanel found = new JPanel(new MigLayout("novisualpadding, insets 0, wrap 1, fillx", "[grow, fill]"));
     private final transient LiveFindings live;
     private transient List<Finding> shownFindings = List.of();
@@ -62,10 +56,6 @@ public final class InspectorPanel extends JPanel {
         setName("inspector-panel");
         title.setName("inspector-title");
         found.setOpaque(false);
-        scrolled.setBorder(BorderFactory.createEmptyBorder());
-        scrolled.getViewport().setOpaque(false);
-        scrolled.setOpaque(false);
-        scrolled.getVerticalScrollBar().setUnitIncrement(Look.px(STEP));
         add(title, "wmin 0");
         add(scrolled, "wmin 0, hmin 0");
         context.document().addListener(change -> rebuild());
@@ -228,38 +218,5 @@ public final class InspectorPanel extends JPanel {
                                 context.additions().mode(),
                                 context.additions().library()))));
         column.add(form, "hmin 160");
-    }
-
-    /** As wide as the panel, as high as what it holds. */
-    private static final class Column extends JPanel implements Scrollable {
-        Column() {
-            super(new MigLayout("novisualpadding, insets 0, gap 0 8, wrap 1, fillx", "[grow, fill]"));
-            setOpaque(false);
-        }
-
-        @Override
-        public Dimension getPreferredScrollableViewportSize() {
-            return getPreferredSize();
-        }
-
-        @Override
-        public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
-            return Look.px(STEP);
-        }
-
-        @Override
-        public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
-            return visible.height;
-        }
-
-        @Override
-        public boolean getScrollableTracksViewportWidth() {
-            return true;
-        }
-
-        @Override
-        public boolean getScrollableTracksViewportHeight() {
-            return false;
-        }
     }
 }

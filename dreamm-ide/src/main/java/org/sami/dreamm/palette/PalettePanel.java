@@ -1,5 +1,6 @@
 package org.sami.dreamm.palette;
 
+import java.awt.BorderLayout;
 import java.awt.GraphicsEnvironment;
 import java.util.Optional;
 import java.util.Set;
@@ -10,9 +11,9 @@ import org.sami.dreamm.document.EditorListener;
 import org.sami.dreamm.wizard.SequenceStrip;
 import org.sami.spn.edit.Edit;
 import org.sami.ui.command.Command;
+import org.sami.ui.look.ScrolledPanel;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
-import org.sami.ui.look.VerticalScroll;
 
 /** The toolset palette: the list of what can be added, and below it what the marked item is and what would come with it. */
 public final class PalettePanel extends JPanel {
@@ -33,7 +34,9 @@ public final class PalettePanel extends JPanel {
         this.strip = new SequenceStrip(context.additions());
         setName("palette-panel");
         add(list, "wmin 0, hmin 72");
-        add(new VerticalScroll(strip), "wmin 0, hmin 0");
+        ScrolledPanel below = new ScrolledPanel(new BorderLayout());
+        below.add(strip);
+        add(below.inPane(), "wmin 0, hmin 0");
         if (!GraphicsEnvironment.isHeadless()) {
             list.enableDrag();
         }

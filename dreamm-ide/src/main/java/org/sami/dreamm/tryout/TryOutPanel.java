@@ -1,7 +1,6 @@
 package org.sami.dreamm.tryout;
 
 import java.awt.BorderLayout;
-import java.awt.Dimension;
 import java.awt.Insets;
 import java.awt.Rectangle;
 import java.util.ArrayList;
@@ -10,7 +9,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import javax.swing.AbstractAction;
-import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
@@ -20,7 +18,6 @@ import javax.swing.JScrollPane;
 import javax.swing.JSpinner;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
-import javax.swing.Scrollable;
 import javax.swing.SpinnerNumberModel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
@@ -29,6 +26,7 @@ import org.sami.ui.EventThread;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.ScrolledPanel;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.replay.SessionClock;
 import org.sami.ui.table.RowColumn;
@@ -45,7 +43,7 @@ public final class TryOutPanel extends JPanel {
     private final transient TryOut tryOut;
     private final transient TryOutCommands commands;
     private final RowTable<Happening> happenings;
-    private final JPanel editorPlace = new Column();
+    private final Column editorPlace = new Column();
     private final JButton happen = new JButton("Let it happen");
     private final JButton reject = new JButton("None of them");
     private final JLabel message = new JLabel();
@@ -156,11 +154,7 @@ public final class TryOutPanel extends JPanel {
         reject.addActionListener(e -> happen(true));
         JPanel one = new JPanel(new BorderLayout());
         one.setOpaque(false);
-        JScrollPane scroll = new JScrollPane(
-                editorPlace, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
-        scroll.setBorder(BorderFactory.createEmptyBorder());
-        scroll.getViewport().setOpaque(false);
-        scroll.setOpaque(false);
+        JScrollPane scroll = editorPlace.inPane();
         JPanel buttons = new JPanel(new MigLayout("insets 4 8 4 8, gap 8, hidemode 3", "push[][]", "[]"));
         buttons.setOpaque(false);
         buttons.add(reject, "hmin 32");
@@ -275,30 +269,10 @@ public final class TryOutPanel extends JPanel {
         where.setForeground(SemanticColor.MUTED.get());
     }
 
-    /** As wide as the view on it, so that only its height is scrolled. */
-    private static final class Column extends JPanel implements Scrollable {
+    /** As high as the view on it where what it holds is lower. */
+    private static final class Column extends ScrolledPanel {
         Column() {
             super(new BorderLayout());
-        }
-
-        @Override
-        public Dimension getPreferredScrollableViewportSize() {
-            return getPreferredSize();
-        }
-
-        @Override
-        public int getScrollableUnitIncrement(Rectangle shown, int orientation, int direction) {
-            return Look.px(24);
-        }
-
-        @Override
-        public int getScrollableBlockIncrement(Rectangle shown, int orientation, int direction) {
-            return Math.max(1, shown.height - Look.px(24));
-        }
-
-        @Override
-        public boolean getScrollableTracksViewportWidth() {
-            return true;
         }
 
         @Override

@@ -2,23 +2,16 @@ package org.sami.crw.gui.mission;
 
 import java.awt.BorderLayout;
 import java.awt.Component;
-import java.awt.Dimension;
-import java.awt.Rectangle;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JPanel;
-import javax.swing.JScrollPane;
-import javax.swing.ScrollPaneConstants;
-import javax.swing.Scrollable;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.InterruptChoice;
 import org.sami.ui.look.Icons;
-import org.sami.ui.look.Look;
-import org.sami.ui.look.Spacing;
+import org.sami.ui.look.ScrolledPanel;
 import org.sami.ui.value.WrappedText;
 
 /** The buttons that running missions offer. Those for boats are pressed for the selected ones; where none is selected the plan asks. */
@@ -26,18 +19,14 @@ public final class InterruptsPanel extends JPanel {
     private static final int MOST_NAMED = 2; // the tooltip has all of them
 
     private final OperatorContext context;
-    private final JPanel column = new Column();
+    private final ScrolledPanel column = new ScrolledPanel(new MigLayout("insets 8, wrap 1, fillx", "[grow]", ""));
     private Optional<Shown> shown = Optional.empty();
 
     /** The interrupts of the session. */
     public InterruptsPanel(OperatorContext context) {
         super(new BorderLayout());
         this.context = context;
-        JScrollPane scroll = new JScrollPane(column);
-        scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-        scroll.setBorder(BorderFactory.createEmptyBorder());
-        scroll.getVerticalScrollBar().setUnitIncrement(Spacing.WIDE);
-        add(scroll);
+        add(column.inPane());
         context.models().interrupts().addListener(this::show);
         context.boats().addListener(() -> show(context.models().interrupts().snapshot()));
         show(context.models().interrupts().snapshot());
@@ -90,37 +79,5 @@ public final class InterruptsPanel extends JPanel {
         button.addActionListener(e -> context.tell(
                 context.session().press(choice.name(), choice.mission(), boats), "Pressed " + choice.name() + whom));
         return button;
-    }
-
-    /** As wide as what it is seen through: it scrolls upwards and downwards only. */
-    private static final class Column extends JPanel implements Scrollable {
-        Column() {
-            super(new MigLayout("insets 8, wrap 1, fillx", "[grow]", ""));
-        }
-
-        @Override
-        public Dimension getPreferredScrollableViewportSize() {
-            return getPreferredSize();
-        }
-
-        @Override
-        public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
-            return Look.px(Spacing.HIT_TARGET_FIELD);
-        }
-
-        @Override
-        public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
-            return visible.height;
-        }
-
-        @Override
-        public boolean getScrollableTracksViewportWidth() {
-            return true;
-        }
-
-        @Override
-        public boolean getScrollableTracksViewportHeight() {
-            return false;
-        }
     }
 }

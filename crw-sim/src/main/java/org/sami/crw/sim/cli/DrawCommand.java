@@ -5,17 +5,15 @@ import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.sami.picture.NetPicture;
-import org.sami.spn.json.DomainLibrary;
-import org.sami.spn.json.Reading;
 import org.sami.spn.model.Plan;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** {@code crw draw}: the picture of a net. */
@@ -31,13 +29,8 @@ final class DrawCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    @Parameters(
-            paramLabel = "FILE|PLAN",
-            description = "A project's file or folder, or a plan of the library by its id.")
-    private String name;
-
     @Mixin
-    private DomainOption domain = new DomainOption();
+    private PlansArgument plans = new PlansArgument();
 
     @Option(
             names = "--plan",
@@ -60,23 +53,12 @@ final class DrawCommand implements Callable<Integer> {
         if (svg == null && png == null) {
             throw new ParameterException(spec.commandLine(), "Where to? --svg FILE, --png FILE or both");
         }
-        Reading<DomainLibrary> words = domain.read();
-        if (words.result().isEmpty()) {
-            PrintWriter err = spec.commandLine().getErr();
-            FindingsText.print(err, domain.name(), words.findings());
-            err.flush();
+        Optional<PlansArgument.Read> read = plans.read(spec.commandLine().getErr());
+        if (read.isEmpty()) {
             return ExitCode.FINDINGS;
         }
-        DomainLibrary library = words.result().get();
-        PlanSource source = domain.find(name, library);
-        if (source.project().isEmpty()) {
-            PrintWriter err = spec.commandLine().getErr();
-            FindingsText.print(err, name, source.findings());
-            err.flush();
-            return ExitCode.FINDINGS;
-        }
-        Plan plan = source.choose(planName);
-        NetPicture picture = NetPicture.of(plan, library.vocabulary(), layout);
+        Plan plan = read.get().source().choose(planName);
+        NetPicture picture = NetPicture.of(plan, read.get().library().vocabulary(), layout);
         if (svg != null) {
             write(svg, picture.svg().getBytes(StandardCharsets.UTF_8));
         }

@@ -5,10 +5,9 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
-import org.sami.spn.json.DomainLibrary;
-import org.sami.spn.json.Reading;
 import org.sami.spn.model.Plan;
 import org.sami.spn.phase.PhaseAction;
 import org.sami.spn.phase.PhaseChart;
@@ -16,7 +15,6 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** {@code crw phases}: the phase chart of a plan (thesis 5.2.3). */
@@ -36,13 +34,8 @@ final class PhasesCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    @Parameters(
-            paramLabel = "FILE|PLAN",
-            description = "A project's file or folder, or a plan of the library by its id.")
-    private String name;
-
     @Mixin
-    private DomainOption domain = new DomainOption();
+    private PlansArgument plans = new PlansArgument();
 
     @Option(
             names = "--plan",
@@ -60,23 +53,12 @@ final class PhasesCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Reading<DomainLibrary> words = domain.read();
-        if (words.result().isEmpty()) {
-            PrintWriter err = spec.commandLine().getErr();
-            FindingsText.print(err, domain.name(), words.findings());
-            err.flush();
+        Optional<PlansArgument.Read> read = plans.read(spec.commandLine().getErr());
+        if (read.isEmpty()) {
             return ExitCode.FINDINGS;
         }
-        DomainLibrary library = words.result().get();
-        PlanSource source = domain.find(name, library);
-        if (source.project().isEmpty()) {
-            PrintWriter err = spec.commandLine().getErr();
-            FindingsText.print(err, name, source.findings());
-            err.flush();
-            return ExitCode.FINDINGS;
-        }
-        Plan plan = source.choose(planName);
-        PhaseChart chart = PhaseChart.of(plan, library.vocabulary());
+        Plan plan = read.get().source().choose(planName);
+        PhaseChart chart = PhaseChart.of(plan, read.get().library().vocabulary());
         PrintWriter out = spec.commandLine().getOut();
         Map<String, String> chosen = chosen(chart);
         out.print(

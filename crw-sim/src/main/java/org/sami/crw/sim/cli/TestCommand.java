@@ -9,8 +9,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.sami.spn.finding.Finding;
-import org.sami.spn.json.DomainLibrary;
-import org.sami.spn.json.Reading;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.TestCase;
@@ -19,7 +17,6 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** {@code crw test}: whether plans still do what their saved test cases say. */
@@ -41,13 +38,8 @@ final class TestCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    @Parameters(
-            paramLabel = "FILE|PLAN",
-            description = "A project's file or folder, or a plan of the library by its id.")
-    private String name;
-
     @Mixin
-    private DomainOption domain = new DomainOption();
+    private PlansArgument plans = new PlansArgument();
 
     @Option(
             names = "--plan",
@@ -64,40 +56,42 @@ final class TestCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Reading<DomainLibrary> words = domain.read();
-        if (words.result().isEmpty()) {
-            PrintWriter err = spec.commandLine().getErr();
-            FindingsText.print(err, domain.name(), words.findings());
-            err.flush();
-            return ExitCode.FINDINGS;
-        }
-        DomainLibrary library = words.result().get();
-        PlanSource source = domain.find(name, library);
         PrintWriter err = spec.commandLine().getErr();
-        if (source.project().isEmpty() || source.hasErrors()) {
-            FindingsText.print(err, name, source.findings());
-            err.println(name + ": a plan with errors is not started, in a test neither");
-            err.flush();
-            return ExitCode.FINDINGS;
+        Optional<PlansArgument.Read> read = plans.read(err);
+        if (read.isEmpty()) {
+            return notStarted(err);
+        }
+        PlanSource source = read.get().source();
+        if (source.hasErrors()) {
+            FindingsText.print(err, plans.name(), source.findings());
+            return notStarted(err);
         }
         Project project = source.project().get();
-        List<Result> results = run(plans(source, project), new TestCaseRunner(project, library.vocabulary()));
+        List<Result> results = run(
+                chosen(source, project),
+                new TestCaseRunner(project, read.get().library().vocabulary()));
         PrintWriter out = spec.commandLine().getOut();
         if (json) {
             out.println(object(results).toPrettyString());
         } else {
             results.forEach(result -> print(out, result));
-            out.printf("%s: %d passed, %d failed%n", name, results.size() - failed(results), failed(results));
+            out.printf("%s: %d passed, %d failed%n", plans.name(), results.size() - failed(results), failed(results));
         }
         out.flush();
         if (results.isEmpty()) {
-            err.println("crw: " + name + " has no test cases (docs/file-format.md, testCases)");
+            err.println("crw: " + plans.name() + " has no test cases (docs/file-format.md, testCases)");
             err.flush();
         }
         return results.isEmpty() || failed(results) > 0 ? ExitCode.FINDINGS : ExitCode.OK;
     }
 
-    private List<Plan> plans(PlanSource source, Project project) {
+    private int notStarted(PrintWriter err) {
+        err.println(plans.name() + ": a plan with errors is not started, in a test neither");
+        err.flush();
+        return ExitCode.FINDINGS;
+    }
+
+    private List<Plan> chosen(PlanSource source, Project project) {
         return planName.isEmpty() ? project.plans() : List.of(source.choose(planName));
     }
 
@@ -116,12 +110,12 @@ final class TestCommand implements Callable<Integer> {
     private void print(PrintWriter out, Result result) {
         String word = result.failure().isEmpty() ? "passed" : "FAILED";
         out.printf("%s  %s: %s%n", word, result.plan().id(), result.test().name());
-        result.failure().ifPresent(failure -> FindingsText.print(out, name, List.of(failure)));
+        result.failure().ifPresent(failure -> FindingsText.print(out, plans.name(), List.of(failure)));
     }
 
     private ObjectNode object(List<Result> results) {
         ObjectNode object = JsonNodeFactory.instance.objectNode();
-        object.put("source", name);
+        object.put("source", plans.name());
         object.put("passed", results.size() - failed(results));
         object.put("failed", failed(results));
         ArrayNode list = object.putArray("testCases");
