@@ -92,7 +92,9 @@ final class FleetDrawing {
     private void location(Graphics2D g, LocationResult location) {
         Point2D at = at(location);
         boolean numbered = report.locations().size() <= NUMBERED_LOCATIONS;
-        Color visitor = location.visited() ? Palette.color(boatIndex(location.visitedBy())) : null;
+        Color visitor = location.visit()
+                .map(visit -> Palette.color(boatIndex(visit.boat())))
+                .orElse(null);
         Point2D disc = numbered ? labels.disc(at, locationRadius) : at;
         if (disc.distance(at) > 1) {
             g.setColor(Palette.INK);

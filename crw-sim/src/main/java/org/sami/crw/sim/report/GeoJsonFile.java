@@ -96,9 +96,11 @@ final class GeoJsonFile {
                 .put("name", "location " + location.number())
                 .put("number", location.number())
                 .put("visited", location.visited());
-        location.visitedAtMillis()
-                .ifPresent(at ->
-                        properties.put("visitedAtS", BigDecimal.valueOf(at, 3)).put("visitedBy", location.visitedBy()));
+        location.visit()
+                .ifPresent(visit -> properties
+                        .put("visitedAtS", BigDecimal.valueOf(visit.atMillis(), 3))
+                        .put("visitedBy", visit.boat()));
+        properties.put("reported", location.reported().isPresent());
         feature("Point", position(location.latDeg(), location.lonDeg()), properties);
     }
 

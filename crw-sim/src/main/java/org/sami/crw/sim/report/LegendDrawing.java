@@ -83,9 +83,7 @@ final class LegendDrawing {
         if (report.locations().isEmpty()) {
             return "";
         }
-        long visits = report.locations().stream()
-                .filter(location -> location.visitedBy().equals(boat.id()))
-                .count();
+        long visits = report.visitsBy(boat.id());
         return " · " + visits + (visits == 1 ? " location" : " locations");
     }
 

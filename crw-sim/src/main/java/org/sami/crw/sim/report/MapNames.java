@@ -19,13 +19,21 @@ final class MapNames {
     }
 
     static String of(LocationResult location) {
-        return location.visited()
-                ? String.format(
-                        Locale.ROOT,
-                        "visited by %s at %.1f s",
-                        location.visitedBy(),
-                        location.visitedAtMillis().getAsLong() / 1000.0)
-                : "not visited";
+        if (location.visited()) {
+            return "visited by " + words(location.visit().orElseThrow());
+        }
+        String missed = location.truth()
+                .flatMap(truth -> truth.nearestM().stream()
+                        .mapToObj(nearest -> String.format(Locale.ROOT, ", truly missed by %.1f m", nearest))
+                        .findFirst())
+                .orElse(", truly missed");
+        return location.reported()
+                .map(visit -> "reported visited by " + words(visit) + missed)
+                .orElse("not visited");
+    }
+
+    private static String words(LocationResult.Visit visit) {
+        return String.format(Locale.ROOT, "%s at %.1f s", visit.boat(), visit.atMillis() / 1000.0);
     }
 
     static String of(MapSpot spot) {

@@ -53,6 +53,7 @@ public final class ReportJson {
         json.put("clicks", result.clicks());
         json.put("firings", result.firings());
         json.put("locationsVisited", report.locationsVisited());
+        json.put("locationsReported", report.locationsReported());
         json.put("distanceM", decimal(report.distanceM(), 2));
         ArrayNode problems = json.putArray("problems");
         report.problems().forEach(problem -> problems.add(problem.message()));
@@ -162,10 +163,15 @@ public final class ReportJson {
             node.put("latDeg", decimal(location.latDeg(), 7));
             node.put("lonDeg", decimal(location.lonDeg(), 7));
             node.put("visited", location.visited());
-            if (location.visited()) {
-                node.put("visitedAt", seconds(location.visitedAtMillis().getAsLong()));
-                node.put("visitedBy", location.visitedBy());
-            }
+            location.visit()
+                    .ifPresent(visit ->
+                            node.put("visitedAt", seconds(visit.atMillis())).put("visitedBy", visit.boat()));
+            node.put("reported", location.reported().isPresent());
+            location.reported()
+                    .ifPresent(visit ->
+                            node.put("reportedAt", seconds(visit.atMillis())).put("reportedBy", visit.boat()));
+            location.truth()
+                    .ifPresent(truth -> truth.nearestM().ifPresent(near -> node.put("nearestM", decimal(near, 2))));
         }
         return array;
     }

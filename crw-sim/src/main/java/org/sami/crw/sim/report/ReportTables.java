@@ -3,6 +3,8 @@ package org.sami.crw.sim.report;
 import static org.sami.crw.sim.report.CsvTable.fixed;
 import static org.sami.crw.sim.report.CsvTable.seconds;
 
+import org.sami.crw.sim.report.LocationResult.Visit;
+
 /** The report's tables. Times are simulated seconds, lengths metres, angles degrees. */
 final class ReportTables {
     private ReportTables() {}
@@ -11,23 +13,31 @@ final class ReportTables {
         CsvTable table =
                 new CsvTable("boat", "link", "distance_m", "battery_percent", "recharges", "locations_visited");
         for (BoatResult boat : report.boats()) {
-            long visited = report.locations().stream()
-                    .filter(location -> location.visitedBy().equals(boat.id()))
-                    .count();
             table.row(
                     boat.id(),
                     boat.link().words(),
                     fixed(boat.distanceM(), 2),
                     fixed(boat.batteryPercent(), 2),
                     boat.recharges(),
-                    visited);
+                    report.visitsBy(boat.id()));
         }
         return table;
     }
 
     static CsvTable locations(RunReport report) {
-        CsvTable table =
-                new CsvTable("location", "lat_deg", "lon_deg", "east_m", "north_m", "visited", "visited_at_s", "boat");
+        CsvTable table = new CsvTable(
+                "location",
+                "lat_deg",
+                "lon_deg",
+                "east_m",
+                "north_m",
+                "visited",
+                "visited_at_s",
+                "boat",
+                "reported",
+                "reported_at_s",
+                "reported_by",
+                "nearest_m");
         for (LocationResult location : report.locations()) {
             table.row(
                     location.number(),
@@ -36,10 +46,20 @@ final class ReportTables {
                     fixed(location.eastM(), 3),
                     fixed(location.northM(), 3),
                     location.visited(),
-                    location.visited() ? seconds(location.visitedAtMillis().getAsLong()) : "",
-                    location.visitedBy());
+                    location.visit().map(visit -> seconds(visit.atMillis())).orElse(""),
+                    location.visit().map(Visit::boat).orElse(""),
+                    location.reported().isPresent(),
+                    location.reported().map(visit -> seconds(visit.atMillis())).orElse(""),
+                    location.reported().map(Visit::boat).orElse(""),
+                    nearest(location));
         }
         return table;
+    }
+
+    private static String nearest(LocationResult location) {
+        return location.truth().isPresent() && location.truth().get().nearestM().isPresent()
+                ? fixed(location.truth().get().nearestM().getAsDouble(), 2)
+                : "";
     }
 
     static CsvTable firings(RunReport report) {

@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import org.sami.crw.sim.report.LocationResult.Truth;
 
 /** The report as text for a terminal. */
 public final class ReportText {
@@ -70,12 +71,7 @@ public final class ReportText {
                 result.simulatedMillis() / 1000.0);
         line(text, "  %-20s%.1f s", "wall time", result.wallSeconds());
         line(text, "  %-20s%d", "clicks", result.clicks());
-        line(
-                text,
-                "  %-20s%d of %d",
-                "locations visited",
-                report.locationsVisited(),
-                report.locations().size());
+        visits(text, report);
         line(text, "  %-20s%.0f m", "distance", report.distanceM());
         report.map().closest().ever().ifPresent(ever -> line(text, "  %-20s%s", "closest approach", words(ever)));
         report.map()
@@ -99,6 +95,35 @@ public final class ReportText {
         report.origin().ifPresent(from -> line(text, "  %-20scrw %s", "program", from.version()));
         line(text, "  %-20s%s", "plan hash", header.planHash());
         line(text, "  %-20s%s", "run hash", result.runHash());
+    }
+
+    /** What boats reported, and under it, where that is known, where they truly were. */
+    private static void visits(StringBuilder text, RunReport report) {
+        int count = report.locations().size();
+        String told = count == 0 ? "" : ", as boats reported";
+        line(text, "  %-20s%d of %d%s", "locations visited", report.locationsReported(), count, told);
+        List<Truth> truths = report.locations().stream()
+                .flatMap(location -> location.truth().stream())
+                .toList();
+        if (truths.isEmpty()) {
+            return;
+        }
+        long far = truths.stream().filter(truth -> truth.nearestM().isEmpty()).count();
+        String unmeasured = far == 0 ? "" : ", " + far + " where no boat came near";
+        String farthest = truths.stream()
+                .flatMapToDouble(truth -> truth.nearestM().stream())
+                .boxed()
+                .max(Comparator.naturalOrder())
+                .map(nearest -> String.format(Locale.ROOT, ", farthest %.1f m", nearest))
+                .orElse("");
+        line(
+                text,
+                "  %-20s%d of %d%s%s",
+                String.format(Locale.ROOT, "  truly within %.0f m", Truth.RADIUS_M),
+                report.locationsVisited(),
+                count,
+                farthest,
+                unmeasured);
     }
 
     /** Who came how near, when and where. */

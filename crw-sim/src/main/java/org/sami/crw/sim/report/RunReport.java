@@ -153,9 +153,25 @@ public record RunReport(
                 : result.outcome().exitCode();
     }
 
-    /** How many of the locations a boat has visited. */
+    /** How many of the locations a boat has visited: truly where that is known, else by what boats reported. */
     public int locationsVisited() {
         return (int) locations.stream().filter(LocationResult::visited).count();
+    }
+
+    /** How many of the locations boats have reported to have visited. */
+    public int locationsReported() {
+        return (int) locations.stream()
+                .filter(location -> location.reported().isPresent())
+                .count();
+    }
+
+    /** How many of the locations a boat was the first to visit, counted as {@link #locationsVisited} does. */
+    long visitsBy(String boat) {
+        return locations.stream()
+                .filter(location -> location.visit()
+                        .filter(visit -> visit.boat().equals(boat))
+                        .isPresent())
+                .count();
     }
 
     /** Metres travelled by all boats together. */

@@ -208,8 +208,8 @@ public final class InProcessRun {
         session.begin();
         boolean isWatched = !observer.equals(RunObserver.NONE);
         repeat(LOOK_MILLIS, () -> {
-            if (records.visits().isLookingOut()) {
-                records.visits().look(now(), water.boats());
+            if (records.visits().count() > 0) {
+                records.lookAtTruth(now(), water.boats());
             }
             if (isWatched) {
                 observer.progress().accept(records.progress(catchingUp ? "catching up" : "running"));

@@ -13,10 +13,12 @@ import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
 import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.LinkResult;
+import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.RunLog;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.spn.host.HostListener;
+import org.sami.spn.value.GeoPoint;
 
 /**
  * What a run writes down while it goes, and its report. What is so now, such as open decisions and clicks, is read from the operator's
@@ -32,6 +34,7 @@ public final class RunRecords {
     private final InterruptScheduler interrupts;
     private final RunRecorder recorder;
     private final VisitRecorder visits = new VisitRecorder();
+    private final TrueVisits trueVisits = new TrueVisits(visits);
     private final TrackRecorder tracks = new TrackRecorder();
     private final ReadingRecorder readings = new ReadingRecorder();
     private final LocationListener locations;
@@ -65,6 +68,14 @@ public final class RunRecords {
         phases = new PhaseRecorder(plan.vocabulary());
         fences = new FenceNotes(session.models());
         session.addListener((SessionListener) readings);
+        if (!settings.isConnected()) { // else the run's monitor hears it, on the engine's thread
+            session.addListener(new SessionListener() {
+                @Override
+                public void onPassed(String boat, List<GeoPoint> points, long atMillis) {
+                    points.forEach(point -> visits.visited(point.latDeg(), point.lonDeg(), atMillis, boat));
+                }
+            });
+        }
     }
 
     /** Who must hear of every step of the engine, in this order. */
@@ -77,9 +88,18 @@ public final class RunRecords {
         return recorder;
     }
 
-    /** Which locations boats came to. */
+    /** Which locations boats came to, by what they report. */
     public VisitRecorder visits() {
         return visits;
+    }
+
+    /** Looks where boats of this process truly are, however they err. */
+    void lookAtTruth(long nowMillis, List<BoatState> boats) {
+        trueVisits.look(nowMillis, boats);
+    }
+
+    private List<LocationResult> locations() {
+        return settings.isConnected() ? visits.locations() : trueVisits.locations();
     }
 
     /** Where boats were. */
@@ -132,6 +152,7 @@ public final class RunRecords {
             List<BoatState> boats,
             Function<String, LinkResult> links,
             OptionalLong resumedFrom) {
+        List<LocationResult> visited = locations();
         List<BoatResult> results = tracks.results(end.atMillis(), boats, links);
         return new ReportBuilder(plan, settings, recorder, resumedFrom, plane)
                 .build(
@@ -139,10 +160,10 @@ public final class RunRecords {
                         session.models().clicks().clicks(),
                         boats,
                         results,
-                        visits.locations(),
+                        visited,
                         interrupts.results(),
                         told(end.atMillis()),
-                        map.map(results, visits.locations()))
+                        map.map(results, visited))
                 .withReadings(readings.readings())
                 .withLog(new RunLog(
                         phases.results(),

@@ -3,12 +3,13 @@ package org.sami.crw.sim.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalLong;
 import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.sim.report.LocationResult.Visit;
 
 /**
- * Watches which locations boats come to. A location counts as visited when a boat was within {@link #RADIUS_M}: what it calls
- * arrived (3 m), and what it drives between two looks; or when somebody takes a boat's word for it.
+ * Takes down which locations boats report to have visited: by their word that they were there, or, behind TCP, by their reported position
+ * within {@link #RADIUS_M}, which is what they call arrived (3 m) and what they drive between two looks. Where simulated boats truly were
+ * is known to {@link TrueVisits}.
  */
 public final class VisitRecorder {
     public static final double RADIUS_M = 3.5;
@@ -20,8 +21,7 @@ public final class VisitRecorder {
     public void add(double latDeg, double lonDeg, double eastM, double northM) {
         boolean known = locations.stream().anyMatch(l -> l.latDeg() == latDeg && l.lonDeg() == lonDeg);
         if (!known) {
-            locations.add(
-                    new LocationResult(locations.size() + 1, latDeg, lonDeg, eastM, northM, OptionalLong.empty(), ""));
+            locations.add(new LocationResult(locations.size() + 1, latDeg, lonDeg, eastM, northM, Optional.empty()));
         }
     }
 
@@ -30,7 +30,7 @@ public final class VisitRecorder {
         return visited < locations.size();
     }
 
-    /** Looks where the boats are. Returns the locations that were visited just now. */
+    /** Looks where the boats say that they are. Returns the locations that were visited just now. */
     public List<LocationResult> look(long nowMillis, List<BoatState> boats) {
         if (!isLookingOut()) {
             return List.of();
@@ -65,7 +65,8 @@ public final class VisitRecorder {
     public void visited(double latDeg, double lonDeg, long atMillis, String boatId) {
         for (int i = 0; i < locations.size(); i++) {
             LocationResult location = locations.get(i);
-            boolean earlier = atMillis < location.visitedAtMillis().orElse(Long.MAX_VALUE);
+            boolean earlier =
+                    atMillis < location.reported().map(Visit::atMillis).orElse(Long.MAX_VALUE);
             if (location.latDeg() == latDeg && location.lonDeg() == lonDeg && earlier) {
                 visited(i, atMillis, boatId);
                 return;
@@ -81,14 +82,13 @@ public final class VisitRecorder {
                 location.lonDeg(),
                 location.eastM(),
                 location.northM(),
-                OptionalLong.of(atMillis),
-                boatId);
+                Optional.of(new Visit(atMillis, boatId)));
         locations.set(index, now);
         visited += location.visited() ? 0 : 1;
         return now;
     }
 
-    /** How many locations have been visited. */
+    /** How many locations have been visited by what boats report. */
     public int visited() {
         return visited;
     }
@@ -96,6 +96,11 @@ public final class VisitRecorder {
     /** How many locations there are. */
     public int count() {
         return locations.size();
+    }
+
+    /** The locations that were given after the first so many, in order. */
+    List<LocationResult> locationsFrom(int count) {
+        return locations.subList(count, locations.size());
     }
 
     /** All locations, in the order in which they were given. */

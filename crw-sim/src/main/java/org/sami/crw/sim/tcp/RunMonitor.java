@@ -192,7 +192,8 @@ final class RunMonitor implements SessionListener {
     private void look() {
         long at = now(); // one time for the report and for the journal, which tells the report again
         for (LocationResult news : records.visits().look(at, boats())) {
-            session.telemetry().visited(at, news.visitedBy(), GeoPoint.of(news.latDeg(), news.lonDeg()));
+            String boat = news.reported().orElseThrow().boat();
+            session.telemetry().visited(at, boat, GeoPoint.of(news.latDeg(), news.lonDeg()));
         }
         progress = records.progress(RUNNING);
         check();

@@ -29,8 +29,9 @@ final class SampleReport {
                     -80 + east / 85_000,
                     east,
                     north,
-                    visited ? OptionalLong.of(60_000L * (i + 1)) : OptionalLong.empty(),
-                    visited ? "boat" + (i % boats + 1) : ""));
+                    visited
+                            ? Optional.of(new LocationResult.Visit(60_000L * (i + 1), "boat" + (i % boats + 1)))
+                            : Optional.empty()));
         }
         List<BoatResult> fleet = new ArrayList<>();
         for (int b = 0; b < boats; b++) {
