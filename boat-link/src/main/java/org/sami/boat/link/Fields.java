@@ -92,11 +92,18 @@ final class Fields {
     }
 
     JsonNode array(String name) throws LinkException {
-        JsonNode node = member(name);
+        return array(member(name), pointer(name));
+    }
+
+    static JsonNode array(JsonNode node, String where) throws LinkException {
         if (!node.isArray()) {
-            throw wrongType(name, "an array");
+            throw new LinkException(Fault.WRONG_TYPE, where, "not an array");
         }
         return node;
+    }
+
+    boolean has(String name) {
+        return object.has(name);
     }
 
     private JsonNode member(String name) throws LinkException {

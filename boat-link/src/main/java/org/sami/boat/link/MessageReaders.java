@@ -39,6 +39,7 @@ final class MessageReaders {
         BY_TYPE.put(SetGains.TYPE, SetGains::read);
         BY_TYPE.put(SetVelocityMultiplier.TYPE, SetVelocityMultiplier::read);
         BY_TYPE.put(SetLostLinkAction.TYPE, SetLostLinkAction::read);
+        BY_TYPE.put(SetWaysHome.TYPE, SetWaysHome::read);
         BY_TYPE.put(Telemetry.TYPE, Telemetry::read);
         BY_TYPE.put(BatteryReport.TYPE, BatteryReport::read);
         BY_TYPE.put(Progress.TYPE, Progress::read);

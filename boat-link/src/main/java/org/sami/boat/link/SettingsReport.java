@@ -3,6 +3,7 @@ package org.sami.boat.link;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * The settings that are in force on the boat. Sent with every welcome, and to all clients after a command has set one of them,
@@ -10,19 +11,36 @@ import java.util.Objects;
  */
 public final class SettingsReport extends LinkMessage {
     static final String TYPE = "settings";
+    private static final String HOME = "home";
 
     private final Gains heading;
     private final Gains speed;
     private final double velocityMultiplier;
     private final LostLinkAction lostLinkAction;
+    private final Optional<Waypoint> home;
 
-    /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
+    /** That of a boat which does not tell where its home is, as older ones do not. */
     public SettingsReport(Gains heading, Gains speed, double velocityMultiplier, LostLinkAction lostLinkAction) {
+        this(heading, speed, velocityMultiplier, lostLinkAction, Optional.empty());
+    }
+
+    /**
+     * Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}.
+     *
+     * @param home where the boat returns to, at the speed at which it does
+     */
+    public SettingsReport(
+            Gains heading,
+            Gains speed,
+            double velocityMultiplier,
+            LostLinkAction lostLinkAction,
+            Optional<Waypoint> home) {
         this.heading = Objects.requireNonNull(heading, "heading");
         this.speed = Objects.requireNonNull(speed, "speed");
         this.velocityMultiplier =
                 Checks.range("multiplier", velocityMultiplier, 0, SetVelocityMultiplier.MAX_MULTIPLIER);
         this.lostLinkAction = Objects.requireNonNull(lostLinkAction, "lostLinkAction");
+        this.home = Objects.requireNonNull(home, "home");
     }
 
     static SettingsReport read(Fields in) throws LinkException {
@@ -30,7 +48,8 @@ public final class SettingsReport extends LinkMessage {
                 Gains.read(in.object("heading")),
                 Gains.read(in.object("speed")),
                 in.number("multiplier"),
-                in.word("action", LostLinkAction.class));
+                in.word("action", LostLinkAction.class),
+                in.has(HOME) ? Optional.of(WaypointRows.readRow(in.array(HOME), "/" + HOME)) : Optional.empty());
     }
 
     /** Gains of a control loop. */
@@ -48,6 +67,11 @@ public final class SettingsReport extends LinkMessage {
         return lostLinkAction;
     }
 
+    /** Where the boat returns to, and how fast; a boat that tells this takes {@link SetWaysHome}. */
+    public Optional<Waypoint> home() {
+        return home;
+    }
+
     @Override
     public String type() {
         return TYPE;
@@ -63,5 +87,9 @@ public final class SettingsReport extends LinkMessage {
         out.writeEndObject();
         out.writeNumberField("multiplier", velocityMultiplier);
         out.writeStringField("action", lostLinkAction.name());
+        if (home.isPresent()) {
+            out.writeFieldName(HOME);
+            WaypointRows.writeRow(out, home.get());
+        }
     }
 }

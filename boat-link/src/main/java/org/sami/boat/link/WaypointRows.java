@@ -20,27 +20,42 @@ final class WaypointRows {
     }
 
     static void write(JsonGenerator out, List<Waypoint> waypoints) throws IOException {
-        out.writeArrayFieldStart(NAME);
+        out.writeFieldName(NAME);
+        writeRows(out, waypoints);
+    }
+
+    /** The array alone. */
+    static void writeRows(JsonGenerator out, List<Waypoint> waypoints) throws IOException {
+        out.writeStartArray();
         for (Waypoint waypoint : waypoints) {
-            out.writeStartArray();
-            out.writeNumber(waypoint.latDeg());
-            out.writeNumber(waypoint.lonDeg());
-            out.writeNumber(waypoint.speedMps());
-            out.writeEndArray();
+            writeRow(out, waypoint);
         }
         out.writeEndArray();
     }
 
+    static void writeRow(JsonGenerator out, Waypoint waypoint) throws IOException {
+        out.writeStartArray();
+        out.writeNumber(waypoint.latDeg());
+        out.writeNumber(waypoint.lonDeg());
+        out.writeNumber(waypoint.speedMps());
+        out.writeEndArray();
+    }
+
     static List<Waypoint> read(Fields in) throws LinkException {
-        JsonNode rows = in.array(NAME);
+        return read(in.array(NAME), "/" + NAME);
+    }
+
+    /** The rows of an array that stands at a place of the body. */
+    static List<Waypoint> read(JsonNode array, String where) throws LinkException {
+        JsonNode rows = Fields.array(array, where);
         List<Waypoint> waypoints = new ArrayList<>(rows.size());
         for (int i = 0; i < rows.size(); i++) {
-            waypoints.add(readRow(rows.get(i), "/" + NAME + "/" + i));
+            waypoints.add(readRow(rows.get(i), where + "/" + i));
         }
         return waypoints;
     }
 
-    private static Waypoint readRow(JsonNode row, String where) throws LinkException {
+    static Waypoint readRow(JsonNode row, String where) throws LinkException {
         if (!row.isArray() || row.size() != 3) {
             throw new LinkException(Fault.WRONG_TYPE, where, "not a row of latitude, longitude and speed");
         }

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -52,6 +53,13 @@ class RoundTripTest {
                 new BatteryReport(30, BatteryLevel.LOW),
                 new Progress("l", 3, true),
                 new SettingsReport(new Gains(1.2, 0, 0), new Gains(0.3, 0.05, 1000), 2.5, LostLinkAction.RETURN),
+                new SettingsReport(
+                        new Gains(1.2, 0, 0),
+                        new Gains(0.3, 0, 0),
+                        1,
+                        LostLinkAction.HOLD,
+                        Optional.of(new Waypoint(45.4, -10.9, 1))),
+                new SetWaysHome("c", "l", List.of(List.of(), List.of(List.of()), List.of(path, path.subList(0, 1)))),
                 new SensorReport("ctd", "temperature", List.of(17.25, -1e300), "°C", 45.4, 10.9, 12));
     }
 
@@ -74,7 +82,7 @@ class RoundTripTest {
     void tableAboveHoldsEveryKindOfMessage() {
         assertThat(messages().map(LinkMessage::type).collect(Collectors.toSet()))
                 .isEqualTo(MessageReaders.types())
-                .hasSize(29);
+                .hasSize(30);
     }
 
     @Test

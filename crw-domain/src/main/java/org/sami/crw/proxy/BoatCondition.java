@@ -2,6 +2,7 @@ package org.sami.crw.proxy;
 
 import java.util.Optional;
 import org.sami.crw.proxy.BoatExplanation.Cause;
+import org.sami.spn.value.GeoPoint;
 
 /**
  * What the base knows of a boat besides its commands: the latest status, and what keeps every command from it. Shared by a {@link BoatProxy}, which
@@ -39,6 +40,9 @@ final class BoatCondition {
 
     /** The list that the boat said last that it holds; the name is empty if it said that it holds none. */
     Optional<String> heldListId = Optional.empty();
+
+    /** Where the boat returns to when its link is lost; empty for one that has not said, as older ones do not. */
+    Optional<GeoPoint> home = Optional.empty();
 
     BoatCondition(String boatId, ProxyLink link) {
         this.link = link;

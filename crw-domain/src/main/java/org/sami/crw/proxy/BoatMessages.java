@@ -83,6 +83,7 @@ final class BoatMessages {
         } else if (message instanceof PanoramaReport report) {
             driver.taken(report);
         } else if (message instanceof SettingsReport report) {
+            condition.home = report.home().map(home -> GeoPoint.of(home.latDeg(), home.lonDeg()));
             tuner.reported(report);
         } else if (message instanceof Welcome welcome) {
             welcomed(welcome);

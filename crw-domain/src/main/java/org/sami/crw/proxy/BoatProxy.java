@@ -53,13 +53,18 @@ public final class BoatProxy {
         announcements = new DeferredNotifications(Objects.requireNonNull(listener, "listener"));
         handOver = new HandOver(boatId, link, config, announcements);
         condition = new BoatCondition(boatId, link);
-        driver = new CommandDriver(boatId, config, link, announcements, this::position);
+        driver = new CommandDriver(boatId, config, link, announcements, this::position, this::home);
         tuner = new SettingsSender(boatId, link, config, announcements);
         messages = new BoatMessages(boatId, condition, link, handOver, tuner, fleetRequests, driver, announcements);
     }
 
     private Optional<GeoPoint> position() {
         return condition.status.pose().map(BoatPose::position);
+    }
+
+    /** Where the boat returns to when its link is lost; empty for one that has not said, as older ones do not. */
+    public Optional<GeoPoint> home() {
+        return condition.home;
     }
 
     /** For how many milliseconds nothing has come from the boat; empty as long as nothing ever has. */

@@ -26,6 +26,7 @@ final class CommandDriver {
     private final CommandQueue queue = new CommandQueue();
     private final Uploads uploads;
     private final Supplier<Optional<GeoPoint>> position;
+    private final Supplier<Optional<GeoPoint>> home;
     private Optional<CommandRun> run = Optional.empty();
     private LastCommandOutcome lastWord = LastCommandOutcome.NONE;
     private int wireIds;
@@ -37,14 +38,17 @@ final class CommandDriver {
      * A driver.
      *
      * @param position gives where the boat is, if that is known
+     * @param home gives where it returns to when its link is lost, if that is known
      */
     CommandDriver(
             String boatId,
             ProxyConfig config,
             ProxyLink link,
             DeferredNotifications announcements,
-            Supplier<Optional<GeoPoint>> position) {
+            Supplier<Optional<GeoPoint>> position,
+            Supplier<Optional<GeoPoint>> home) {
         this.position = position;
+        this.home = home;
         this.boatId = boatId;
         this.config = config;
         this.announcements = announcements;
@@ -219,9 +223,10 @@ final class CommandDriver {
     private CommandRun run(QueuedCommand queued, String wireId) {
         double speedMps = config.cruiseSpeedMps();
         if (queued.command() instanceof FollowPath path) {
-            return new PathRun(queued, path, position, wireId, adoptable(queued), speedMps, requests, uploads::reached);
+            return new PathRun(
+                    queued, path, position, home, wireId, adoptable(queued), speedMps, requests, uploads::reached);
         } else if (queued.command() instanceof KeepStation station) {
-            return new StationRun(queued, station, position, wireId, speedMps, requests, uploads::reached);
+            return new StationRun(queued, station, position, home, wireId, speedMps, requests, uploads::reached);
         }
         return queued.command() instanceof Panorama panorama
                 ? new PanoramaRun(queued, panorama, wireId, requests)

@@ -11,20 +11,24 @@ import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.ReadBack;
+import org.sami.boat.link.SetWaysHome;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
+import org.sami.crw.service.path.WaysHome;
 import org.sami.spn.value.GeoPoint;
 
 /**
  * Has the boat drive along a path: uploads it as a list under a new id, reads it back, starts it where the command is, and
  * follows its progress. The list holds the whole path, and the points at which the boat turns to keep clear of what is not to be entered.
+ * Before the start the boat gets the ways home along the list where straight ones would lead through that (docs/decisions, 0335).
  */
 final class PathRun extends CommandRun {
 
     private enum Phase {
         UPLOADING("the path is being uploaded"),
         READING_BACK("the upload is acknowledged and being read back"),
+        SENDING_WAYS_HOME("the upload is read back equal, and the ways home from it are being uploaded"),
         STARTING("the upload is read back equal and being started"),
         DRIVING("under way");
 
@@ -42,6 +46,7 @@ final class PathRun extends CommandRun {
     private final Consumer<Upload> reached;
     private final FollowPath path;
     private final Supplier<Optional<GeoPoint>> position;
+    private final Supplier<Optional<GeoPoint>> home;
     private final double speedMps;
     private DrivenPath driven;
     private int next; // of the points that are driven along, as the boat said last
@@ -61,6 +66,7 @@ final class PathRun extends CommandRun {
      * A try.
      *
      * @param position gives where the boat is, if that is known
+     * @param home gives where it returns to when its link is lost, if that is known
      * @param adopted goes on with the list that the boat holds, if that is the path; else the path is sent under a new id
      * @param reached hears how far the upload has come, once for each state
      */
@@ -68,6 +74,7 @@ final class PathRun extends CommandRun {
             QueuedCommand queued,
             FollowPath path,
             Supplier<Optional<GeoPoint>> position,
+            Supplier<Optional<GeoPoint>> home,
             String wireId,
             Optional<Adopted> adopted,
             double cruiseSpeedMps,
@@ -81,6 +88,7 @@ final class PathRun extends CommandRun {
         this.requests = requests;
         this.path = path;
         this.position = position;
+        this.home = home;
         speedMps = path.speedMps().orElse(cruiseSpeedMps);
         driven = DrivenPath.of(path.points(), path.points().size(), Optional.empty(), Optional.empty());
     }
@@ -127,6 +135,8 @@ final class PathRun extends CommandRun {
             readBack(nowMs);
         } else if (answer instanceof HeldWaypoints held) {
             return readBack(held, nowMs);
+        } else if (asked instanceof SetWaysHome) {
+            start(nowMs);
         } else if (asked instanceof StartWaypoints) {
             phase = Phase.DRIVING;
             headway = Optional.of(new ProgressMonitor(nowMs));
@@ -152,8 +162,34 @@ final class PathRun extends CommandRun {
 
     private Verdict startUploaded(long nowMs) {
         reach(Upload.State.READ_BACK_EQUAL);
-        start(nowMs);
+        List<List<List<Waypoint>>> ways = waysHome();
+        if (ways.isEmpty()) {
+            start(nowMs);
+        } else {
+            phase = Phase.SENDING_WAYS_HOME;
+            requests.send(new SetWaysHome(wireId + "/ways", listId, ways), nowMs);
+        }
         return Verdict.GO_ON;
+    }
+
+    /** Empty where all of them are straight, or more than a message holds. */
+    private List<List<List<Waypoint>>> waysHome() {
+        Optional<GeoPoint> from = position.get();
+        if (from.isEmpty() || home.get().isEmpty() || path.water().isEmpty()) {
+            return List.of();
+        }
+        List<List<List<Waypoint>>> ways = new ArrayList<>();
+        long turns = 0;
+        for (List<List<GeoPoint>> ofLeg : WaysHome.of(
+                from.get(),
+                driven.points(),
+                next,
+                home.get().get(),
+                path.water().get())) {
+            ways.add(ofLeg.stream().map(this::waypoints).toList());
+            turns += ofLeg.stream().mapToInt(List::size).sum();
+        }
+        return turns <= SetWaysHome.MOST_TURNS ? ways : List.of();
     }
 
     /** What the boat has visited while nobody commanded it is behind it. */

@@ -19,13 +19,15 @@ final class StationRun extends CommandRun {
             QueuedCommand queued,
             KeepStation station,
             Supplier<Optional<GeoPoint>> position,
+            Supplier<Optional<GeoPoint>> home,
             String wireId,
             double cruiseSpeedMps,
             PendingRequests requests,
             Consumer<Upload> reached) {
         super(queued);
         this.station = station;
-        way = new PathRun(queued, station.way(), position, wireId, Optional.empty(), cruiseSpeedMps, requests, reached);
+        way = new PathRun(
+                queued, station.way(), position, home, wireId, Optional.empty(), cruiseSpeedMps, requests, reached);
     }
 
     /** Whether the boat has come to its station, and has not left it since. */

@@ -7,7 +7,7 @@ import org.sami.boat.link.BatteryLevel;
  * critical for the way stays so until the battery is charged, or it would be uncritical again as soon as it has turned round.
  */
 final class BatteryWatch {
-    /** So many times the straight way home: a tenth for a metre that costs more than the mean, a quarter for a current or a detour. */
+    /** So many times the way home: a tenth for a metre that costs more than the mean, a quarter for a current, or a detour that is not known. */
     static final double RESERVE = 1.4;
 
     /** A charge that rises by so much, in percent of full, did not do so by itself. */
@@ -17,22 +17,22 @@ final class BatteryWatch {
 
     private final ServerConfig config;
     private final Vehicle vehicle;
-    private final LocalFrame home;
+    private final WaysHome ways;
     private long lookedMs = Long.MIN_VALUE / 2;
     private double neededPercent; // for the way home; not a number where the vehicle does not know where it is
     private double turnedAtPercent = Double.NaN; // while it is critical for the way
 
-    BatteryWatch(ServerConfig config, Vehicle vehicle, LocalFrame home) {
+    BatteryWatch(ServerConfig config, Vehicle vehicle, WaysHome ways) {
         this.config = config;
         this.vehicle = vehicle;
-        this.home = home;
+        this.ways = ways;
     }
 
     /** Lets time pass; the way home is measured once a second. */
     void tick(long nowMs) {
         if (config.metresPerPercent() > 0 && nowMs - lookedMs >= LOOK_MS) {
             lookedMs = nowMs;
-            neededPercent = RESERVE * home.distanceM(vehicle.latDeg(), vehicle.lonDeg()) / config.metresPerPercent();
+            neededPercent = RESERVE * ways.lengthM(vehicle.latDeg(), vehicle.lonDeg()) / config.metresPerPercent();
             look(vehicle.batteryPercent());
         }
     }

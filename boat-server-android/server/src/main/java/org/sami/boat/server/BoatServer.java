@@ -76,7 +76,7 @@ public final class BoatServer {
         modes = new ModeControl(config, vehicle);
         executor = new CommandExecutor(config, modes);
         sensors = new SensorWatch(vehicle);
-        battery = new BatteryWatch(config, vehicle, modes.home());
+        battery = new BatteryWatch(config, vehicle, modes.waysHome());
         reportedLevel = battery.level();
     }
 

@@ -1,5 +1,6 @@
 package org.sami.boat.server;
 
+import java.util.Optional;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandMessage;
@@ -14,6 +15,7 @@ import org.sami.boat.link.NackReason;
 import org.sami.boat.link.SetGains;
 import org.sami.boat.link.SetLostLinkAction;
 import org.sami.boat.link.SetVelocityMultiplier;
+import org.sami.boat.link.SetWaysHome;
 import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.StopMotors;
@@ -49,7 +51,8 @@ final class CommandExecutor {
                 modes.steering().gains(GainAxis.HEADING),
                 modes.steering().gains(GainAxis.SPEED),
                 modes.velocityMultiplier(),
-                lostLinkAction);
+                lostLinkAction,
+                Optional.of(modes.home().origin(config.returnSpeedMps())));
     }
 
     LinkMessage execute(CommandMessage command) {
@@ -57,6 +60,8 @@ final class CommandExecutor {
             return upload((UploadWaypoints) command);
         } else if (command instanceof StartWaypoints) {
             return start((StartWaypoints) command);
+        } else if (command instanceof SetWaysHome) {
+            return waysHome((SetWaysHome) command);
         } else if (command instanceof StopMotors) {
             return stop(command);
         } else if (command instanceof HoldPosition) {
@@ -88,13 +93,28 @@ final class CommandExecutor {
             return fleetStopped(command);
         }
         if (!track.listId().equals(command.listId())) {
-            return nack(command, NackReason.UNKNOWN_LIST, "this boat holds " + named(track.listId()));
+            return unknownList(command);
         }
         if (command.index() > track.size()) {
             return nack(command, NackReason.BAD_INDEX, "index " + command.index() + " of " + track.size());
         }
         modes.follow(command.index());
         return ack(command);
+    }
+
+    private LinkMessage waysHome(SetWaysHome command) {
+        if (!modes.track().listId().equals(command.listId())) {
+            return unknownList(command);
+        }
+        modes.setWaysHome(command);
+        return ack(command);
+    }
+
+    private LinkMessage unknownList(CommandMessage command) {
+        return nack(
+                command,
+                NackReason.UNKNOWN_LIST,
+                "this boat holds " + named(modes.track().listId()));
     }
 
     private LinkMessage stop(CommandMessage command) {

@@ -1,5 +1,7 @@
 package org.sami.boat.server;
 
+import org.sami.boat.link.Waypoint;
+
 /**
  * A plane in metres, east and north of an origin, tangent to the WGS 84 ellipsoid there.
  *
@@ -46,6 +48,11 @@ public final class LocalFrame {
     /** Longitude of the origin in degrees. */
     public double originLonDeg() {
         return originLonDeg;
+    }
+
+    /** The origin as a waypoint to which a leg of that speed leads. */
+    Waypoint origin(double speedMps) {
+        return new Waypoint(originLatDeg, originLonDeg, speedMps);
     }
 
     /** Metres east of the origin. */

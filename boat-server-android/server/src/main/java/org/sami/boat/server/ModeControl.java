@@ -1,10 +1,14 @@
 package org.sami.boat.server;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.PanoramaReport;
+import org.sami.boat.link.SetWaysHome;
 import org.sami.boat.link.TakePanorama;
+import org.sami.boat.link.Waypoint;
 
 /**
  * Decides what the motors do: follows the waypoint track, keeps station, obeys the hand that drives, returns home, rests.
@@ -18,9 +22,11 @@ final class ModeControl {
     private final SteeringControl steering;
     private final PathFollower follower;
     private final LocalFrame home;
+    private final WaysHome waysHome;
     private BoatMode mode = BoatMode.STOPPED;
     private boolean moved; // since the server started
     private WaypointTrack track = WaypointTrack.NONE;
+    private WaypointTrack wayHome = WaypointTrack.NONE; // that it follows while it returns
     private LocalFrame target;
     private boolean drivingBack;
     private double velocityMultiplier = 1;
@@ -37,6 +43,7 @@ final class ModeControl {
         steering = new SteeringControl(vehicle, config);
         follower = new PathFollower(vehicle, steering, config.arrivalRadiusM());
         home = here();
+        waysHome = new WaysHome(home);
         target = home;
     }
 
@@ -47,6 +54,11 @@ final class ModeControl {
     /** Where the vehicle was when its server started. */
     LocalFrame home() {
         return home;
+    }
+
+    /** The ways on which it would return there. */
+    WaysHome waysHome() {
+        return waysHome;
     }
 
     WaypointTrack track() {
@@ -73,9 +85,15 @@ final class ModeControl {
         }
     }
 
+    /** Takes the ways home from the list that the boat holds. */
+    void setWaysHome(SetWaysHome ways) {
+        waysHome.set(ways, track.nextIndex());
+    }
+
     void follow(int index) {
         moved = true;
         track.startAt(index);
+        waysHome.start(track.listId(), index);
         if (track.isCompleted()) {
             hold();
         } else {
@@ -143,11 +161,23 @@ final class ModeControl {
         if (action == LostLinkAction.DRIFT) {
             stop();
         } else if (action == LostLinkAction.RETURN) {
-            mode = BoatMode.RETURN;
-            target = home;
+            returnHome();
         } else if (mode != BoatMode.HOLD && (action == LostLinkAction.HOLD || mode != BoatMode.PATH)) {
             hold(); // a boat that keeps a station already keeps that one
         }
+    }
+
+    /** On the shortest of the ways that it knows, or straight; one that is on its way already goes on. */
+    private void returnHome() {
+        if (mode == BoatMode.RETURN) {
+            return;
+        }
+        mode = BoatMode.RETURN;
+        List<Waypoint> points = new ArrayList<>(waysHome.turns(vehicle.latDeg(), vehicle.lonDeg()));
+        points.add(home.origin(config.returnSpeedMps()));
+        wayHome = new WaypointTrack("", points);
+        follower.follow(wayHome);
+        waysHome.goOn(points.subList(0, points.size() - 1));
     }
 
     /**
@@ -194,6 +224,7 @@ final class ModeControl {
                 return true;
             }
             follower.goOn(track);
+            waysHome.driveLeg(track.nextIndex());
         }
         follower.steer(track.target().speedMps() * velocityMultiplier, seconds);
         return reached;
@@ -229,11 +260,16 @@ final class ModeControl {
     }
 
     private void tickReturn(double seconds) {
-        if (steering.distanceM(home) <= config.arrivalRadiusM()) {
+        if (wayHome.turnsAhead().isEmpty() && steering.distanceM(home) <= config.arrivalRadiusM()) {
             hold(home);
-        } else {
-            steering.steerTo(home, config.returnSpeedMps(), seconds);
+            return;
         }
+        if (follower.isAtTarget()) {
+            wayHome.reached();
+            waysHome.goOn(wayHome.turnsAhead());
+            follower.goOn(wayHome);
+        }
+        follower.steer(wayHome.target().speedMps(), seconds);
     }
 
     private void tickHand(long nowMs) {

@@ -36,6 +36,17 @@ final class WaypointTrack {
         completed = index == waypoints.size();
     }
 
+    /** Index of the waypoint to head for; the size once the track is completed. */
+    int nextIndex() {
+        return next;
+    }
+
+    /** The waypoints ahead but for the last one. */
+    List<Waypoint> turnsAhead() {
+        int end = waypoints.size() - 1;
+        return waypoints.subList(Math.min(next, end), end);
+    }
+
     /** The waypoint to head for; only while the track is not completed. */
     Waypoint target() {
         return waypoints.get(next);

@@ -21,6 +21,7 @@ final class ServerTestBench {
     private final List<CommandMessage> commands = new ArrayList<>(); // with its answer, what the boat's log holds
     private final List<LinkMessage> answers = new ArrayList<>();
     private final int starts;
+    private final UnaryOperator<ServerConfig.Builder> config;
     long nowMs = 10_000;
 
     ServerTestBench(Sensor... sensors) {
@@ -33,6 +34,7 @@ final class ServerTestBench {
 
     private ServerTestBench(int starts, UnaryOperator<ServerConfig.Builder> config, Sensor... sensors) {
         this.starts = starts;
+        this.config = config;
         vehicle.sensors = List.of(sensors);
         server = new BoatServer(
                 config.apply(ServerConfig.of("boat1", "boot" + starts)).build(), vehicle, this::answered);
@@ -46,7 +48,7 @@ final class ServerTestBench {
 
     /** Another start of the same boat's server, which takes back its log. */
     ServerTestBench startedAnew() {
-        ServerTestBench next = new ServerTestBench(starts + 1, UnaryOperator.identity());
+        ServerTestBench next = new ServerTestBench(starts + 1, config);
         for (int i = 0; i < commands.size(); i++) {
             next.server.restore(commands.get(i), answers.get(i));
             next.commands.add(commands.get(i));

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.CommandMessage;
@@ -53,8 +54,12 @@ class SettingsTest {
             assertThat(client.say(command)).hasExactlyElementsOfTypes(Ack.class, SettingsReport.class);
         }
 
-        SettingsReport inForce =
-                new SettingsReport(new Gains(2.4, 0.1, 0.2), new Gains(0.5, 0, 0), 0.5, LostLinkAction.DRIFT);
+        SettingsReport inForce = new SettingsReport(
+                new Gains(2.4, 0.1, 0.2),
+                new Gains(0.5, 0, 0),
+                0.5,
+                LostLinkAction.DRIFT,
+                Optional.of(new Waypoint(45, 10, 1.5)));
         assertThat(newest(client)).usingRecursiveComparison().isEqualTo(inForce);
         assertThat(newest(observer)).usingRecursiveComparison().isEqualTo(inForce);
         assertThat(newest(bench.client(Role.OBSERVER, 1)))

@@ -20,7 +20,7 @@ public final class Detour {
      */
     public static Optional<List<GeoPoint>> between(GeoPoint from, GeoPoint to, Water water) {
         double marginM = water.error().marginM();
-        if (water.isOpen() || water.clearanceM(List.of(from, to)) >= Math.max(marginM - SLACK_M, SLACK_M)) {
+        if (isClear(from, to, water)) {
             return Optional.of(List.of());
         }
         Optional<GeoPoint> out = outside(from, water);
@@ -34,6 +34,17 @@ public final class Detour {
         out.ifPresent(point -> points.add(0, point));
         in.ifPresent(points::add);
         return Optional.of(points);
+    }
+
+    /** Whether the straight leg keeps clear. */
+    static boolean isClear(GeoPoint from, GeoPoint to, Water water) {
+        return water.isOpen()
+                || water.clearanceM(List.of(from, to)) >= leastM(water.error().marginM());
+    }
+
+    /** What is near enough to a distance that was planned to be kept. */
+    static double leastM(double distanceM) {
+        return Math.max(distanceM - SLACK_M, SLACK_M);
     }
 
     /** The nearest place that is clear of what is forbidden, for one that is not. */

@@ -24,18 +24,28 @@ public final class Water {
     private static final GeometryFactory FACTORY = new GeometryFactory();
 
     private final LocalPlane plane;
-    private final Geometry forbidden;
+    private final Geometry noGo;
+    private final Geometry outside; // of the area to stay in
+    private final Geometry forbidden; // both
     private final CrossTrackError error;
 
-    private Water(LocalPlane plane, Geometry forbidden, CrossTrackError error) {
+    private Water(LocalPlane plane, Geometry noGo, Geometry outside, Geometry forbidden, CrossTrackError error) {
         this.plane = plane;
+        this.noGo = noGo;
+        this.outside = outside;
         this.forbidden = forbidden;
         this.error = error;
     }
 
     /** The same water, for boats that are so far beside their ways. */
     public Water drivenWith(CrossTrackError other) {
-        return new Water(plane, forbidden, other);
+        return new Water(plane, noGo, outside, forbidden, other);
+    }
+
+    /** The same water for a boat that is to go to a point: one outside of the area to stay in is not kept in. */
+    public Water leaving(GeoPoint to) {
+        boolean leaves = !outside.isEmpty() && outside.distance(FACTORY.createPoint(coordinate(to))) == 0;
+        return leaves ? new Water(plane, noGo, FACTORY.createPolygon(), noGo, error) : this;
     }
 
     /** How far boats here may be beside their ways; nothing unless it was said. */
@@ -61,14 +71,21 @@ public final class Water {
         for (int i = 0; i < noGo.size(); i++) {
             parts.add(Areas.polygon(noGo.get(i), plane, "No-go area " + (i + 1)));
         }
-        Optional<Geometry> inside = within.map(area -> Areas.polygon(area, plane, "The area to stay in"));
-        inside.ifPresent(polygon -> parts.add(outside(polygon)));
-        return new Water(plane, union(parts), CrossTrackError.NONE);
+        Geometry areas = union(parts);
+        Optional<Geometry> outside = within.map(area -> outside(Areas.polygon(area, plane, "The area to stay in")));
+        outside.ifPresent(parts::add);
+        return new Water(
+                plane,
+                areas,
+                outside.orElseGet(FACTORY::createPolygon),
+                outside.isPresent() ? union(parts) : areas,
+                CrossTrackError.NONE);
     }
 
     /** The water of a polygon on a plane. */
     public static Water inside(LocalPlane plane, Geometry polygon) {
-        return new Water(plane, outside(polygon), CrossTrackError.NONE);
+        Geometry outside = outside(polygon);
+        return new Water(plane, FACTORY.createPolygon(), outside, outside, CrossTrackError.NONE);
     }
 
     private static Geometry outside(Geometry polygon) {
@@ -88,7 +105,7 @@ public final class Water {
      * @param depthM in metres, from 0
      */
     public Water shrunk(double depthM) {
-        return new Water(plane, forbidden.buffer(-depthM), error);
+        return new Water(plane, noGo.buffer(-depthM), outside.buffer(-depthM), forbidden.buffer(-depthM), error);
     }
 
     /** The plane of all geometries here. */
@@ -118,6 +135,15 @@ public final class Water {
         }
         Coordinate[] stops = way.stream().map(this::coordinate).toArray(Coordinate[]::new);
         return forbidden.distance(stops.length == 1 ? FACTORY.createPoint(stops[0]) : FACTORY.createLineString(stops));
+    }
+
+    /** Distance of all water between some points, as the string around them encloses it, likewise. */
+    public double clearanceBetweenM(List<GeoPoint> points) {
+        if (isOpen() || points.isEmpty()) {
+            return Double.POSITIVE_INFINITY;
+        }
+        Coordinate[] places = points.stream().map(this::coordinate).toArray(Coordinate[]::new);
+        return forbidden.distance(FACTORY.createMultiPointFromCoords(places).convexHull());
     }
 
     /** Whether a way, or a point alone, stays in what is allowed, however far away it is. */

@@ -10,6 +10,8 @@ import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.service.coverage.Coverage;
 import org.sami.crw.service.coverage.CoverageProblem;
@@ -86,6 +88,41 @@ class KeepingClearTest {
         assertThat(points)
                 .allSatisfy(point -> assertThat(track.distanceM(point)).isLessThan(0.6));
         assertThat(world.reports()).contains("completed aside", "visited 4 of way");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "calm, 1, 60",
+        "calm, 1, 300",
+        "calm, 2, 150",
+        "calm, 3, 220",
+        "calm, 4, 400",
+        "field, 5, 250",
+        "rough, 6, 250"
+    })
+    void lostLinkBringsTheBoatHomeAroundWhatIsToBeAvoided(String name, long seed, double lostAfterS) {
+        Conditions conditions = conditions(name);
+        SimulatedTestWorld world = world(conditions, seed);
+        List<GeoArea> rocks = rocks(world, new Random(seed), 12);
+        Water water =
+                Water.of(world.boat().position(), rocks, Optional.empty()).drivenWith(conditions.crossTrackError());
+        List<GeoPoint> points = world.points(400, 0, 30, 90, 30, -90, 400, 10);
+        world.proxy().setLostLinkAction(LostLinkAction.RETURN);
+        world.proxy().submit(FollowPath.of("way", 1, 1, points, Priority.MEDIUM).in(water));
+
+        TrueTrack out = TrueTrack.until(world, lostAfterS, () -> false);
+        world.proxy().disconnect();
+        TrueTrack home = TrueTrack.until(
+                world,
+                1500,
+                () -> world.distanceTo(0, 0) < 8 && world.boat().server().mode() == BoatMode.HOLD);
+
+        assertThat(home.isCompleted()).isTrue();
+        double announcedM = conditions
+                .crossTrackError()
+                .insideM(conditions.crossTrackError().steeringM());
+        assertThat(out.deepestInM(rocks)).isLessThanOrEqualTo(announcedM);
+        assertThat(home.deepestInM(rocks)).isLessThanOrEqualTo(announcedM);
     }
 
     @ParameterizedTest

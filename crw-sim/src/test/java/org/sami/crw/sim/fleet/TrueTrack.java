@@ -2,6 +2,7 @@ package org.sami.crw.sim.fleet;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
@@ -55,6 +56,16 @@ final class TrueTrack {
             world.run(STEP_S);
         }
         return new TrueTrack(world.fleet.frame(), places, world.reports().contains(completed));
+    }
+
+    /** Watches the first boat of a world, which does what it was told before, until something is so or the seconds are over. */
+    static TrueTrack until(SimulatedTestWorld world, double seconds, BooleanSupplier over) {
+        List<Coordinate> places = new ArrayList<>();
+        for (double t = 0; t < seconds && !over.getAsBoolean(); t += STEP_S) {
+            places.add(new Coordinate(world.hull().eastM(), world.hull().northM()));
+            world.run(STEP_S);
+        }
+        return new TrueTrack(world.fleet.frame(), places, over.getAsBoolean());
     }
 
     boolean isCompleted() {

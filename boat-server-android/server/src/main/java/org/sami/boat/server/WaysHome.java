@@ -1,0 +1,84 @@
+package org.sami.boat.server;
+
+import java.util.Collections;
+import java.util.List;
+import org.sami.boat.link.SetWaysHome;
+import org.sami.boat.link.Waypoint;
+
+/**
+ * The ways on which the boat comes home from where it is: those that its base has sent for the leg that it drives or drove last, and what is
+ * left of the one that it is on. Where there is none, the straight one.
+ */
+final class WaysHome {
+    private final LocalFrame home;
+    private String listId = "";
+    private List<List<List<Waypoint>>> ofLegs = Collections.emptyList();
+    private List<List<Waypoint>> fromHere = Collections.emptyList();
+
+    WaysHome(LocalFrame home) {
+        this.home = home;
+    }
+
+    /** Takes those of the list that the boat holds. */
+    void set(SetWaysHome ways, int leg) {
+        listId = ways.listId();
+        ofLegs = ways.ways();
+        driveLeg(leg);
+    }
+
+    /** A list is started; the ways of another one are over. */
+    void start(String startedListId, int leg) {
+        if (!startedListId.equals(listId)) {
+            listId = "";
+            ofLegs = Collections.emptyList();
+        }
+        driveLeg(leg);
+    }
+
+    /** The boat drives the leg to that waypoint of the list that was started. */
+    void driveLeg(int leg) {
+        if (ofLegs.isEmpty()) {
+            fromHere = Collections.emptyList();
+        } else if (leg < ofLegs.size()) {
+            fromHere = ofLegs.get(leg);
+        }
+    }
+
+    /** The boat is on its way home, and these turns are still ahead of it. */
+    void goOn(List<Waypoint> turns) {
+        fromHere = Collections.singletonList(turns);
+    }
+
+    /** The turns before home on the shortest way from a position; none where that is straight. */
+    List<Waypoint> turns(double latDeg, double lonDeg) {
+        List<Waypoint> shortest = Collections.emptyList();
+        double leastM = Double.POSITIVE_INFINITY;
+        for (List<Waypoint> way : fromHere) {
+            double lengthM = lengthM(way, latDeg, lonDeg);
+            if (lengthM < leastM) {
+                leastM = lengthM;
+                shortest = way;
+            }
+        }
+        return shortest;
+    }
+
+    /** Metres of that way; not a number where the position is none. */
+    double lengthM(double latDeg, double lonDeg) {
+        return lengthM(turns(latDeg, lonDeg), latDeg, lonDeg);
+    }
+
+    private double lengthM(List<Waypoint> turns, double fromLatDeg, double fromLonDeg) {
+        double lengthM = 0;
+        double eastM = home.eastM(fromLatDeg, fromLonDeg);
+        double northM = home.northM(fromLatDeg, fromLonDeg);
+        for (Waypoint turn : turns) {
+            double turnEastM = home.eastM(turn.latDeg(), turn.lonDeg());
+            double turnNorthM = home.northM(turn.latDeg(), turn.lonDeg());
+            lengthM += Math.hypot(turnEastM - eastM, turnNorthM - northM);
+            eastM = turnEastM;
+            northM = turnNorthM;
+        }
+        return lengthM + Math.hypot(eastM, northM);
+    }
+}
