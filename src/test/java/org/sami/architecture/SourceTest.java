@@ -76,6 +76,21 @@ class SourceTest {
         assertThat(containing(PLAN_ID, sources)).isEmpty();
     }
 
+    /** The task that runs them has a process for each class of such a name, and for no other. */
+    @Test
+    void testsOfARealWindowAreKnownByTheirNames() throws IOException {
+        List<String> names = new ArrayList<>();
+        for (SamiModule module : SamiModule.built().toList()) {
+            for (Path test : module.testSources()) {
+                if (Files.readString(test).contains("@Tag(\"window\")")) {
+                    names.add(test.getFileName().toString());
+                }
+            }
+        }
+
+        assertThat(names).hasSizeGreaterThan(10).allMatch(name -> name.endsWith("WindowTest.java"));
+    }
+
     @Test
     void testsWaitForWhatHappensAndNeverSleep() {
         List<Path> tests = new ArrayList<>();

@@ -34,7 +34,7 @@ import org.sami.ui.look.Theme;
  */
 @Tag("window")
 @TestInstance(Lifecycle.PER_CLASS)
-class WindowTextTest {
+class TextWindowTest {
     private static final List<String> NAMES = List.of("anna", "bert", "carl", "dora", "emil");
     private static final List<Priority> PRIORITIES = List.of(Priority.values());
     private static final List<Dimension> SIZES = List.of(new Dimension(1280, 800), new Dimension(1600, 1000));
