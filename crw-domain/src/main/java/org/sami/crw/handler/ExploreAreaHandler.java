@@ -9,7 +9,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
-import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.operator.MessageSink;
 import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.service.BoatPositions;
@@ -69,11 +68,11 @@ final class ExploreAreaHandler implements ActivationHandler {
     public void handle(Activation activation, HandlerContext context) throws Exception {
         GeoArea area = Restrictions.area(ActivationFields.required(activation, AREA), AREA);
         double spacingM = ActivationFields.metres(activation, SPACING);
-        String key = "explore/" + PathProgress.key(Double.toString(spacingM), new GeoPath(allPoints(area)));
+        String key = ExplorationShares.key(area, spacingM);
         Exploration one = new Exploration(activation, context, area, spacingM, key);
         List<Consumer<Map<String, GeoPath>>> others = underWay.get(one.name());
         if (others == null) {
-            explore(one, remembered(activation, context, key));
+            explore(one, context.query(view -> ExplorationShares.remembered(activation.mission(), key, view)));
         } else {
             others.add(shares -> exploreToo(one, shares));
         }
@@ -113,7 +112,7 @@ final class ExploreAreaHandler implements ActivationHandler {
     private void drive(Exploration one, Map<String, GeoPath> shares, Map<String, String> noWay) {
         Activation activation = one.activation;
         HandlerContext context = one.context;
-        context.post(new Input.Remember(activation.mission(), one.key, ProxyMaps.toValue(shares)));
+        context.post(ExplorationShares.remember(activation.mission(), one.key, shares));
         List<Move> moves = new ArrayList<>();
         for (Addressee addressee : Addressee.of(activation, context)) {
             if (noWay.containsKey(addressee.boat())) {
@@ -124,18 +123,6 @@ final class ExploreAreaHandler implements ActivationHandler {
             }
         }
         motion.send(activation, context, moves);
-    }
-
-    private static List<GeoPoint> allPoints(GeoArea area) {
-        List<GeoPoint> points = new ArrayList<>(area.outline());
-        area.holes().forEach(points::addAll);
-        return points;
-    }
-
-    private static Map<String, GeoPath> remembered(Activation activation, HandlerContext context, String key) {
-        return context.query(view -> view.memory(activation.mission(), key)
-                .map(value -> ProxyMaps.read(value, GeoPath.class))
-                .orElseGet(LinkedHashMap::new));
     }
 
     private void divide(List<Addressee> boats, Exploration one) throws Exception {

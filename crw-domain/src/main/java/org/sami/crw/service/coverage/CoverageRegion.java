@@ -5,7 +5,6 @@ import java.util.List;
 import org.locationtech.jts.algorithm.MinimumDiameter;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
-import org.locationtech.jts.geom.Polygon;
 import org.locationtech.jts.operation.overlayng.OverlayNG;
 import org.locationtech.jts.operation.overlayng.OverlayNGRobust;
 import org.sami.crw.service.LocalPlane;
@@ -35,11 +34,10 @@ final class CoverageRegion {
         GeoPoint origin = problem.area().outline().get(0);
         plane = new LocalPlane(origin);
         spacingM = problem.spacingM();
-        Polygon area = Areas.polygon(problem.area(), plane, "The area");
         List<GeoArea> avoid = new ArrayList<>(problem.avoid());
         problem.area().holes().forEach(hole -> avoid.add(new GeoArea(hole, List.of())));
         water = Water.of(origin, avoid, problem.within()).drivenWith(problem.error());
-        region = Water.of(origin, problem.avoid(), problem.within()).allowed(area);
+        region = AreaCoverage.region(problem.area(), problem.avoid(), problem.within(), plane);
         if (region.isEmpty()) {
             throw new IllegalArgumentException("Nothing of the area may be entered");
         }

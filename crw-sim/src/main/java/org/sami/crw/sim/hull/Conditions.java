@@ -103,6 +103,11 @@ public record Conditions(
         return new Conditions(gpsNoiseM, gpsJumpM, compassNoiseDeg, current, wind, others, dischargeIntervalS);
     }
 
+    /** Whether boats know where they are. */
+    public boolean hasExactPositions() {
+        return gpsNoiseM == 0 && gpsJumpM == 0;
+    }
+
     /** How far boats may be beside their ways in it: what planners are told. */
     public CrossTrackError crossTrackError() {
         double jumpM = gpsJumpM / 3; // as a deviation: a jump is rare, of any size up to its largest, and fades

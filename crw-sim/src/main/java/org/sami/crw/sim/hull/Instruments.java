@@ -37,7 +37,7 @@ public final class Instruments implements Vehicle {
     public Instruments(SimulatedHull hull, Conditions conditions, long seed, long fieldSeed) {
         this.hull = hull;
         SplittableRandom seeds = new SplittableRandom(seed);
-        exactGps = conditions.gpsNoiseM() == 0 && conditions.gpsJumpM() == 0;
+        exactGps = conditions.hasExactPositions();
         eastM = new GaussMarkovError(conditions.gpsNoiseM(), GPS_S, seeds.split());
         northM = new GaussMarkovError(conditions.gpsNoiseM(), GPS_S, seeds.split());
         headingRad = new GaussMarkovError(Math.toRadians(conditions.compassNoiseDeg()), COMPASS_S, seeds.split());

@@ -102,13 +102,21 @@ public final class ReportJson {
     private static ArrayNode explorations(RunReport report) {
         ArrayNode array = NODES.arrayNode();
         for (Exploration exploration : report.map().explorations()) {
+            Exploration.Left left = exploration.left();
             array.addObject()
                     .put("askedAt", seconds(exploration.askedAtMillis()))
                     .put("spacingM", decimal(exploration.spacingM(), 2))
                     .put("areaM2", decimal(exploration.areaM2(), 1))
-                    .put("uncoveredM2", decimal(exploration.uncoveredM2(), 1));
+                    .put("uncoveredM2", decimal(exploration.uncoveredM2(), 1))
+                    .put("plannedUncoveredM2", orNull(left.plannedM2()))
+                    .put("reportedUncoveredM2", orNull(left.reportedM2()))
+                    .put("trueUncoveredM2", orNull(left.trueM2()));
         }
         return array;
+    }
+
+    private static BigDecimal orNull(Optional<Double> m2) {
+        return m2.map(value -> decimal(value, 1)).orElse(null);
     }
 
     private static ObjectNode position(MapPoint point) {

@@ -138,14 +138,29 @@ public final class ReportText {
                 degrees(approach.where()));
     }
 
-    /** How much of an area was explored. */
+    /** How much of an area was explored, by the best tracks that are known and then by others. */
     static String words(Exploration exploration) {
+        Exploration.Left left = exploration.left();
+        String reported = left.trueM2().isEmpty()
+                ? " by reported positions"
+                : left.reportedM2()
+                        .filter(m2 -> !left.trueM2().equals(Optional.of(m2)))
+                        .map(m2 -> "; by reported positions " + percent(exploration, m2))
+                        .orElse("");
         return String.format(
-                Locale.ROOT,
-                "%.2f %% of %.0f m², %.0f m² left",
-                100 * (1 - exploration.uncoveredM2() / Math.max(1e-9, exploration.areaM2())),
-                exploration.areaM2(),
-                exploration.uncoveredM2());
+                        Locale.ROOT,
+                        "%s of %.0f m², %.0f m² left",
+                        percent(exploration, exploration.uncoveredM2()),
+                        exploration.areaM2(),
+                        exploration.uncoveredM2())
+                + reported
+                + left.plannedM2()
+                        .map(m2 -> "; by the plan " + percent(exploration, m2))
+                        .orElse("");
+    }
+
+    private static String percent(Exploration exploration, double leftM2) {
+        return String.format(Locale.ROOT, "%.2f %%", exploration.percent(leftM2));
     }
 
     /** When a run began, in UTC and, where that is another time, in the time zone of its machine. */

@@ -1,109 +1,87 @@
 package org.sami.crw.sim.run;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
-import org.locationtech.jts.geom.Coordinate;
-import org.locationtech.jts.geom.Geometry;
-import org.locationtech.jts.geom.GeometryFactory;
-import org.locationtech.jts.geom.LineString;
-import org.locationtech.jts.geom.LinearRing;
-import org.locationtech.jts.geom.Polygon;
-import org.locationtech.jts.geom.util.GeometryFixer;
-import org.locationtech.jts.operation.buffer.BufferOp;
-import org.locationtech.jts.operation.buffer.BufferParameters;
-import org.locationtech.jts.operation.overlayng.OverlayNG;
-import org.locationtech.jts.operation.overlayng.OverlayNGRobust;
-import org.sami.boat.server.LocalFrame;
+import java.util.Optional;
+import java.util.function.Function;
+import org.sami.crw.handler.ExplorationShares;
+import org.sami.crw.service.coverage.AreaCoverage;
 import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.Exploration;
 import org.sami.crw.sim.report.MapArea;
-import org.sami.crw.sim.report.MapPoint;
-import org.sami.crw.sim.report.TrackPoint;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
 
-/**
- * An area that boats were to explore from a time on. What of it was covered is seen by the tracks, not by what was planned: a point is
- * covered when any boat came as near as half the spacing since. On the plane of the area's centre.
- *
- * @param avoided what of it was not to be entered
- */
-record ExplorationRequest(long askedAtMillis, double spacingM, MapArea area, List<MapArea> avoided) {
-    private static final GeometryFactory FACTORY = new GeometryFactory();
-
-    /** Round ends are polygons inside the circle: what they cover is covered. */
-    private static final int QUADRANT_SEGMENTS = 16;
-
-    /** Bends of a track that are flatter than this do not matter beside a spacing, in metres. */
-    private static final double FLAT_M = 0.02;
-
+/** An area that boats were to explore from a time on: measured are the tracks that they were given, that they reported and that they truly drove. */
+final class ExplorationRequest {
     /** Smaller pieces are left out of the map; their sum is not. */
     private static final double CRUMB_M2 = 1;
 
-    /** What became of it. */
-    Exploration result(List<BoatResult> boats, LocalFrame plane) {
-        Geometry toDo = polygon(area);
-        for (MapArea hole : avoided) {
-            toDo = OverlayNGRobust.overlay(toDo, polygon(hole), OverlayNG.DIFFERENCE);
+    private final long askedAtMillis;
+    private final double spacingM;
+    private final GeoArea area;
+    private final AreaCoverage coverage;
+    private Optional<Collection<GeoPath>> planned = Optional.empty();
+
+    /**
+     * A request at a time of the run.
+     *
+     * @throws IllegalArgumentException for areas that are no simple polygons: boats do not explore those
+     */
+    ExplorationRequest(
+            long askedAtMillis, double spacingM, GeoArea area, List<GeoArea> avoided, Optional<GeoArea> within) {
+        this.askedAtMillis = askedAtMillis;
+        this.spacingM = spacingM;
+        this.area = area;
+        coverage = AreaCoverage.of(area, spacingM, avoided, within);
+    }
+
+    /** Takes down how the area was divided, if an input says so: the first division, as later ones are of what is left. */
+    void hear(Input input) {
+        if (planned.isEmpty()) {
+            planned = ExplorationShares.of(input, area, spacingM).map(shares -> shares.values());
         }
-        Geometry left = OverlayNGRobust.overlay(toDo, covered(boats), OverlayNG.DIFFERENCE);
-        return new Exploration(askedAtMillis, spacingM, toDo.getArea(), left.getArea(), pieces(left, plane));
     }
 
-    private Geometry covered(List<BoatResult> boats) {
-        BufferParameters parameters = new BufferParameters(QUADRANT_SEGMENTS);
-        parameters.setSimplifyFactor(0);
-        LineString[] ways = boats.stream()
-                .map(this::way)
-                .filter(way -> way.length > 1)
-                .map(FACTORY::createLineString)
-                .toArray(LineString[]::new);
-        return BufferOp.bufferOp(FACTORY.createMultiLineString(ways), spacingM / 2, parameters);
-    }
-
-    private Coordinate[] way(BoatResult boat) {
-        List<TrackPoint> since = boat.track().stream()
-                .filter(point -> point.atMillis() >= askedAtMillis)
+    /**
+     * What became of it.
+     *
+     * @param piece makes an area of the map of what is left somewhere
+     */
+    Exploration result(KnownTracks tracks, Function<GeoArea, MapArea> piece) {
+        AreaCoverage.Left reported = coverage.left(since(tracks.reported()));
+        Optional<AreaCoverage.Left> truly =
+                tracks.truly().map(boats -> boats.equals(tracks.reported()) ? reported : coverage.left(since(boats)));
+        List<MapArea> uncovered = truly.orElse(reported).parts().stream()
+                .filter(part -> AreaCoverage.of(part, spacingM, List.of(), Optional.empty())
+                                .areaM2()
+                        >= CRUMB_M2)
+                .map(piece)
                 .toList();
-        return TrackThinning.within(FLAT_M, since).stream()
-                .map(point -> new Coordinate(point.eastM(), point.northM()))
-                .toArray(Coordinate[]::new);
+        return new Exploration(
+                askedAtMillis,
+                spacingM,
+                coverage.areaM2(),
+                new Exploration.Left(
+                        planned.map(paths -> coverage.left(
+                                        paths.stream().map(GeoPath::points).toList())
+                                .areaM2()),
+                        Optional.of(reported.areaM2()),
+                        truly.map(AreaCoverage.Left::areaM2)),
+                uncovered);
     }
 
-    /** What crosses itself becomes what it can be taken for: boats did not explore it either. */
-    private static Geometry polygon(MapArea area) {
-        return GeometryFixer.fix(FACTORY.createPolygon(
-                ring(area.outline()),
-                area.holes().stream().map(ExplorationRequest::ring).toArray(LinearRing[]::new)));
-    }
-
-    private static LinearRing ring(List<MapPoint> points) {
-        List<Coordinate> coordinates = new ArrayList<>();
-        points.forEach(point -> coordinates.add(new Coordinate(point.eastM(), point.northM())));
-        coordinates.add(coordinates.get(0).copy());
-        return FACTORY.createLinearRing(coordinates.toArray(Coordinate[]::new));
-    }
-
-    private static List<MapArea> pieces(Geometry geometry, LocalFrame plane) {
-        List<MapArea> pieces = new ArrayList<>();
-        for (int i = 0; i < geometry.getNumGeometries(); i++) {
-            if (geometry.getGeometryN(i) instanceof Polygon polygon && polygon.getArea() >= CRUMB_M2) {
-                List<List<MapPoint>> holes = new ArrayList<>();
-                for (int hole = 0; hole < polygon.getNumInteriorRing(); hole++) {
-                    holes.add(points(polygon.getInteriorRingN(hole), plane));
-                }
-                pieces.add(new MapArea(MapArea.Kind.UNCOVERED, points(polygon.getExteriorRing(), plane), holes));
-            }
+    private List<List<GeoPoint>> since(List<BoatResult> boats) {
+        List<List<GeoPoint>> tracks = new ArrayList<>();
+        for (BoatResult boat : boats) {
+            tracks.add(boat.track().stream()
+                    .filter(point -> point.atMillis() >= askedAtMillis)
+                    .map(point -> GeoPoint.of(point.latDeg(), point.lonDeg()))
+                    .toList());
         }
-        return pieces;
-    }
-
-    private static List<MapPoint> points(LinearRing ring, LocalFrame plane) {
-        List<MapPoint> points = new ArrayList<>();
-        Coordinate[] coordinates = ring.getCoordinates();
-        for (int i = 0; i + 1 < coordinates.length; i++) { // the last is the first
-            double eastM = coordinates[i].x;
-            double northM = coordinates[i].y;
-            points.add(new MapPoint(plane.latDeg(eastM, northM), plane.lonDeg(eastM, northM), eastM, northM));
-        }
-        return points;
+        return tracks;
     }
 }

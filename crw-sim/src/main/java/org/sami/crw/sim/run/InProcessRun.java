@@ -87,6 +87,9 @@ public final class InProcessRun {
                         .read(settings.interrupts(), fleet.boatNames()),
                 clock);
         records = new RunRecords(plan, settings, session, water.plane(), notes, operator, interrupts);
+        if (!fleet.conditions().hasExactPositions()) {
+            records.alsoNote(water::reportedBoats);
+        }
         records.listeners().forEach(session::addListener);
         session.addOperator(operator);
         operator.connect(session);
@@ -215,7 +218,10 @@ public final class InProcessRun {
                 observer.progress().accept(records.progress(catchingUp ? "catching up" : "running"));
             }
         });
-        repeat(TRACK_MILLIS, () -> records.tracks().look(now(), water.boats()));
+        repeat(TRACK_MILLIS, () -> {
+            records.tracks().look(now(), water.boats());
+            records.lookAtReported(now());
+        });
         repeat(MARK_MILLIS, this::mark);
         if (endsWhenStuck) {
             repeat(STALL_MILLIS, () -> lifecycle.lookForStall(water::boats));

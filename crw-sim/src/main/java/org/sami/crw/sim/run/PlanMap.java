@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.sami.boat.server.LocalFrame;
 import org.sami.crw.sim.report.BoatResult;
@@ -50,7 +51,7 @@ public final class PlanMap implements HostListener {
     private final Set<MapArea> areas = new LinkedHashSet<>();
     private final Map<GeoPoint, MapSpot> assembly = new LinkedHashMap<>();
     private final Map<GeoPoint, MapSpot> points = new LinkedHashMap<>();
-    private final Map<MapArea, ExplorationRequest> explorations = new LinkedHashMap<>();
+    private final Map<GeoArea, ExplorationRequest> explorations = new LinkedHashMap<>();
     private final List<MapPath> paths = new ArrayList<>();
 
     /**
@@ -68,6 +69,7 @@ public final class PlanMap implements HostListener {
                 && received.occurrence().type().equals(ASSEMBLED)) {
             received.occurrence().values().values().forEach(this::addAssembly);
         }
+        explorations.values().forEach(one -> one.hear(input));
         for (Effect effect : effects) {
             if (effect instanceof Effect.Activated activated) {
                 add(activated.activation(), atMillis);
@@ -81,18 +83,28 @@ public final class PlanMap implements HostListener {
         activation.values().forEach((field, value) -> add(kind(field, explores), value));
         if (explores
                 && activation.values().get(AREA) instanceof GeoArea area
-                && activation.values().get(SPACING) instanceof RealValue spacing) {
-            List<MapArea> avoided = activation.values().get(AVOID) instanceof ListValue list
-                    ? list.items().stream()
-                            .filter(GeoArea.class::isInstance)
-                            .map(item -> area(MapArea.Kind.AVOIDED, (GeoArea) item))
-                            .toList()
-                    : List.of();
-            MapArea explored = area(MapArea.Kind.EXPLORED, area);
-            if (explorations.size() < MOST_EXPLORATIONS) {
-                explorations.putIfAbsent(
-                        explored, new ExplorationRequest(atMillis, spacing.value(), explored, avoided));
-            }
+                && activation.values().get(SPACING) instanceof RealValue spacing
+                && !explorations.containsKey(area)
+                && explorations.size() < MOST_EXPLORATIONS) {
+            explorationOf(activation, area, spacing.value(), atMillis).ifPresent(one -> explorations.put(area, one));
+        }
+    }
+
+    /** Empty for areas that are no simple polygons, which nobody explores: the plan hears why. */
+    private static Optional<ExplorationRequest> explorationOf(
+            Activation activation, GeoArea area, double spacingM, long atMillis) {
+        List<GeoArea> avoided = activation.values().get(AVOID) instanceof ListValue list
+                ? list.items().stream()
+                        .filter(GeoArea.class::isInstance)
+                        .map(GeoArea.class::cast)
+                        .toList()
+                : List.of();
+        Optional<GeoArea> within =
+                activation.value(WITHIN).filter(GeoArea.class::isInstance).map(GeoArea.class::cast);
+        try {
+            return Optional.of(new ExplorationRequest(atMillis, spacingM, area, avoided, within));
+        } catch (IllegalArgumentException crossed) {
+            return Optional.empty();
         }
     }
 
@@ -160,12 +172,22 @@ public final class PlanMap implements HostListener {
                 plane.northM(at.latDeg(), at.lonDeg()));
     }
 
+    /** The map at the end of a run of which is known what boats reported, no more. */
+    public RunMap map(List<BoatResult> reported, List<LocationResult> locations) {
+        return map(KnownTracks.reported(reported), locations);
+    }
+
+    /** Whether boats were to explore areas. */
+    boolean hasExplorations() {
+        return !explorations.isEmpty();
+    }
+
     /**
      * The map at the end of a run.
      *
      * @param locations are shown as such, and not as points of the plan
      */
-    public RunMap map(List<BoatResult> boats, List<LocationResult> locations) {
+    RunMap map(KnownTracks tracks, List<LocationResult> locations) {
         List<MapSpot> spots = new ArrayList<>(assembly.values());
         points.values().stream()
                 .filter(spot -> locations.stream()
@@ -176,9 +198,9 @@ public final class PlanMap implements HostListener {
                 List.copyOf(areas),
                 spots,
                 explorations.values().stream()
-                        .map(asked -> asked.result(boats, plane))
+                        .map(asked -> asked.result(tracks, left -> area(MapArea.Kind.UNCOVERED, left)))
                         .toList(),
-                ClosestApproach.of(boats),
+                ClosestApproach.of(tracks.best()),
                 paths);
     }
 }

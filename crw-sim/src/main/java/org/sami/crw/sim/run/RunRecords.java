@@ -2,8 +2,10 @@ package org.sami.crw.sim.run;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import org.sami.boat.server.LocalFrame;
 import org.sami.crw.operator.BlockedPlaces;
 import org.sami.crw.operator.BoatSnapshot;
@@ -36,6 +38,8 @@ public final class RunRecords {
     private final VisitRecorder visits = new VisitRecorder();
     private final TrueVisits trueVisits = new TrueVisits(visits);
     private final TrackRecorder tracks = new TrackRecorder();
+    private final TrackRecorder reported = new TrackRecorder();
+    private Optional<Supplier<List<BoatState>>> reporting = Optional.empty();
     private final ReadingRecorder readings = new ReadingRecorder();
     private final LocationListener locations;
     private final PlanMap map;
@@ -107,6 +111,18 @@ public final class RunRecords {
         return tracks;
     }
 
+    /** What is told of the boats is how they truly are: where they say that they are is something else, and noted down where they explore. */
+    void alsoNote(Supplier<List<BoatState>> asReported) {
+        reporting = Optional.of(asReported);
+    }
+
+    /** Looks where boats say that they are; to be called once a second. */
+    void lookAtReported(long nowMillis) {
+        if (reporting.isPresent() && map.hasExplorations()) {
+            reported.look(nowMillis, reporting.get().get());
+        }
+    }
+
     /** What boats measured. */
     public ReadingRecorder readings() {
         return readings;
@@ -163,7 +179,7 @@ public final class RunRecords {
                         visited,
                         interrupts.results(),
                         told(end.atMillis()),
-                        map.map(results, visited))
+                        map.map(known(results, end.atMillis(), links), visited))
                 .withReadings(readings.readings())
                 .withLog(new RunLog(
                         phases.results(),
@@ -172,6 +188,17 @@ public final class RunRecords {
                         end.outcome().isOver()
                                 ? List.of()
                                 : session.host().ask(view -> BlockedPlaces.of(plan.vocabulary(), view)));
+    }
+
+    private KnownTracks known(List<BoatResult> results, long atMillis, Function<String, LinkResult> links) {
+        if (settings.isConnected()) {
+            return KnownTracks.reported(results);
+        }
+        return new KnownTracks(
+                reporting
+                        .map(boats -> reported.results(atMillis, boats.get(), links))
+                        .orElse(results),
+                Optional.of(results));
     }
 
     private List<NoteResult> told(long atMillis) {

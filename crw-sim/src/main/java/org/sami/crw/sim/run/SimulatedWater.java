@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.function.Function;
 import org.sami.boat.server.LocalFrame;
 import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.fleet.FleetConfig;
 import org.sami.crw.sim.fleet.SimulatedBoat;
@@ -72,20 +73,33 @@ final class SimulatedWater {
     /** All boats as they truly are, in order. */
     List<BoatState> boats() {
         List<BoatState> states = new ArrayList<>();
-        for (SimulatedBoat boat : fleet.boats()) {
-            GeoPoint position = boat.position();
-            states.add(new BoatState(
-                    boat.id(),
-                    plane.eastM(position.latDeg(), position.lonDeg()),
-                    plane.northM(position.latDeg(), position.lonDeg()),
-                    position.latDeg(),
-                    position.lonDeg(),
-                    boat.hull().speedMps(),
-                    boat.batteryPercent(),
-                    boat.distanceM(),
-                    boat.recharges()));
-        }
+        fleet.boats().forEach(boat -> states.add(state(boat, boat.position())));
         return states;
+    }
+
+    /** All boats that have said where they are, each where it said last. */
+    List<BoatState> reportedBoats() {
+        List<BoatState> states = new ArrayList<>();
+        fleet.boats()
+                .forEach(boat -> boat.proxy()
+                        .status()
+                        .pose()
+                        .map(BoatPose::position)
+                        .ifPresent(position -> states.add(state(boat, position))));
+        return states;
+    }
+
+    private BoatState state(SimulatedBoat boat, GeoPoint position) {
+        return new BoatState(
+                boat.id(),
+                plane.eastM(position.latDeg(), position.lonDeg()),
+                plane.northM(position.latDeg(), position.lonDeg()),
+                position.latDeg(),
+                position.lonDeg(),
+                boat.hull().speedMps(),
+                boat.batteryPercent(),
+                boat.distanceM(),
+                boat.recharges());
     }
 
     /** A short hash of the true positions and batteries, to the last bit: what a world is compared by. */

@@ -53,7 +53,12 @@ class MapPictureTest {
         RunMap map = new RunMap(
                 List.of(area(MapArea.Kind.EXPLORED, 0), area(MapArea.Kind.AVOIDED, 150)),
                 List.of(),
-                List.of(new Exploration(0, 10, 100, 50, List.of(area(MapArea.Kind.UNCOVERED, -150)))),
+                List.of(new Exploration(
+                        0,
+                        10,
+                        100,
+                        new Exploration.Left(Optional.empty(), Optional.of(50.0), Optional.empty()),
+                        List.of(area(MapArea.Kind.UNCOVERED, -150)))),
                 nothingNear());
 
         Set<Integer> without = colors(report(600, RunOutcome.ENDED, "", RunMap.of(List.of())));
