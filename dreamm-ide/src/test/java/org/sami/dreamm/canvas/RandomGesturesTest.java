@@ -102,7 +102,7 @@ class RandomGesturesTest {
             }
             default -> scene.key(KEYS[random.nextInt(KEYS.length)]);
         }
-        if (scene.plan().places().size() > 60) {
+        if (scene.plan().places().size() > 40) {
             scene.key("ctrl A");
             scene.key("DELETE");
         }

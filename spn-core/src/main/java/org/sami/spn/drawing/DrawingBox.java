@@ -43,6 +43,12 @@ public record DrawingBox(double x, double y, double width, double height) {
 
     /** Whether some of the line between two points lies in it (Liang and Barsky's clipping). */
     public boolean isCrossedBy(LayoutPoint from, LayoutPoint to) {
+        if (Math.max(from.x(), to.x()) < x
+                || Math.min(from.x(), to.x()) > maxX()
+                || Math.max(from.y(), to.y()) < y
+                || Math.min(from.y(), to.y()) > maxY()) {
+            return false; // most lines, at little cost
+        }
         double dx = to.x() - from.x();
         double dy = to.y() - from.y();
         double[] towards = {-dx, dx, -dy, dy};

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import javax.tools.JavaCompiler;
+import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 import org.sami.spn.model.Project;
 import org.sami.spn.testing.TestVocabulary;
@@ -19,6 +20,10 @@ import org.sami.spn.testing.TestVocabulary;
 final class SpoiltEngine extends ClassLoader {
     private static final Path SOURCES = Path.of("src/main/java/org/sami/spn/engine/rule");
     private static final String ENGINE = "org.sami.spn.engine.";
+    private static final JavaCompiler COMPILER = ToolProvider.getSystemJavaCompiler();
+
+    /** For all compilations, one after another: it has read the directories of the class path's jars once. */
+    private static final StandardJavaFileManager FILES = COMPILER.getStandardFileManager(null, null, null);
 
     private final Path classes;
 
@@ -51,16 +56,9 @@ final class SpoiltEngine extends ClassLoader {
     }
 
     private static void compile(Path source, Path into) {
-        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         List<String> options =
                 List.of("-proc:none", "-nowarn", "-cp", System.getProperty("java.class.path"), "-d", into.toString());
-        boolean compiled = compiler.getTask(
-                        null,
-                        null,
-                        null,
-                        options,
-                        null,
-                        compiler.getStandardFileManager(null, null, null).getJavaFileObjects(source))
+        boolean compiled = COMPILER.getTask(null, FILES, null, options, null, FILES.getJavaFileObjects(source))
                 .call();
         if (!compiled) {
             throw new IllegalStateException("The spoilt " + source.getFileName() + " does not compile");
