@@ -12,35 +12,40 @@ import java.util.Optional;
 public final class SettingsReport extends LinkMessage {
     static final String TYPE = "settings";
     private static final String HOME = "home";
+    private static final String ERROR = "error";
 
     private final Gains heading;
     private final Gains speed;
     private final double velocityMultiplier;
     private final LostLinkAction lostLinkAction;
     private final Optional<Waypoint> home;
+    private final Optional<TrackingError> error;
 
-    /** That of a boat which does not tell where its home is, as older ones do not. */
+    /** That of a boat which tells neither its home nor its errors, as older ones do not. */
     public SettingsReport(Gains heading, Gains speed, double velocityMultiplier, LostLinkAction lostLinkAction) {
-        this(heading, speed, velocityMultiplier, lostLinkAction, Optional.empty());
+        this(heading, speed, velocityMultiplier, lostLinkAction, Optional.empty(), Optional.empty());
     }
 
     /**
      * Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}.
      *
      * @param home where the boat returns to, at the speed at which it does
+     * @param error how far it may be beside its lines, if it knows
      */
     public SettingsReport(
             Gains heading,
             Gains speed,
             double velocityMultiplier,
             LostLinkAction lostLinkAction,
-            Optional<Waypoint> home) {
+            Optional<Waypoint> home,
+            Optional<TrackingError> error) {
         this.heading = Objects.requireNonNull(heading, "heading");
         this.speed = Objects.requireNonNull(speed, "speed");
         this.velocityMultiplier =
                 Checks.range("multiplier", velocityMultiplier, 0, SetVelocityMultiplier.MAX_MULTIPLIER);
         this.lostLinkAction = Objects.requireNonNull(lostLinkAction, "lostLinkAction");
         this.home = Objects.requireNonNull(home, "home");
+        this.error = Objects.requireNonNull(error, "error");
     }
 
     static SettingsReport read(Fields in) throws LinkException {
@@ -49,7 +54,8 @@ public final class SettingsReport extends LinkMessage {
                 Gains.read(in.object("speed")),
                 in.number("multiplier"),
                 in.word("action", LostLinkAction.class),
-                in.has(HOME) ? Optional.of(WaypointRows.readRow(in.array(HOME), "/" + HOME)) : Optional.empty());
+                in.has(HOME) ? Optional.of(WaypointRows.readRow(in.array(HOME), "/" + HOME)) : Optional.empty(),
+                in.has(ERROR) ? Optional.of(TrackingError.read(in.object(ERROR))) : Optional.empty());
     }
 
     /** Gains of a control loop. */
@@ -72,6 +78,11 @@ public final class SettingsReport extends LinkMessage {
         return home;
     }
 
+    /** How far the boat may be beside its lines; empty where it does not know. */
+    public Optional<TrackingError> error() {
+        return error;
+    }
+
     @Override
     public String type() {
         return TYPE;
@@ -90,6 +101,11 @@ public final class SettingsReport extends LinkMessage {
         if (home.isPresent()) {
             out.writeFieldName(HOME);
             WaypointRows.writeRow(out, home.get());
+        }
+        if (error.isPresent()) {
+            out.writeObjectFieldStart(ERROR);
+            error.get().write(out);
+            out.writeEndObject();
         }
     }
 }

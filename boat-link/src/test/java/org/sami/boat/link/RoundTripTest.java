@@ -58,7 +58,8 @@ class RoundTripTest {
                         new Gains(0.3, 0, 0),
                         1,
                         LostLinkAction.HOLD,
-                        Optional.of(new Waypoint(45.4, -10.9, 1))),
+                        Optional.of(new Waypoint(45.4, -10.9, 1)),
+                        Optional.of(new TrackingError(1.57, 0.24))),
                 new SetWaysHome("c", "l", List.of(List.of(), List.of(List.of()), List.of(path, path.subList(0, 1)))),
                 new SensorReport("ctd", "temperature", List.of(17.25, -1e300), "°C", 45.4, 10.9, 12));
     }

@@ -8,7 +8,6 @@ import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.assembly.AssemblyAlgorithm;
 import org.sami.crw.service.assembly.AssemblyProblem;
-import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
@@ -27,12 +26,12 @@ final class AssembleHandler implements ActivationHandler {
 
     private final AssemblyAlgorithm algorithm;
     private final BoatPositions positions;
-    private final CrossTrackError error;
+    private final BoatErrors errors;
 
-    AssembleHandler(AssemblyAlgorithm algorithm, BoatPositions positions, CrossTrackError error) {
+    AssembleHandler(AssemblyAlgorithm algorithm, BoatPositions positions, BoatErrors errors) {
         this.algorithm = algorithm;
         this.positions = positions;
-        this.error = error;
+        this.errors = errors;
     }
 
     @Override
@@ -52,7 +51,7 @@ final class AssembleHandler implements ActivationHandler {
                 centre,
                 ActivationFields.metres(activation, "spacing"),
                 List.copyOf(assembled.values()),
-                context.query(view -> PlanAreas.water(activation, view, centre, error))));
+                context.query(view -> PlanAreas.water(activation, view, centre, errors.of(boats)))));
         assembled.putAll(points);
         context.post(List.of(
                 new Input.Remember(activation.mission(), MEMORY, ProxyMaps.toValue(assembled)),

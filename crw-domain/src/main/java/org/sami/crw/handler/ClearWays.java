@@ -26,12 +26,12 @@ import org.sami.spn.value.GeoPoint;
 final class ClearWays {
     private final ProxyRegistry boats;
     private final MessageSink messages;
-    private final CrossTrackError error;
+    private final BoatErrors errors;
 
-    ClearWays(ProxyRegistry boats, MessageSink messages, CrossTrackError error) {
+    ClearWays(ProxyRegistry boats, MessageSink messages, BoatErrors errors) {
         this.boats = boats;
         this.messages = messages;
-        this.error = error;
+        this.errors = errors;
     }
 
     /** The same moves, with the water in which the boats may go. */
@@ -44,11 +44,12 @@ final class ClearWays {
         }
         List<Move> limited = new ArrayList<>();
         for (Move move : moves) {
-            Optional<GeoPoint> from = boats.find(move.addressee().boat())
-                    .flatMap(boat -> boat.status().pose())
-                    .map(BoatPose::position);
+            String boat = move.addressee().boat();
+            Optional<GeoPoint> from =
+                    boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
             List<GeoPoint> points = points(move.command());
-            Optional<Water> water = points.isEmpty() ? Optional.empty() : water(from, points, avoid, within);
+            Optional<Water> water =
+                    points.isEmpty() ? Optional.empty() : water(from, points, avoid, within, errors.of(boat));
             limited.add(
                     water.map(limits -> move.with(in(limits, move.command()))).orElse(move));
             if (from.isPresent() && water.isPresent()) {
@@ -77,7 +78,11 @@ final class ClearWays {
      * keep nobody out: they are named where they are asked with, and by the fence's alarm.
      */
     private Optional<Water> water(
-            Optional<GeoPoint> from, List<GeoPoint> points, List<GeoArea> avoid, Optional<GeoArea> within) {
+            Optional<GeoPoint> from,
+            List<GeoPoint> points,
+            List<GeoArea> avoid,
+            Optional<GeoArea> within,
+            CrossTrackError error) {
         GeoPoint origin = from.orElse(points.get(0));
         try {
             Water inside = Water.of(origin, List.of(), within);
@@ -102,6 +107,7 @@ final class ClearWays {
             Detour.between(way.get(way.size() - 1), point, water).ifPresent(way::addAll);
             way.add(point);
         }
+        CrossTrackError error = water.error();
         double clearanceM = water.clearanceM(way);
         if (error.insideM(clearanceM) > 0) {
             messages.tell(new OperatorMessage(

@@ -50,7 +50,8 @@ public final class CrwDomain implements AutoCloseable {
         this.events = events;
         NewBoats newBoats = new NewBoats();
         WayQuestions ways = new WayQuestions(boats, fleet);
-        ClearWays clearWays = new ClearWays(boats, messages, services.error());
+        BoatErrors errors = new BoatErrors(boats, services.error());
+        ClearWays clearWays = new ClearWays(boats, messages, errors);
         MotionCommands motion = new MotionCommands(boats, messages, ways, clearWays);
         computations = new Computations(fleet, messages, threads);
         BoatSettings settings = new BoatSettings(boats, messages);
@@ -81,8 +82,7 @@ public final class CrwDomain implements AutoCloseable {
         handlers.putAll(movers(motion));
         handlers.put(
                 ExploreAreaHandler.TYPE,
-                new ExploreAreaHandler(
-                        services.coverage(), positions, motion, messages, computations, services.error()));
+                new ExploreAreaHandler(services.coverage(), positions, motion, messages, computations, errors));
         Withdrawals withdrawals = new Withdrawals(handlers.keySet(), motion, computations, fleet);
         handlers.put(AreaSubscriptions.TYPE, areas);
         handlers.put(MeasurementHandler.TYPE, measurements);
@@ -96,13 +96,11 @@ public final class CrwDomain implements AutoCloseable {
                 AllocationHandler.TYPE,
                 new AllocationHandler(
                         services.allocation(), positions, boat -> rangeM(boats, boat), messages, computations));
-        handlers.put(
-                PathHandler.TYPE,
-                new PathHandler(services.paths(), positions, messages, computations, services.error()));
-        handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions, services.error()));
+        handlers.put(PathHandler.TYPE, new PathHandler(services.paths(), positions, messages, computations, errors));
+        handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions, errors));
         handlers.put(
                 DistributeHandler.TYPE,
-                new DistributeHandler(services.allocation(), positions, messages, computations, services.error()));
+                new DistributeHandler(services.allocation(), positions, messages, computations, errors));
         handlers.put(CompareDistanceHandler.TYPE, new CompareDistanceHandler(positions));
         handlers.put(BatterySubscriptions.TYPE, batteries);
         for (AbortScope scope : AbortScope.values()) {

@@ -12,7 +12,7 @@ import org.sami.crw.service.water.CrossTrackError;
 /**
  * The services that the handlers use.
  *
- * @param error how far the boats may be beside their ways: all ways keep as much off what is not to be entered
+ * @param error how far boats that do not say it themselves may be beside their ways: all ways keep as much off what is not to be entered
  */
 public record CrwServices(
         AllocationService allocation,

@@ -38,19 +38,19 @@ final class DistributeHandler implements ActivationHandler {
     private final BoatPositions positions;
     private final MessageSink messages;
     private final Computations computations;
-    private final CrossTrackError error;
+    private final BoatErrors errors;
 
     DistributeHandler(
             AllocationService service,
             BoatPositions positions,
             MessageSink messages,
             Computations computations,
-            CrossTrackError error) {
+            BoatErrors errors) {
         this.service = service;
         this.positions = positions;
         this.messages = messages;
         this.computations = computations;
-        this.error = error;
+        this.errors = errors;
     }
 
     @Override
@@ -62,6 +62,7 @@ final class DistributeHandler implements ActivationHandler {
         if (from.isEmpty()) {
             throw new IllegalStateException("There is no boat whose position is known, of " + boats);
         }
+        CrossTrackError error = errors.of(boats);
         computations.compute(activation, context, new Computations.Task<AllocationService.Options>() {
             @Override
             public String what() {
@@ -71,7 +72,9 @@ final class DistributeHandler implements ActivationHandler {
             @Override
             public AllocationService.Options compute() {
                 return service.solve(
-                        AllocationProblem.ofVisits(from, locations(activation)), Markups.criterion(activation), 1);
+                        AllocationProblem.ofVisits(from, locations(activation, error)),
+                        Markups.criterion(activation),
+                        1);
             }
 
             @Override
@@ -114,7 +117,7 @@ final class DistributeHandler implements ActivationHandler {
                 ""));
     }
 
-    private List<GeoPoint> locations(Activation activation) {
+    private static List<GeoPoint> locations(Activation activation, CrossTrackError error) {
         Optional<GeoArea> area = activation.value(AREA).map(value -> Restrictions.area(value, AREA));
         if (activation.value(LOCATIONS).isPresent() || area.isEmpty()) {
             return ActivationFields.points(ActivationFields.required(activation, LOCATIONS), LOCATIONS);

@@ -15,7 +15,6 @@ import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.coverage.Coverage;
 import org.sami.crw.service.coverage.CoverageAlgorithm;
 import org.sami.crw.service.coverage.CoverageProblem;
-import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
@@ -45,7 +44,7 @@ final class ExploreAreaHandler implements ActivationHandler {
     private final MotionCommands motion;
     private final MessageSink messages;
     private final Computations computations;
-    private final CrossTrackError error;
+    private final BoatErrors errors;
     /** What waits until an area is divided, by mission and area. */
     private final Map<String, List<Consumer<Map<String, GeoPath>>>> underWay = new HashMap<>();
 
@@ -55,13 +54,13 @@ final class ExploreAreaHandler implements ActivationHandler {
             MotionCommands motion,
             MessageSink messages,
             Computations computations,
-            CrossTrackError error) {
+            BoatErrors errors) {
         this.algorithm = algorithm;
         this.positions = positions;
         this.motion = motion;
         this.messages = messages;
         this.computations = computations;
-        this.error = error;
+        this.errors = errors;
     }
 
     @Override
@@ -134,7 +133,7 @@ final class ExploreAreaHandler implements ActivationHandler {
                 one.spacingM,
                 Restrictions.avoid(one.activation),
                 Restrictions.within(one.activation),
-                error);
+                errors.of(List.copyOf(from.keySet())));
         underWay.put(one.name(), new ArrayList<>());
         boolean[] begun = new boolean[1];
         try {

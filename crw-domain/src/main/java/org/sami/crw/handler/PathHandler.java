@@ -1,5 +1,6 @@
 package org.sami.crw.handler;
 
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -43,19 +44,19 @@ final class PathHandler implements ActivationHandler {
     private final BoatPositions positions;
     private final MessageSink messages;
     private final Computations computations;
-    private final CrossTrackError error;
+    private final BoatErrors errors;
 
     PathHandler(
             PathService service,
             BoatPositions positions,
             MessageSink messages,
             Computations computations,
-            CrossTrackError error) {
+            BoatErrors errors) {
         this.service = service;
         this.positions = positions;
         this.messages = messages;
         this.computations = computations;
-        this.error = error;
+        this.errors = errors;
     }
 
     @Override
@@ -65,7 +66,11 @@ final class PathHandler implements ActivationHandler {
             throw new IllegalArgumentException("No boat entered " + activation.place() + ": nobody to find a way for");
         }
         Map<String, Optional<GeoPoint>> from = new LinkedHashMap<>();
-        addressees.forEach(one -> from.put(one.boat(), positions.positionOf(one.boat())));
+        Map<String, CrossTrackError> error = new HashMap<>();
+        for (Addressee one : addressees) {
+            from.put(one.boat(), positions.positionOf(one.boat()));
+            error.put(one.boat(), errors.of(one.boat()));
+        }
         computations.compute(activation, context, new Computations.Task<Map<String, PathService.Options>>() {
             @Override
             public String what() {
@@ -75,7 +80,8 @@ final class PathHandler implements ActivationHandler {
             @Override
             public Map<String, PathService.Options> compute() {
                 Map<String, PathService.Options> options = new LinkedHashMap<>();
-                addressees.forEach(one -> options.put(one.boat(), find(one, from.get(one.boat()), activation)));
+                addressees.forEach(one ->
+                        options.put(one.boat(), find(one, from.get(one.boat()), error.get(one.boat()), activation)));
                 return options;
             }
 
@@ -108,7 +114,8 @@ final class PathHandler implements ActivationHandler {
                 EventNames.PATH_RESPONSE, activation, List.copyOf(found.keySet()), List.of(), values)));
     }
 
-    private PathService.Options find(Addressee addressee, Optional<GeoPoint> from, Activation activation) {
+    private PathService.Options find(
+            Addressee addressee, Optional<GeoPoint> from, CrossTrackError error, Activation activation) {
         Optional<GeoPoint> to = addressee.values(activation, POINTS).stream()
                 .map(byBoat -> ProxyMaps.read(byBoat, GeoPoint.class).get(addressee.boat()))
                 .filter(point -> point != null)

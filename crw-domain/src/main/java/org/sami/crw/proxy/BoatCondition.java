@@ -2,6 +2,7 @@ package org.sami.crw.proxy;
 
 import java.util.Optional;
 import org.sami.crw.proxy.BoatExplanation.Cause;
+import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -43,6 +44,9 @@ final class BoatCondition {
 
     /** Where the boat returns to when its link is lost; empty for one that has not said, as older ones do not. */
     Optional<GeoPoint> home = Optional.empty();
+
+    /** How far the boat may be beside its ways, as it said itself; empty for one that has not said. */
+    Optional<CrossTrackError> error = Optional.empty();
 
     BoatCondition(String boatId, ProxyLink link) {
         this.link = link;

@@ -18,6 +18,7 @@ import org.sami.boat.link.SensorReport;
 import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Welcome;
+import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -84,6 +85,7 @@ final class BoatMessages {
             driver.taken(report);
         } else if (message instanceof SettingsReport report) {
             condition.home = report.home().map(home -> GeoPoint.of(home.latDeg(), home.lonDeg()));
+            condition.error = report.error().map(error -> CrossTrackError.of(error.positionM(), error.driftMps()));
             tuner.reported(report);
         } else if (message instanceof Welcome welcome) {
             welcomed(welcome);

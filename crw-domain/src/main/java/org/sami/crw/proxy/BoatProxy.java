@@ -19,6 +19,7 @@ import org.sami.boat.link.SetLostLinkAction;
 import org.sami.boat.link.SetVelocityMultiplier;
 import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Teleoperate;
+import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -65,6 +66,11 @@ public final class BoatProxy {
     /** Where the boat returns to when its link is lost; empty for one that has not said, as older ones do not. */
     public Optional<GeoPoint> home() {
         return condition.home;
+    }
+
+    /** How far the boat may be beside its ways, as it said itself; empty for one that has not said. */
+    public Optional<CrossTrackError> error() {
+        return condition.error;
     }
 
     /** For how many milliseconds nothing has come from the boat; empty as long as nothing ever has. */

@@ -3,6 +3,7 @@ package org.sami.crw.session;
 import java.io.IOException;
 import java.util.Objects;
 import org.sami.crw.handler.CrwServices;
+import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.VocabularyFiles;
@@ -27,13 +28,16 @@ public record SessionSetup(
         Objects.requireNonNull(runtime, "runtime");
     }
 
-    /** A session without a journal, in real time, on boats behind TCP. */
+    /**
+     * A session without a journal, in real time, on boats behind TCP; those that do not say how far they may be beside their ways are taken to be
+     * as in the field.
+     */
     public static SessionSetup of(Vocabulary vocabulary, Project project) {
         return new SessionSetup(
                 vocabulary,
                 project,
                 SessionJournal.none(),
-                CrwServices.STANDARD,
+                CrwServices.STANDARD.drivenWith(CrossTrackError.FIELD),
                 SessionRuntime.RealTime.ofThisProcess());
     }
 

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.sami.boat.link.TrackingError;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.service.Geodesy;
@@ -58,6 +59,31 @@ class PathRequestTest {
         assertThat(paths.get("west").points()).hasSize(3);
         assertThat(paths.get("east").points()).hasSize(1);
         assertClear(paths, 0.05);
+    }
+
+    /** Where it says nothing, what is stated counts: here still water. */
+    @Test
+    void boatThatSaysHowFarItMayBeBesideItsWayIsKeptAsFarOff() {
+        Map<String, GeoPoint> points = Map.of("west", at(80, 0), "far", at(80, 10));
+        world.addBoat("far", -100, 10, hull -> hull.error = Optional.of(new TrackingError(2, 0.5)));
+        world.run(1);
+
+        world.happens(
+                engine,
+                asking().with("points", ProxyMaps.toValue(points))
+                        .with("avoid", new ListValue(List.of(ISLAND)))
+                        .of("west", "far")
+                        .effect());
+
+        Map<String, GeoPath> paths = paths(answer(), 0);
+        assertThat(clearanceM(paths, "west", at(-100, 0))).isBetween(0.6, 1.0);
+        assertThat(clearanceM(paths, "far", at(-100, 10))).isBetween(8.6, 9.0); // 0.6 + 3 * 2 + 4 * 0.5
+    }
+
+    private static double clearanceM(Map<String, GeoPath> paths, String boat, GeoPoint from) {
+        List<GeoPoint> whole = new ArrayList<>(List.of(from));
+        whole.addAll(paths.get(boat).points());
+        return Water.of(TestWorld.HOME, List.of(ISLAND), Optional.empty()).clearanceM(whole);
     }
 
     @Test

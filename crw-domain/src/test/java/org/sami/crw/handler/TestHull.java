@@ -2,6 +2,8 @@ package org.sami.crw.handler;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import org.sami.boat.link.TrackingError;
 import org.sami.boat.server.Sensor;
 import org.sami.boat.server.Vehicle;
 import org.sami.crw.service.Geodesy;
@@ -11,6 +13,9 @@ import org.sami.spn.value.GeoPoint;
 final class TestHull implements Vehicle {
     private static final double TOP_SPEED_MPS = 3;
     private static final double TURN_RAD_PER_S = 1.5;
+
+    /** How far the boat says that it may be beside its ways. */
+    Optional<TrackingError> error = Optional.empty();
 
     private GeoPoint position;
     private double headingRad;

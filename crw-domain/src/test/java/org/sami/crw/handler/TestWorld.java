@@ -125,8 +125,9 @@ final class TestWorld implements HostClock {
     /** The boat's server starts, with nothing of what an earlier one knew. */
     void startServer(String id, String bootId) {
         BoatProxy proxy = boats.find(id).orElseThrow();
-        BoatServer server =
-                new BoatServer(ServerConfig.of(id, bootId).fullThrustSpeedMps(3).build(), hulls.get(id));
+        ServerConfig.Builder config = ServerConfig.of(id, bootId).fullThrustSpeedMps(3);
+        hulls.get(id).error.ifPresent(config::trackingError);
+        BoatServer server = new BoatServer(config.build(), hulls.get(id));
         servers.put(id, server);
         sessions.put(id, server.connect(frame -> send(id, () -> proxy.receive(frame, nowMillis()))));
         proxy.closed(nowMillis());

@@ -49,7 +49,7 @@ final class WindowStart {
             return null;
         });
         EventThread.later(WindowStart::loadViews);
-        SessionOpener opener = new SessionOpener(data, options.boats(), options.project());
+        SessionOpener opener = new SessionOpener(data, options.boats(), options.project(), options.conditions());
         Optional<Path> unfinished = data.unfinished();
         boolean goesOn = unfinished.isPresent()
                 && options.resume().orElseGet(() -> EventThread.get(() -> asksToResume(unfinished.get())));

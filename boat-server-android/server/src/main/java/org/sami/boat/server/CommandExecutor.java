@@ -52,7 +52,8 @@ final class CommandExecutor {
                 modes.steering().gains(GainAxis.SPEED),
                 modes.velocityMultiplier(),
                 lostLinkAction,
-                Optional.of(modes.home().origin(config.returnSpeedMps())));
+                Optional.of(modes.home().origin(config.returnSpeedMps())),
+                config.trackingError());
     }
 
     LinkMessage execute(CommandMessage command) {

@@ -1,8 +1,10 @@
 package org.sami.boat.server;
 
 import java.util.Objects;
+import java.util.Optional;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.TrackingError;
 
 /**
  * What is set for one boat before its server starts. Immutable; {@link Builder} refuses nonsense and says the value that it
@@ -25,6 +27,7 @@ public final class ServerConfig {
     private final double criticalBatteryPercent;
     private final double metresPerPercent;
     private final int maxWaypoints;
+    private final Optional<TrackingError> trackingError;
 
     private ServerConfig(Builder builder) {
         boatId = builder.boatId;
@@ -43,6 +46,7 @@ public final class ServerConfig {
         criticalBatteryPercent = builder.criticalBatteryPercent;
         metresPerPercent = builder.metresPerPercent;
         maxWaypoints = builder.maxWaypoints;
+        trackingError = builder.trackingError;
     }
 
     /** The defaults, for a boat and one start of its server. */
@@ -130,6 +134,11 @@ public final class ServerConfig {
         return maxWaypoints;
     }
 
+    /** How far the boat may be beside its lines; empty where that is not known. */
+    public Optional<TrackingError> trackingError() {
+        return trackingError;
+    }
+
     /** Collects what differs from the defaults. */
     public static final class Builder {
         private final String boatId;
@@ -148,6 +157,7 @@ public final class ServerConfig {
         private double criticalBatteryPercent = 15;
         private double metresPerPercent;
         private int maxWaypoints = 20_000;
+        private Optional<TrackingError> trackingError = Optional.empty();
 
         private Builder(String boatId, String bootId) {
             this.boatId = named("boat id", boatId);
@@ -236,6 +246,12 @@ public final class ServerConfig {
         /** The longest waypoint list. */
         public Builder maxWaypoints(int value) {
             maxWaypoints = (int) positive("waypoint limit", (long) value);
+            return this;
+        }
+
+        /** How far the boat may be beside its lines: bases plan with it. */
+        public Builder trackingError(TrackingError value) {
+            trackingError = Optional.of(value);
             return this;
         }
 

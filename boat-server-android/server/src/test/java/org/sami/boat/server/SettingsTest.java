@@ -59,7 +59,8 @@ class SettingsTest {
                 new Gains(0.5, 0, 0),
                 0.5,
                 LostLinkAction.DRIFT,
-                Optional.of(new Waypoint(45, 10, 1.5)));
+                Optional.of(new Waypoint(45, 10, 1.5)),
+                Optional.empty());
         assertThat(newest(client)).usingRecursiveComparison().isEqualTo(inForce);
         assertThat(newest(observer)).usingRecursiveComparison().isEqualTo(inForce);
         assertThat(newest(bench.client(Role.OBSERVER, 1)))

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.ui.window.LookOptions;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -52,6 +53,14 @@ public final class OperatorCommand implements Callable<Integer> {
 
     @Option(names = "--project", paramLabel = "FILE", description = "A project's file or folder; else Katara Beach.")
     private Path project;
+
+    @Option(
+            names = "--conditions",
+            paramLabel = "NAME",
+            description =
+                    "How boats fare that do not say it: calm, field or rough; ways keep as far off what is not to be "
+                            + "entered (default: field; of a session that is gone on with, what it had).")
+    private NamedConditions conditions;
 
     @Option(
             names = "--data",
@@ -136,7 +145,8 @@ public final class OperatorCommand implements Callable<Integer> {
                 look.scale(),
                 Optional.ofNullable(resume),
                 Optional.ofNullable(replay),
-                Optional.ofNullable(at).map(seconds -> Math.round(seconds * 1000)));
+                Optional.ofNullable(at).map(seconds -> Math.round(seconds * 1000)),
+                Optional.ofNullable(conditions));
     }
 
     private static List<BoatAddress> addressesIn(Path file) throws IOException {

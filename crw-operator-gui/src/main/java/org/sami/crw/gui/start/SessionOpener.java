@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,6 +15,7 @@ import org.sami.crw.session.SessionJournal;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
+import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.DomainLibrary;
@@ -36,17 +38,29 @@ public final class SessionOpener {
     private final DataDirectory data;
     private final List<BoatAddress> boats;
     private final Optional<Path> projectFile;
+    private final Optional<NamedConditions> conditions;
+
+    /** An opener that states nothing about boats. */
+    public SessionOpener(DataDirectory data, List<BoatAddress> boats, Optional<Path> projectFile) {
+        this(data, boats, projectFile, Optional.empty());
+    }
 
     /**
      * An opener.
      *
      * @param boats servers to connect to; none = the built-in fleet
      * @param projectFile of the plans; empty = Katara Beach
+     * @param conditions how boats fare that do not say it; empty = as in the field, or as the session that is gone on with had it
      */
-    public SessionOpener(DataDirectory data, List<BoatAddress> boats, Optional<Path> projectFile) {
+    public SessionOpener(
+            DataDirectory data,
+            List<BoatAddress> boats,
+            Optional<Path> projectFile,
+            Optional<NamedConditions> conditions) {
         this.data = data;
         this.boats = List.copyOf(boats);
         this.projectFile = projectFile;
+        this.conditions = conditions;
     }
 
     /**
@@ -57,13 +71,17 @@ public final class SessionOpener {
     public Session openNew() throws IOException {
         DomainLibrary library = DomainLibrary.fromClassPath(DOMAIN).orThrow();
         Project project = project(library);
+        NamedConditions stated = conditions.orElse(NamedConditions.field);
+        Map<String, String> settings = new HashMap<>(stated.settings());
+        settings.put("kind", "session");
+        settings.put(FLEET, boats.isEmpty() ? BUILT_IN : "real");
         JournalHeader header = JournalHeader.of(
                 new ProjectWriter(library.vocabulary()).text(project),
                 library.files().texts(),
-                Map.of("kind", "session", FLEET, boats.isEmpty() ? BUILT_IN : "real"));
+                settings);
         SessionSetup setup =
                 SessionSetup.of(library.vocabulary(), project).with(SessionJournal.create(data.newJournal(), header));
-        return opened(setup, boats.isEmpty());
+        return opened(setup.with(stated.services()), boats.isEmpty());
     }
 
     private Project project(DomainLibrary library) throws IOException {
@@ -101,10 +119,11 @@ public final class SessionOpener {
     public Session resume(Path file) throws IOException {
         SessionJournal journal = SessionJournal.open(file);
         try {
-            boolean builtIn = journal.header()
-                    .map(header -> BUILT_IN.equals(header.settings().get(FLEET)))
-                    .orElse(false);
-            return opened(SessionSetup.resumed(journal), builtIn && boats.isEmpty());
+            Map<String, String> settings =
+                    journal.header().map(JournalHeader::settings).orElse(Map.of());
+            boolean builtIn = BUILT_IN.equals(settings.get(FLEET));
+            NamedConditions stated = conditions.orElse(NamedConditions.of(settings));
+            return opened(SessionSetup.resumed(journal).with(stated.services()), builtIn && boats.isEmpty());
         } catch (IOException | RuntimeException fault) {
             journal.close();
             throw fault;

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.ui.look.Theme;
 
 /**
@@ -16,6 +17,7 @@ import org.sami.ui.look.Theme;
  * @param resume whether an unfinished session is gone on with; empty = the operator is asked
  * @param replay a journal that is to be shown, instead of a session
  * @param atMillis the moment of the replay at which it begins
+ * @param conditions how boats fare that do not say it; empty = as in the field, or as the session that is gone on with had it
  */
 public record StartOptions(
         List<BoatAddress> boats,
@@ -24,7 +26,8 @@ public record StartOptions(
         Optional<Integer> scale,
         Optional<Boolean> resume,
         Optional<Path> replay,
-        Optional<Long> atMillis) {
+        Optional<Long> atMillis,
+        Optional<NamedConditions> conditions) {
     /** A session, without a replay. */
     public StartOptions(
             List<BoatAddress> boats,
@@ -32,7 +35,19 @@ public record StartOptions(
             Optional<Theme> theme,
             Optional<Integer> scale,
             Optional<Boolean> resume) {
-        this(boats, project, theme, scale, resume, Optional.empty(), Optional.empty());
+        this(boats, project, theme, scale, resume, Optional.empty(), Optional.empty(), Optional.empty());
+    }
+
+    /** A session or a replay, without a statement about boats. */
+    public StartOptions(
+            List<BoatAddress> boats,
+            Optional<Path> project,
+            Optional<Theme> theme,
+            Optional<Integer> scale,
+            Optional<Boolean> resume,
+            Optional<Path> replay,
+            Optional<Long> atMillis) {
+        this(boats, project, theme, scale, resume, replay, atMillis, Optional.empty());
     }
 
     public StartOptions {

@@ -90,7 +90,8 @@ public record BoatSettings(
 
     /** The configuration of the boat's server for one start of it. */
     ServerConfig server(String bootId) {
-        return hull.describeTo(ServerConfig.of(name, bootId))
+        return conditions
+                .describeTo(hull.describeTo(ServerConfig.of(name, bootId)))
                 .lostLinkAction(lostLink)
                 .build();
     }

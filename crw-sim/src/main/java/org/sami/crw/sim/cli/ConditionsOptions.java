@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Function;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
+import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.crw.sim.hull.SensorSetting;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
@@ -17,8 +18,9 @@ final class ConditionsOptions {
             paramLabel = "NAME",
             description =
                     "What the water and the instruments are like: calm, field (a lake on an ordinary day, noise as "
-                            + "measured), rough; the options below change single things of it (default: calm).")
-    private NamedConditions named = NamedConditions.calm;
+                            + "measured), rough; the options below change single things of it (default: calm). Of boats "
+                            + "that are connected: what is planned with for those that do not say it (default: field).")
+    private NamedConditions named;
 
     @Option(
             names = "--gps-noise",
@@ -80,7 +82,7 @@ final class ConditionsOptions {
      * @throws IllegalArgumentException if it makes no sense
      */
     Conditions conditions() {
-        Conditions all = named.conditions;
+        Conditions all = (named == null ? NamedConditions.calm : named).conditions();
         return new Conditions(
                 gpsNoiseM == null ? all.gpsNoiseM() : gpsNoiseM,
                 gpsJumpM == null ? all.gpsJumpM() : gpsJumpM,
@@ -91,17 +93,19 @@ final class ConditionsOptions {
                 dischargeIntervalS);
     }
 
-    /** The conditions that have a name; picocli prints and reads the constants as they are written. */
-    private enum NamedConditions {
-        calm(Conditions.CALM),
-        field(Conditions.FIELD),
-        rough(Conditions.ROUGH);
-
-        private final Conditions conditions;
-
-        NamedConditions(Conditions conditions) {
-            this.conditions = conditions;
+    /**
+     * What they say of boats that have their own water: what is planned with for those that do not say how they fare in it.
+     *
+     * @throws UsageFault for an option that is about the water or the instruments themselves
+     */
+    Conditions stated() {
+        NamedConditions stated = named == null ? NamedConditions.field : named;
+        Conditions alone = (named == null ? NamedConditions.calm : named).conditions();
+        if (!conditions().equals(alone)) {
+            throw new UsageFault(
+                    "with --connect the boats have their own water, instruments and sensors: see 'crw boat --help'");
         }
+        return stated.conditions();
     }
 
     private static <T> T read(Function<String, T> reader, String text) {

@@ -146,6 +146,7 @@ final class RunOptions {
     RunSettings settings(String plan, String mission) {
         List<BoatAddress> addresses = addresses(connect);
         int count = addresses.isEmpty() ? Optional.ofNullable(boats).orElse(DEFAULT_BOATS) : addresses.size();
+        Conditions water = addresses.isEmpty() ? conditions.conditions() : conditions.stated();
         within("--boats", count, 1, RunSettings.Fleet.MOST_BOATS);
         within("--locations", locations, 1, RunSettings.Fleet.MOST_LOCATIONS);
         within("--area", areaM, RunSettings.Fleet.SHORTEST_AREA_M, RunSettings.Fleet.LONGEST_AREA_M);
@@ -153,7 +154,7 @@ final class RunOptions {
             return new RunSettings(
                     plan,
                     mission,
-                    new RunSettings.Fleet(count, locations, areaM, seed, conditions.conditions(), charges(), site()),
+                    new RunSettings.Fleet(count, locations, areaM, seed, water, charges(), site()),
                     Optional.ofNullable(speed).orElse(addresses.isEmpty() ? DEFAULT_SPEED : Speed.REAL),
                     Optional.ofNullable(limitMillis).map(OptionalLong::of).orElse(OptionalLong.empty()),
                     parameters,
@@ -183,10 +184,6 @@ final class RunOptions {
         List<BoatAddress> addresses = addressesOf(text);
         if (!addresses.isEmpty() && boats != null) {
             throw new UsageFault("--boats and --connect exclude each other: the boats are those that are connected");
-        }
-        if (!addresses.isEmpty() && !conditions.conditions().equals(Conditions.CALM)) {
-            throw new UsageFault(
-                    "with --connect the boats have their own water, instruments and sensors: see 'crw boat --help'");
         }
         if (!addresses.isEmpty() && quay != null) {
             throw new UsageFault("with --connect the boats lie where they were started: see 'crw boat --help'");

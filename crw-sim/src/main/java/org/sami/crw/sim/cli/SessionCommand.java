@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -23,6 +24,7 @@ import org.sami.crw.sim.console.Console;
 import org.sami.crw.sim.console.LineSource;
 import org.sami.crw.sim.console.PlainLines;
 import org.sami.crw.sim.console.TerminalLines;
+import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectWriter;
@@ -85,6 +87,14 @@ final class SessionCommand implements Callable<Integer> {
     private Path journal;
 
     @Option(
+            names = "--conditions",
+            paramLabel = "NAME",
+            description =
+                    "How boats fare that do not say it: calm, field or rough; ways keep as far off what is not to be "
+                            + "entered (default: field; of a session that is gone on with, what it had).")
+    private NamedConditions conditions;
+
+    @Option(
             names = "--script",
             paramLabel = "FILE",
             description = "Read commands from this file instead of standard input.")
@@ -108,7 +118,10 @@ final class SessionCommand implements Callable<Integer> {
             throw new UsageFault("the project is that of " + journal + "; leave out '" + name + "'");
         }
         if (goesOn) {
-            return run(SessionSetup.resumed(opened()), addresses, true);
+            SessionJournal opened = opened();
+            NamedConditions had = NamedConditions.of(
+                    opened.header().map(JournalHeader::settings).orElse(Map.of()));
+            return run(SessionSetup.resumed(opened), conditions == null ? had : conditions, addresses, true);
         }
         DomainLibrary library = PlanSource.library();
         Project project = library.combined();
@@ -122,15 +135,18 @@ final class SessionCommand implements Callable<Integer> {
             }
             project = source.project().get();
         }
+        NamedConditions stated = conditions == null ? NamedConditions.field : conditions;
         SessionSetup setup = SessionSetup.of(library.vocabulary(), project);
         if (journal != null) {
+            Map<String, String> settings = new HashMap<>(stated.settings());
+            settings.put("kind", "session");
             JournalHeader header = JournalHeader.of(
                     new ProjectWriter(library.vocabulary()).text(project),
                     library.files().texts(),
-                    Map.of("kind", "session"));
+                    settings);
             setup = setup.with(SessionJournal.create(journal, header));
         }
-        return run(setup, addresses, false);
+        return run(setup, stated, addresses, false);
     }
 
     private SessionJournal opened() throws IOException {
@@ -145,9 +161,10 @@ final class SessionCommand implements Callable<Integer> {
         return opened;
     }
 
-    private int run(SessionSetup setup, List<BoatAddress> addresses, boolean goesOn) throws IOException {
+    private int run(SessionSetup setup, NamedConditions stated, List<BoatAddress> addresses, boolean goesOn)
+            throws IOException {
         SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess().withSimulatedBoats(new SimulatedBoatsOnTcp(1));
-        try (Session session = Session.open(setup.with(runtime));
+        try (Session session = Session.open(setup.with(stated.services()).with(runtime));
                 Console console = new Console(session);
                 LineSource lines = lines(console)) {
             session.addListener(new SessionListener() {

@@ -52,7 +52,8 @@ public final class SimulatedBoat {
         trackEveryMs = config.trackEveryMs();
         hull = new SimulatedHull(config.hull(), config.conditions(), frame, eastM, northM, seeds.hull());
         instruments = new Instruments(hull, config.conditions(), seeds.instruments(), fieldSeed);
-        ServerConfig.Builder defaults = config.hull().describeTo(ServerConfig.of(id, id + "-boot1"));
+        ServerConfig.Builder defaults =
+                config.conditions().describeTo(config.hull().describeTo(ServerConfig.of(id, id + "-boot1")));
         server = new BoatServer(config.server().apply(defaults).build(), instruments, this::answered);
         toBoat = new InMemoryPipe(clock, config.pipe(), seeds.toBoat());
         toBase = new InMemoryPipe(clock, config.pipe(), seeds.toBase());

@@ -6,6 +6,8 @@ import java.util.Objects;
 import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.sami.boat.link.TrackingError;
+import org.sami.boat.server.ServerConfig;
 import org.sami.crw.service.water.CrossTrackError;
 
 /**
@@ -110,8 +112,18 @@ public record Conditions(
 
     /** How far boats may be beside their ways in it: what planners are told. */
     public CrossTrackError crossTrackError() {
+        TrackingError error = trackingError();
+        return CrossTrackError.of(error.positionM(), error.driftMps());
+    }
+
+    private TrackingError trackingError() {
         double jumpM = gpsJumpM / 3; // as a deviation: a jump is rare, of any size up to its largest, and fades
-        return CrossTrackError.of(Math.hypot(gpsNoiseM, jumpM), current.speedMps() + Weather.LEEWAY * wind.speedMps());
+        return new TrackingError(Math.hypot(gpsNoiseM, jumpM), current.speedMps() + Weather.LEEWAY * wind.speedMps());
+    }
+
+    /** What a boat server in it is told of it. */
+    public ServerConfig.Builder describeTo(ServerConfig.Builder server) {
+        return server.trackingError(trackingError());
     }
 
     /** As text by name, for the header of a journal; what is as in calm water is left out. */

@@ -52,7 +52,8 @@ public record RunSettings(
      * The boats and what they are sent to.
      *
      * @param areaM side of the square in which locations lie, in metres
-     * @param conditions on the water of boats in this process; others have their own
+     * @param conditions on the water of boats in this process; others have their own, and where they do not say how they fare in it, these are
+     *     planned with
      * @param charges of the batteries of boats in this process; others have their own
      * @param site where on earth that is
      */
@@ -140,7 +141,7 @@ public record RunSettings(
             throw new IllegalArgumentException("boats behind TCP run at speed 1, not " + speed + "; " + connect.size()
                     + " addresses for " + fleet.boats() + " boats");
         }
-        if (!connect.isEmpty() && !fleet.conditions().equals(Conditions.CALM)) {
+        if (!connect.isEmpty() && !fleet.conditions().sensors().isEmpty()) {
             throw new IllegalArgumentException(
                     "boats behind TCP have their own water and sensors: see crw boat --help");
         }

@@ -155,7 +155,9 @@ public final class TcpRun {
                 .withTelemetryHz(SessionRuntime.RealTime.TELEMETRY_HZ);
         SessionRuntime runtime = new SessionRuntime.RealTime(
                 process.clock(), TcpBaseConfig.of(proxy, settings.fleet().seed()), Optional.empty(), Optional.empty());
-        return new SessionSetup(plan.vocabulary(), plan.project(), journal.session(), CrwServices.STANDARD, runtime);
+        CrwServices services =
+                CrwServices.STANDARD.drivenWith(settings.fleet().conditions().crossTrackError());
+        return new SessionSetup(plan.vocabulary(), plan.project(), journal.session(), services, runtime);
     }
 
     private RunMonitor watch(Session session, RunArea area) throws UnknownBoatException {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
@@ -12,6 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.server.LocalFrame;
 import org.sami.boat.server.Sensor;
+import org.sami.crw.service.water.CrossTrackError;
 
 class ConditionsTest {
     private static final LocalFrame FRAME = new LocalFrame(45.4, 10.9);
@@ -237,5 +239,15 @@ class ConditionsTest {
         SensorSetting twice = SensorSetting.parse("ph");
         assertThatThrownBy(() -> new Conditions(0, 0, Flow.NONE, Flow.NONE, List.of(twice, twice)))
                 .hasMessageContaining("once");
+    }
+
+    @Test
+    void boatsThatSayNothingAreTakenToBeAsInTheField() {
+        assertThat(CrossTrackError.FIELD).isEqualTo(Conditions.FIELD.crossTrackError());
+        assertThat(NamedConditions.of(Map.of())).isEqualTo(NamedConditions.field);
+        for (NamedConditions one : NamedConditions.values()) {
+            assertThat(NamedConditions.of(one.settings())).isEqualTo(one);
+            assertThat(one.services().error()).isEqualTo(one.conditions().crossTrackError());
+        }
     }
 }

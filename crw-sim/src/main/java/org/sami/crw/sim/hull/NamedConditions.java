@@ -1,0 +1,49 @@
+package org.sami.crw.sim.hull;
+
+import java.util.Map;
+import java.util.Optional;
+import org.sami.crw.handler.CrwServices;
+
+/** The conditions that have a name (docs/decisions, 0302); options print and read the constants as they are written. */
+public enum NamedConditions {
+    /** Still water, exact instruments. */
+    calm(Conditions.CALM),
+    /** A lake on an ordinary day. */
+    field(Conditions.FIELD),
+    /** What a hull of 3 m/s still makes headway in. */
+    rough(Conditions.ROUGH);
+
+    private static final String SETTING = "conditions";
+
+    private final Conditions conditions;
+
+    NamedConditions(Conditions conditions) {
+        this.conditions = conditions;
+    }
+
+    /** What they are like. */
+    public Conditions conditions() {
+        return conditions;
+    }
+
+    /** Services that plan for boats which do not say how far they may be beside their ways as if they were in these. */
+    public CrwServices services() {
+        return CrwServices.STANDARD.drivenWith(conditions.crossTrackError());
+    }
+
+    /** What the header of a session's journal holds of it. */
+    public Map<String, String> settings() {
+        return Map.of(SETTING, name());
+    }
+
+    /** Those that the header of a session's journal names; field where it names none. */
+    public static NamedConditions of(Map<String, String> settings) {
+        String name = Optional.ofNullable(settings.get(SETTING)).orElse(field.name());
+        for (NamedConditions one : values()) {
+            if (one.name().equals(name)) {
+                return one;
+            }
+        }
+        return field;
+    }
+}
