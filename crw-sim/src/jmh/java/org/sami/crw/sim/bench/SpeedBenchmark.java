@@ -1,5 +1,7 @@
 package org.sami.crw.sim.bench;
 
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -9,6 +11,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.function.ToDoubleFunction;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.run.InProcessRun;
@@ -40,53 +43,91 @@ final class SpeedBenchmark {
         this.rounds = rounds;
     }
 
-    /** The median for each number of boats; the last figure is of as many runs side by side as there are cores, taken together. */
+    /** The medians for each number of boats; the last figures are of as many runs side by side as there are cores, taken together. */
     List<Figure> run(int... fleets) throws Exception {
         for (int i = 0; i < 3; i++) {
-            speed(WARM_UP_BOATS);
+            measured(WARM_UP_BOATS);
         }
         List<Figure> figures = new ArrayList<>();
         for (int boats : fleets) {
-            List<Double> speeds = new ArrayList<>();
+            List<Sample> samples = new ArrayList<>();
             for (int i = 0; i < rounds; i++) {
-                speeds.add(speed(boats));
+                samples.add(measured(boats));
             }
-            figures.add(figure(Map.of("boats", boats), speeds));
+            figures.addAll(figures(Map.of("boats", boats), samples));
         }
         int cores = Runtime.getRuntime().availableProcessors();
-        List<Double> together = new ArrayList<>();
+        List<Sample> together = new ArrayList<>();
         for (int i = 0; i < rounds; i++) {
             together.add(sideBySide(cores, WARM_UP_BOATS));
         }
-        figures.add(figure(Map.of("boats", WARM_UP_BOATS, "runs", cores), together));
+        figures.addAll(figures(Map.of("boats", WARM_UP_BOATS, "runs", cores), together));
         return figures;
     }
 
-    private static Figure figure(Map<String, Integer> params, List<Double> speeds) {
-        Collections.sort(speeds);
-        double spread = (speeds.get(speeds.size() - 1) - speeds.get(0)) / 2;
-        return new Figure(NAME, params, speeds.get(speeds.size() / 2), "simulated s a second", spread);
+    /**
+     * What was taken of one measurement.
+     *
+     * @param simulatedS of all its runs
+     * @param wallS until the last of them had ended
+     * @param cpuS processor time of the threads of the runs, without those of the compiler and of the garbage collector
+     */
+    private record Sample(double simulatedS, double wallS, double cpuS) {
+        double perWallS() {
+            return simulatedS / wallS;
+        }
+
+        double perCpuS() {
+            return simulatedS / cpuS;
+        }
     }
 
-    private static double speed(int boats) {
-        long begin = System.nanoTime();
-        double seconds = simulatedSeconds(boats);
-        return seconds / ((System.nanoTime() - begin) / 1e9);
+    private static List<Figure> figures(Map<String, Integer> params, List<Sample> samples) {
+        return List.of(
+                figure(NAME, params, samples, Sample::perWallS, "simulated s a second"),
+                figure(NAME + ".cpu", params, samples, Sample::perCpuS, "simulated s a CPU second"));
     }
 
-    private static double sideBySide(int runs, int boats) throws Exception {
+    private static Figure figure(
+            String name,
+            Map<String, Integer> params,
+            List<Sample> samples,
+            ToDoubleFunction<Sample> speed,
+            String unit) {
+        double[] speeds = samples.stream().mapToDouble(speed).sorted().toArray();
+        double spread = (speeds[speeds.length - 1] - speeds[0]) / 2;
+        return new Figure(name, params, speeds[speeds.length / 2], unit, spread);
+    }
+
+    private static Sample sideBySide(int runs, int boats) throws Exception {
         ExecutorService threads = Executors.newFixedThreadPool(runs);
         try {
             long begin = System.nanoTime();
-            double seconds = 0;
-            for (Future<Double> run :
-                    threads.invokeAll(Collections.<Callable<Double>>nCopies(runs, () -> simulatedSeconds(boats)))) {
-                seconds += run.get();
+            double simulatedS = 0;
+            double cpuS = 0;
+            for (Future<Sample> run :
+                    threads.invokeAll(Collections.<Callable<Sample>>nCopies(runs, () -> measured(boats)))) {
+                simulatedS += run.get().simulatedS();
+                cpuS += run.get().cpuS();
             }
-            return seconds / ((System.nanoTime() - begin) / 1e9);
+            return new Sample(simulatedS, seconds(System.nanoTime() - begin), cpuS);
         } finally {
             threads.shutdown();
         }
+    }
+
+    /** One run on this thread. */
+    private static Sample measured(int boats) {
+        ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+        long begin = System.nanoTime();
+        long cpu = threads.getCurrentThreadCpuTime();
+        double simulatedS = simulatedSeconds(boats);
+        return new Sample(
+                simulatedS, seconds(System.nanoTime() - begin), seconds(threads.getCurrentThreadCpuTime() - cpu));
+    }
+
+    private static double seconds(long nanos) {
+        return nanos / 1e9;
     }
 
     private static double simulatedSeconds(int boats) {
