@@ -1,6 +1,8 @@
 package org.sami.boat.link;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.util.ArrayList;
+import java.util.List;
 import org.sami.boat.link.Checks.BadValueException;
 import org.sami.boat.link.LinkException.Fault;
 
@@ -65,6 +67,11 @@ final class Fields {
         return (int) value;
     }
 
+    /** A flag that older peers leave out. */
+    boolean flagOrFalse(String name) throws LinkException {
+        return object.has(name) && flag(name);
+    }
+
     boolean flag(String name) throws LinkException {
         JsonNode node = member(name);
         if (!node.isBoolean()) {
@@ -89,6 +96,23 @@ final class Fields {
             throw wrongType(name, "an object");
         }
         return new Fields(node, pointer(name));
+    }
+
+    /** The objects of an array, of which there are so many at most. */
+    List<Fields> objects(String name, int most) throws LinkException {
+        JsonNode rows = array(name);
+        if (rows.size() > most) {
+            throw new LinkException(Fault.BAD_VALUE, pointer(name), rows.size() + " are more than " + most);
+        }
+        List<Fields> objects = new ArrayList<>(rows.size());
+        for (int i = 0; i < rows.size(); i++) {
+            String row = pointer(name) + "/" + i;
+            if (!rows.get(i).isObject()) {
+                throw new LinkException(Fault.WRONG_TYPE, row, "not an object");
+            }
+            objects.add(new Fields(rows.get(i), row));
+        }
+        return objects;
     }
 
     JsonNode array(String name) throws LinkException {

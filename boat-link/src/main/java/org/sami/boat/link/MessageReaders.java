@@ -41,6 +41,8 @@ final class MessageReaders {
         BY_TYPE.put(SetLostLinkAction.TYPE, SetLostLinkAction::read);
         BY_TYPE.put(SetWaysHome.TYPE, SetWaysHome::read);
         BY_TYPE.put(Telemetry.TYPE, Telemetry::read);
+        BY_TYPE.put(Motion.TYPE, Motion::read);
+        BY_TYPE.put(Traffic.TYPE, Traffic::read);
         BY_TYPE.put(BatteryReport.TYPE, BatteryReport::read);
         BY_TYPE.put(Progress.TYPE, Progress::read);
         BY_TYPE.put(SettingsReport.TYPE, SettingsReport::read);

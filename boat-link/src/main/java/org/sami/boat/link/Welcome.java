@@ -13,24 +13,31 @@ public final class Welcome extends LinkMessage {
     private final Role role;
     private final String term;
     private final String auth;
+    private final boolean takesTraffic;
 
     /** A welcome that names no term: of an observer. */
     public Welcome(String boatId, String bootId, Role role, String auth) {
-        this(boatId, bootId, role, "", auth);
+        this(boatId, bootId, role, "", auth, false);
     }
 
     /** Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
-    public Welcome(String boatId, String bootId, Role role, String term, String auth) {
+    public Welcome(String boatId, String bootId, Role role, String term, String auth, boolean takesTraffic) {
         this.boatId = Checks.id("boat", boatId);
         this.bootId = Checks.id("boot", bootId);
         this.role = Objects.requireNonNull(role, "role");
         this.term = Checks.text("newTerm", term);
         this.auth = Checks.text("auth", auth);
+        this.takesTraffic = takesTraffic;
     }
 
     static Welcome read(Fields in) throws LinkException {
         return new Welcome(
-                in.text("boat"), in.text("boot"), in.word("role", Role.class), in.text("newTerm"), in.text("auth"));
+                in.text("boat"),
+                in.text("boot"),
+                in.word("role", Role.class),
+                in.text("newTerm"),
+                in.text("auth"),
+                in.flagOrFalse("traffic"));
     }
 
     /** The boat. */
@@ -58,6 +65,11 @@ public final class Welcome extends LinkMessage {
         return auth;
     }
 
+    /** Whether the boat gives way to others by {@link Traffic}; earlier servers do not know that message. */
+    public boolean takesTraffic() {
+        return takesTraffic;
+    }
+
     @Override
     public String type() {
         return TYPE;
@@ -70,5 +82,8 @@ public final class Welcome extends LinkMessage {
         out.writeStringField("role", role.name());
         out.writeStringField("newTerm", term);
         out.writeStringField("auth", auth);
+        if (takesTraffic) {
+            out.writeBooleanField("traffic", true);
+        }
     }
 }

@@ -26,6 +26,7 @@ class RoundTripTest {
         return Stream.of(
                 new Hello("boat1", "base", Role.COMMANDER, 10, "secret"),
                 new Welcome("boat1", "b-7", Role.OBSERVER, ""),
+                new Welcome("boat1", "b-7", Role.COMMANDER, "b-7.1", "", true),
                 new Goodbye("boat1", "you mean another boat"),
                 new Heartbeat(Long.MAX_VALUE),
                 new Ack("m3-a17-boat2"),
@@ -50,6 +51,10 @@ class RoundTripTest {
                 new SetVelocityMultiplier("c", 0.5),
                 new SetLostLinkAction("c", LostLinkAction.DRIFT),
                 new Telemetry(45.41234567890123, 10.9, -3.1, -0.2, 99.5, BoatMode.RETURN, 12),
+                new Motion(45.41234567890123, -10.9, 3.1, -0.2, BoatMode.PATH),
+                new Traffic(List.of(
+                        new NearbyBoat("boat2", 45.4, 10.9, -3.1, 1.5, BoatMode.PATH, 240, 45.41, -180),
+                        new NearbyBoat("boat3", -45.4, 10.9, 0, 0, BoatMode.STOPPED, 0))),
                 new BatteryReport(30, BatteryLevel.LOW),
                 new Progress("l", 3, true),
                 new SettingsReport(new Gains(1.2, 0, 0), new Gains(0.3, 0.05, 1000), 2.5, LostLinkAction.RETURN),
@@ -83,7 +88,7 @@ class RoundTripTest {
     void tableAboveHoldsEveryKindOfMessage() {
         assertThat(messages().map(LinkMessage::type).collect(Collectors.toSet()))
                 .isEqualTo(MessageReaders.types())
-                .hasSize(30);
+                .hasSize(32);
     }
 
     @Test
@@ -163,6 +168,27 @@ class RoundTripTest {
         assertThatThrownBy(() -> reading(List.of())).hasMessageContaining("values");
         assertThatThrownBy(() -> reading(Collections.nCopies(65, 1.0))).hasMessageContaining("65");
         assertThatThrownBy(() -> reading(List.of(1.0, Double.NaN))).hasMessageContaining("values");
+    }
+
+    @Test
+    void refusesTrafficOfNonsenseAndSaysWhere() {
+        String row = "{\"boat\":\"b\",\"lat\":1,\"lon\":1,\"heading\":0,\"speed\":0,\"mode\":\"HOLD\",\"age\":%s}";
+        String rows = String.format(row, 0) + "," + String.format(row, -1);
+
+        assertThatThrownBy(() -> codec.decode(MalformedFrameTest.frame(traffic(rows))))
+                .hasMessageContaining("/boats/1/age")
+                .hasMessageContaining("negative");
+        assertThatThrownBy(() -> codec.decode(MalformedFrameTest.frame(traffic("7"))))
+                .hasMessageContaining("/boats/0");
+        assertThatThrownBy(() -> new Traffic(Collections.nCopies(
+                        65, new NearbyBoat("b", 1, 1, 0, 0, BoatMode.HOLD, 0))))
+                .hasMessageContaining("65");
+        assertThatThrownBy(() -> new NearbyBoat("b", 1, 1, 0, 0, BoatMode.HOLD, 0, 1, Double.NaN))
+                .hasMessageContaining("toLon");
+    }
+
+    private static String traffic(String rows) {
+        return "{\"type\":\"traffic\",\"seq\":0,\"boats\":[" + rows + "]}";
     }
 
     private static SensorReport reading(List<Double> values) {

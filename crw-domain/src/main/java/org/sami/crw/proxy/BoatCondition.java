@@ -15,6 +15,9 @@ final class BoatCondition {
     /** The latest that is known of the boat. */
     BoatStatus status;
 
+    /** Where the boat was seen last, and when; empty as long as it has not said where it is. */
+    Optional<Sighting> sighting = Optional.empty();
+
     /** The time in milliseconds; it never runs back. */
     long nowMs;
 

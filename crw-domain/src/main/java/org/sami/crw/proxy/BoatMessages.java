@@ -10,6 +10,7 @@ import org.sami.boat.link.Frame;
 import org.sami.boat.link.Goodbye;
 import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Motion;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.PanoramaReport;
@@ -37,7 +38,7 @@ final class BoatMessages {
     private final PendingRequests fleetRequests;
     private final CommandDriver driver;
     private final DeferredNotifications announcements;
-    private long lastTelemetry = -1; // its sequence number
+    private long lastTelemetry = -1; // its sequence number, or that of a motion
 
     BoatMessages(
             String boatId,
@@ -65,6 +66,11 @@ final class BoatMessages {
             if (frame.sequence() > lastTelemetry) {
                 lastTelemetry = frame.sequence();
                 telemetry(telemetry);
+            }
+        } else if (message instanceof Motion motion) {
+            if (frame.sequence() > lastTelemetry) {
+                lastTelemetry = frame.sequence();
+                seen(motion.latDeg(), motion.lonDeg(), motion.headingRad(), motion.speedMps(), motion.mode());
             }
         } else if (message instanceof Ack ack) {
             answered(ack.commandId(), ack);
@@ -134,7 +140,18 @@ final class BoatMessages {
         announce(BoatListener::onRestarted);
     }
 
+    private void seen(double latDeg, double lonDeg, double headingRad, double speedMps, BoatMode mode) {
+        condition.sighting =
+                Optional.of(new Sighting(latDeg, lonDeg, headingRad, speedMps, mode, condition.nowMs));
+    }
+
     private void telemetry(Telemetry telemetry) {
+        seen(
+                telemetry.latDeg(),
+                telemetry.lonDeg(),
+                telemetry.headingRad(),
+                telemetry.speedMps(),
+                telemetry.mode());
         BoatPose pose = new BoatPose(
                 GeoPoint.of(telemetry.latDeg(), telemetry.lonDeg()),
                 telemetry.headingRad(),

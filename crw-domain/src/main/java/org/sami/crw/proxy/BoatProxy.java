@@ -19,6 +19,7 @@ import org.sami.boat.link.SetLostLinkAction;
 import org.sami.boat.link.SetVelocityMultiplier;
 import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Teleoperate;
+import org.sami.boat.link.Traffic;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoPoint;
 
@@ -493,6 +494,28 @@ public final class BoatProxy {
     /** Whether it moves as it should; the same as {@link #explain()} says, without the words. */
     public boolean isUnderWay() {
         return new BoatExplainer(this, MissionTitles.NONE).isUnderWay();
+    }
+
+    // ---- what the relay of traffic asks and tells
+
+    /** Where the boat was seen last, and when; empty as long as it has not said where it is. */
+    Optional<Sighting> sighting() {
+        return condition.sighting;
+    }
+
+    /** The point to which the boat drives now. */
+    Optional<GeoPoint> target() {
+        return driver.isDriving() ? driver.run().flatMap(CommandRun::target) : Optional.empty();
+    }
+
+    /** Whether the boat wishes to know of others. */
+    boolean takesTraffic() {
+        return link.takesTraffic();
+    }
+
+    /** Tells the boat which others are near it. */
+    void tellTraffic(Traffic traffic) {
+        link.send(traffic, condition.nowMs);
     }
 
     // ---- what the explainer asks

@@ -24,6 +24,7 @@ final class ProxyLink {
     private Role wanted = Role.COMMANDER;
     private String bootId = "";
     private String term = "";
+    private boolean takesTraffic;
     private long sequence;
     private long nextHelloMs = Long.MIN_VALUE;
     private long lastSentMs;
@@ -43,6 +44,11 @@ final class ProxyLink {
     /** Whether the boat takes commands from here. */
     boolean isCommanding() {
         return state == LinkState.LINKED && role == Role.COMMANDER;
+    }
+
+    /** Whether the boat takes commands from here, and is one that gives way to others. */
+    boolean takesTraffic() {
+        return isCommanding() && takesTraffic;
     }
 
     String bootId() {
@@ -102,6 +108,7 @@ final class ProxyLink {
         role = welcome.role();
         bootId = welcome.bootId();
         term = welcome.term();
+        takesTraffic = welcome.takesTraffic();
     }
 
     /** The link has closed under us. Returns whether that is news. */

@@ -18,6 +18,7 @@ import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.Hello;
 import org.sami.boat.link.HoldPosition;
 import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Motion;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.Progress;
@@ -28,6 +29,7 @@ import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Teleoperate;
+import org.sami.boat.link.Traffic;
 import org.sami.boat.link.Welcome;
 
 /**
@@ -49,6 +51,10 @@ import org.sami.boat.link.Welcome;
 public final class BoatServer {
     private static final String OTHER_TERM = "it does not name the term of the last welcome: say hello again";
 
+    private static final long MOTION_MS = 200;
+    private static final double NEAR_M = 20;
+    private static final double STILL_MPS = 0.05;
+
     private final ServerConfig config;
     private final Vehicle vehicle;
     private final ServerLog log;
@@ -62,6 +68,7 @@ public final class BoatServer {
     private boolean commanderLost;
     private long terms;
     private BatteryLevel reportedLevel;
+    private long motionMs = Long.MIN_VALUE / 2;
 
     /** A server that keeps no log. */
     public BoatServer(ServerConfig config, Vehicle vehicle) {
@@ -110,6 +117,7 @@ public final class BoatServer {
             broadcast(modes.track().progress(), nowMs);
         }
         modes.takeReport().ifPresent(report -> broadcast(report, nowMs));
+        tellMotion(nowMs);
         battery.tick(nowMs);
         if (battery.level() != reportedLevel) {
             reportedLevel = battery.level();
@@ -119,6 +127,25 @@ public final class BoatServer {
             session.tick(nowMs);
         }
         sensors.tick(nowMs, reading -> broadcast(reading, nowMs)); // last: an instrument that fails stops nothing else
+    }
+
+    /** While it moves near others, the base is told often enough for them to give way. */
+    private void tellMotion(long nowMs) {
+        if (hasCommander()
+                && nowMs - motionMs >= MOTION_MS
+                && !modes.surroundings().isEmpty()
+                && knowsWhereItIs()
+                && isMovingNearOthers(nowMs)) {
+            motionMs = nowMs;
+            Motion motion = new Motion(
+                    vehicle.latDeg(), vehicle.lonDeg(), vehicle.headingRad(), vehicle.speedMps(), modes.mode());
+            commander.get().send(motion, nowMs);
+        }
+    }
+
+    private boolean isMovingNearOthers(long nowMs) {
+        boolean rests = modes.mode() != BoatMode.PATH && Math.abs(vehicle.speedMps()) < STILL_MPS;
+        return !rests && modes.surroundings().isNear(vehicle.latDeg(), vehicle.lonDeg(), NEAR_M, nowMs);
     }
 
     /** What the boat is doing. */
@@ -153,6 +180,8 @@ public final class BoatServer {
             command(session, (CommandMessage) message, frame, nowMs);
         } else if (message instanceof Teleoperate) {
             teleoperate(session, (Teleoperate) message, frame, nowMs);
+        } else if (message instanceof Traffic && isCommander(session)) {
+            modes.surroundings().hear((Traffic) message, nowMs);
         } // heartbeats have done their work by arriving; what only boats say is no concern of a boat
     }
 
@@ -209,7 +238,7 @@ public final class BoatServer {
     /** Tells a client what it is and what the boat holds. */
     private void introduce(ServerSession session, Role role, String term, long nowMs) {
         session.setRole(role, term);
-        session.send(new Welcome(config.boatId(), config.bootId(), role, term, ""), nowMs);
+        session.send(new Welcome(config.boatId(), config.bootId(), role, term, "", true), nowMs);
         session.send(battery(), nowMs);
         session.send(executor.settings(), nowMs);
         session.send(modes.track().progress(), nowMs);

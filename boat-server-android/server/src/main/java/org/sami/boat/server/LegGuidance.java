@@ -63,7 +63,16 @@ final class LegGuidance {
             return StrictMath.atan2(-eastM, -northM);
         }
         double lookaheadM = Math.max(LEAST_LOOKAHEAD_M, LOOKAHEAD_S * speedMps);
-        double besideM = eastM * alongNorth - northM * alongEast; // to starboard of the line
-        return StrictMath.atan2(alongEast, alongNorth) - StrictMath.atan2(besideM, lookaheadM);
+        return StrictMath.atan2(alongEast, alongNorth) - StrictMath.atan2(besideM(eastM, northM), lookaheadM);
+    }
+
+    /** Metres to starboard of the line; zero where there is none. */
+    double besideM(double eastM, double northM) {
+        return eastM * alongNorth - northM * alongEast;
+    }
+
+    /** The course of the line; that straight to its end where there is none. */
+    double alongRad(double straightRad) {
+        return alongEast == 0 && alongNorth == 0 ? straightRad : StrictMath.atan2(alongEast, alongNorth);
     }
 }

@@ -9,6 +9,10 @@ import org.sami.boat.link.PanoramaReport;
 import org.sami.boat.link.SetWaysHome;
 import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Waypoint;
+import org.sami.boat.server.traffic.CourseAndSpeed;
+import org.sami.boat.server.traffic.GivingWay;
+import org.sami.boat.server.traffic.StationRoom;
+import org.sami.boat.server.traffic.Surroundings;
 
 /**
  * Decides what the motors do: follows the waypoint track, keeps station, obeys the hand that drives, returns home, rests.
@@ -16,10 +20,14 @@ import org.sami.boat.link.Waypoint;
  */
 final class ModeControl {
     private static final double TURNING_EFFORT = 0.3; // slow enough for pictures
+    private static final double ASIDE_MPS = 0.6;
 
     private final ServerConfig config;
     private final Vehicle vehicle;
     private final SteeringControl steering;
+    private final Surroundings surroundings;
+    private final GivingWay givingWay;
+    private final StationRoom room;
     private final PathFollower follower;
     private final LocalFrame home;
     private final WaysHome waysHome;
@@ -29,6 +37,7 @@ final class ModeControl {
     private WaypointTrack wayHome = WaypointTrack.NONE; // that it follows while it returns
     private LocalFrame target;
     private boolean drivingBack;
+    private boolean drivesAside;
     private double velocityMultiplier = 1;
     private Optional<Panorama> panorama = Optional.empty(); // while it keeps a station
     private Optional<PanoramaReport> completed = Optional.empty();
@@ -41,7 +50,10 @@ final class ModeControl {
         this.config = config;
         this.vehicle = vehicle;
         steering = new SteeringControl(vehicle, config);
-        follower = new PathFollower(vehicle, steering, config.arrivalRadiusM());
+        surroundings = new Surroundings(config.boatId());
+        givingWay = new GivingWay(surroundings, vehicle);
+        room = new StationRoom(surroundings, vehicle, config.holdRadiusM());
+        follower = new PathFollower(vehicle, steering, givingWay, config.arrivalRadiusM());
         home = here();
         waysHome = new WaysHome(home);
         target = home;
@@ -63,6 +75,11 @@ final class ModeControl {
 
     WaypointTrack track() {
         return track;
+    }
+
+    /** The boats near this one. */
+    Surroundings surroundings() {
+        return surroundings;
     }
 
     SteeringControl steering() {
@@ -129,6 +146,7 @@ final class ModeControl {
         mode = BoatMode.HOLD;
         target = station;
         drivingBack = false;
+        drivesAside = false;
         steering.rest();
     }
 
@@ -197,14 +215,15 @@ final class ModeControl {
     private boolean drive(long nowMs) {
         double seconds = lastTickMs == Long.MIN_VALUE ? 0 : (nowMs - lastTickMs) / 1000.0;
         lastTickMs = nowMs;
+        surroundings.tick(nowMs);
         switch (mode) {
             case PATH:
-                return tickPath(seconds);
+                return tickPath(nowMs, seconds);
             case HOLD:
-                tickHold(seconds);
+                tickHold(nowMs, seconds);
                 return false;
             case RETURN:
-                tickReturn(seconds);
+                tickReturn(nowMs, seconds);
                 return false;
             case TELEOPERATION:
                 tickHand(nowMs);
@@ -215,7 +234,7 @@ final class ModeControl {
         }
     }
 
-    private boolean tickPath(double seconds) {
+    private boolean tickPath(long nowMs, double seconds) {
         boolean reached = follower.isAtTarget();
         if (reached) {
             track.reached();
@@ -226,11 +245,20 @@ final class ModeControl {
             follower.goOn(track);
             waysHome.driveLeg(track.nextIndex());
         }
-        follower.steer(track.target().speedMps() * velocityMultiplier, seconds);
+        follower.steer(track.target().speedMps() * velocityMultiplier, nowMs, seconds);
         return reached;
     }
 
-    private void tickHold(double seconds) {
+    private void tickHold(long nowMs, double seconds) {
+        Optional<LocalFrame> aside = panorama.isPresent() ? Optional.empty() : room.aside(target, nowMs);
+        if (aside.isPresent()) {
+            drivesAside = true;
+            driveTo(aside.get(), ASIDE_MPS, nowMs, seconds);
+            return;
+        } else if (drivesAside) {
+            drivesAside = false;
+            steering.rest();
+        }
         double distanceM = steering.distanceM(target);
         if (drivingBack && distanceM < config.holdRadiusM() / 2) {
             drivingBack = false;
@@ -239,7 +267,7 @@ final class ModeControl {
             drivingBack = true;
         }
         if (drivingBack) {
-            steering.steerTo(target, config.returnSpeedMps(), seconds);
+            driveTo(target, config.returnSpeedMps(), nowMs, seconds);
         } else if (panorama.isPresent()) {
             tickPanorama(panorama.get());
         }
@@ -259,7 +287,7 @@ final class ModeControl {
         }
     }
 
-    private void tickReturn(double seconds) {
+    private void tickReturn(long nowMs, double seconds) {
         if (wayHome.turnsAhead().isEmpty() && steering.distanceM(home) <= config.arrivalRadiusM()) {
             hold(home);
             return;
@@ -269,7 +297,19 @@ final class ModeControl {
             waysHome.goOn(wayHome.turnsAhead());
             follower.goOn(wayHome);
         }
-        follower.steer(wayHome.target().speedMps(), seconds);
+        follower.steer(wayHome.target().speedMps(), nowMs, seconds);
+    }
+
+    /** Drives straight to a target, but for others; rests as long as the vehicle does not know where it is or what it does. */
+    private void driveTo(LocalFrame to, double speedMps, long nowMs, double seconds) {
+        double courseRad = steering.courseRad(to);
+        if (Double.isNaN(courseRad + vehicle.headingRad() + vehicle.speedMps())) {
+            steering.rest();
+            return;
+        }
+        CourseAndSpeed chosen = givingWay.choose(
+                new CourseAndSpeed(courseRad, speedMps), 0, courseRad, false, nowMs, seconds);
+        steering.steerAlong(chosen.courseRad(), chosen.speedMps(), seconds);
     }
 
     private void tickHand(long nowMs) {

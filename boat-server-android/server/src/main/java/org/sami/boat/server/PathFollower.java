@@ -1,6 +1,8 @@
 package org.sami.boat.server;
 
 import org.sami.boat.link.Waypoint;
+import org.sami.boat.server.traffic.CourseAndSpeed;
+import org.sami.boat.server.traffic.GivingWay;
 
 /**
  * Drives a vehicle along a waypoint track, leg by leg, on the straight lines between the waypoints and not merely towards them. The
@@ -9,6 +11,7 @@ import org.sami.boat.link.Waypoint;
 final class PathFollower {
     private final Vehicle vehicle;
     private final SteeringControl steering;
+    private final GivingWay givingWay;
     private final double arrivalRadiusM;
     private final DriftEstimate drift = new DriftEstimate();
     private LocalFrame end; // of the leg
@@ -19,9 +22,10 @@ final class PathFollower {
      *
      * @param arrivalRadiusM how far beside a waypoint the vehicle may pass it
      */
-    PathFollower(Vehicle vehicle, SteeringControl steering, double arrivalRadiusM) {
+    PathFollower(Vehicle vehicle, SteeringControl steering, GivingWay givingWay, double arrivalRadiusM) {
         this.vehicle = vehicle;
         this.steering = steering;
+        this.givingWay = givingWay;
         this.arrivalRadiusM = arrivalRadiusM;
     }
 
@@ -55,7 +59,7 @@ final class PathFollower {
     }
 
     /** Steers for one tick; rests as long as the vehicle does not know where it is or what it does. */
-    void steer(double speedMps, double seconds) {
+    void steer(double speedMps, long nowMs, double seconds) {
         double eastM = eastM();
         double northM = northM();
         double headingRad = vehicle.headingRad();
@@ -67,7 +71,12 @@ final class PathFollower {
         drift.see(eastM, northM, headingRad, seconds);
         double wantedMps = leg.speedMps(eastM, northM, speedMps, drift.speedMps());
         double courseRad = leg.courseRad(eastM, northM, wantedMps);
-        steering.steerAlong(drift.headingRad(courseRad, wantedMps), wantedMps, seconds);
+        CourseAndSpeed wanted = new CourseAndSpeed(courseRad, wantedMps);
+        CourseAndSpeed chosen = givingWay.choose(
+                wanted, leg.besideM(eastM, northM), leg.alongRad(courseRad), true, nowMs, seconds);
+        double chosenMps = chosen.speedMps();
+        double heading = chosenMps > 0 ? drift.headingRad(chosen.courseRad(), chosenMps) : chosen.courseRad();
+        steering.steerAlong(heading, chosenMps, seconds);
     }
 
     private double eastM() {

@@ -4,7 +4,7 @@ import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
 
 /**
- * Steers the vehicle along a heading or towards a target: heading by one loop, speed by feed-forward and another. Steering goes before
+ * Steers the vehicle along a heading: heading by one loop, speed by feed-forward and another. Steering goes before
  * thrust, and the boat slows down while it points elsewhere, so that it turns on the spot rather than circle a target.
  */
 final class SteeringControl {
@@ -41,14 +41,17 @@ final class SteeringControl {
         return target.distanceM(vehicle.latDeg(), vehicle.lonDeg());
     }
 
-    /** Steers towards a target for one tick; rests as long as the vehicle does not know where it is or what it does. */
-    void steerTo(LocalFrame target, double speedMps, double seconds) {
+    /** Course in radians, clockwise from north, to a target; not a number as long as the vehicle does not know where it is. */
+    double courseRad(LocalFrame target) {
         double eastM = target.eastM(vehicle.latDeg(), vehicle.lonDeg());
         double northM = target.northM(vehicle.latDeg(), vehicle.lonDeg());
-        steerAlong(StrictMath.atan2(-eastM, -northM), speedMps, seconds);
+        return StrictMath.atan2(-eastM, -northM);
     }
 
-    /** Steers a heading in radians, clockwise from north, for one tick; rests likewise. */
+    /**
+     * Steers a heading in radians, clockwise from north, for one tick; rests as long as the vehicle does not know where it is or what it
+     * does.
+     */
     void steerAlong(double headingRad, double speedMps, double seconds) {
         double error = turn(headingRad - vehicle.headingRad());
         if (Double.isNaN(error + vehicle.speedMps())) {

@@ -17,6 +17,7 @@ import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.Welcome;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.TrafficRelay;
 
 /**
  * The links of a base, and which boat each carries. Decides what becomes of a boat that answers at a second address: as long as
@@ -33,6 +34,7 @@ final class LinkTable {
     private final List<BoatLink> links = new ArrayList<>();
     private final List<Leaving> leaving = new ArrayList<>();
     private final ProxyRegistry proxies = new ProxyRegistry();
+    private final TrafficRelay traffic = new TrafficRelay();
     private final Map<String, BoatLink> carriers = new LinkedHashMap<>();
     private final Map<BoatLink, String> left =
             new HashMap<>(); // by the boat that was there, until it is known who answers
@@ -143,6 +145,7 @@ final class LinkTable {
         for (BoatLink link : List.copyOf(links)) {
             guarded.accept("a tick of a link", () -> link.tick(atMs));
         }
+        guarded.accept("telling boats of each other", () -> traffic.tick(proxies.all(), atMs));
         leaving.forEach(one -> guarded.accept("a tick of a link", () -> one.proxy.tick(atMs)));
         letGo(one -> !one.proxy.isBeingStopped() || atMs >= one.untilMs);
     }

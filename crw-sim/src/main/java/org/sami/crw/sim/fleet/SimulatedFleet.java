@@ -9,6 +9,7 @@ import java.util.function.Function;
 import org.sami.boat.server.LocalFrame;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.TrafficRelay;
 import org.sami.crw.sim.clock.VirtualScheduler;
 import org.sami.crw.sim.hull.Quay;
 import org.sami.crw.sim.hull.SimulatedHull;
@@ -47,6 +48,7 @@ public final class SimulatedFleet {
     private final LocalFrame frame;
     private final List<SimulatedBoat> boats = new ArrayList<>();
     private final ProxyRegistry proxies = new ProxyRegistry();
+    private final TrafficRelay traffic = new TrafficRelay();
     private Optional<Object> run = Optional.empty(); // the present start; a tick of an earlier one does nothing
 
     /**
@@ -158,6 +160,7 @@ public final class SimulatedFleet {
         for (SimulatedBoat boat : List.copyOf(boats)) { // one may join while they are ticked
             boat.tick(clock.nowMs(), TICK_MS / 1000.0);
         }
+        traffic.tick(proxies.all(), clock.nowMs());
         clock.after(TICK_MS, () -> tick(started));
     }
 }

@@ -9,6 +9,8 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.crw.sim.resume.ResumedJournal;
 import org.sami.crw.sim.resume.RunRecord;
 import org.sami.spn.journal.JournalHeader;
@@ -32,11 +34,15 @@ class DrivingVersionTest {
                 .toHeader();
     }
 
-    @Test
-    void anEarlierRunInProcessIsRefusedInWordsAndReadAsEver() throws Exception {
+    @ParameterizedTest
+    @ValueSource(strings = {"", "2"})
+    void anEarlierRunInProcessIsRefusedInWordsAndReadAsEver(String driving) throws Exception {
         JournalHeader present = header();
         Map<String, String> settings = new TreeMap<>(present.settings());
         settings.remove("driving");
+        if (!driving.isEmpty()) {
+            settings.put("driving", driving);
+        }
         Path file = folder.resolve("earlier.journal");
         SqliteJournal.create(
                         file,

@@ -1,0 +1,62 @@
+package org.sami.boat.link;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.sami.boat.link.Checks.BadValueException;
+
+/**
+ * The boats near the one that is told, as the base knows them, so that it gives way. A state and no command: it has no id and no answer. It is
+ * sent only to boats whose {@link Welcome} says that they take it.
+ */
+public final class Traffic extends LinkMessage {
+    /** The most boats that one message names. */
+    public static final int MOST_BOATS = 64;
+
+    static final String TYPE = "traffic";
+
+    private static final String BOATS = "boats";
+
+    private final List<NearbyBoat> boats;
+
+    /** Makes a message; too many boats are an {@link IllegalArgumentException}. */
+    public Traffic(List<NearbyBoat> boats) {
+        if (boats.size() > MOST_BOATS) {
+            throw new BadValueException(BOATS, boats.size() + " are more than " + MOST_BOATS);
+        }
+        this.boats = Collections.unmodifiableList(new ArrayList<>(boats));
+    }
+
+    static Traffic read(Fields in) throws LinkException {
+        List<NearbyBoat> boats = new ArrayList<>();
+        for (Fields row : in.objects(BOATS, MOST_BOATS)) {
+            try {
+                boats.add(NearbyBoat.read(row));
+            } catch (BadValueException e) {
+                throw row.refused(e);
+            }
+        }
+        return new Traffic(boats);
+    }
+
+    /** The boats; unmodifiable. Who is not named is not near, or not known any longer. */
+    public List<NearbyBoat> boats() {
+        return boats;
+    }
+
+    @Override
+    public String type() {
+        return TYPE;
+    }
+
+    @Override
+    void write(JsonGenerator out) throws IOException {
+        out.writeArrayFieldStart(BOATS);
+        for (NearbyBoat boat : boats) {
+            boat.write(out);
+        }
+        out.writeEndArray();
+    }
+}

@@ -1,0 +1,28 @@
+package org.sami.boat.server.traffic;
+
+/** Where a boat is to go now, and how fast. */
+public final class CourseAndSpeed {
+    private final double courseRad;
+    private final double speedMps;
+
+    /**
+     * A course and a speed.
+     *
+     * @param courseRad radians clockwise from true north
+     * @param speedMps m/s along it; negative is astern
+     */
+    public CourseAndSpeed(double courseRad, double speedMps) {
+        this.courseRad = courseRad;
+        this.speedMps = speedMps;
+    }
+
+    /** The course in radians, clockwise from true north. */
+    public double courseRad() {
+        return courseRad;
+    }
+
+    /** The speed in m/s along the course; negative is astern. */
+    public double speedMps() {
+        return speedMps;
+    }
+}

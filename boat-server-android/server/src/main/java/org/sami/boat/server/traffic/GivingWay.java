@@ -1,0 +1,247 @@
+package org.sami.boat.server.traffic;
+
+import java.util.List;
+import org.sami.boat.server.Vehicle;
+
+/**
+ * Has a boat give way to others. Of some courses and speeds around the one that is wanted it takes the cheapest that is safe, which is the wanted
+ * one where nobody is in the way (a choice among a few behaviours, as T. A. Johansen, T. Perez and A. Cristofaro make it: Ship collision avoidance and
+ * COLREGS compliance using simulation-based control behavior selection, 2016).
+ *
+ * <p>Safe is what leaves the way on which the boat could stop then apart from those on which others could stop now; where nothing is, it stops.
+ * Cheap is what brings the boat on, keeps it near its line and away from where others will be. Of two boats under way the one whose name comes
+ * first has the right of way; boats at rest, and those that a person drives, have it over all.
+ */
+public final class GivingWay {
+    /** Ways on which two boats stop are so far apart: 3 m, and what somebody may turn and speed up until that is known. */
+    static final double APART_M = 3.5;
+
+    /** In passing so much is kept where there is room. */
+    static final double WIDE_M = 4.5;
+
+    private static final double REACH_M = 40;
+    private static final double AHEAD_S = 8;
+    private static final double SOON_S = 2.5; // so long ahead also who has the right of way looks
+    private static final double AT_ONCE_S = 1; // nearer than that safety is looked at, and not cost
+    private static final double TURNING_RAD_S = 0.8;
+    private static final double GAINING_MPS2 = 0.6;
+    private static final double ASIDE_MPS = 0.8; // so fast at least a boat goes aside
+    private static final double ASTERN_MPS = 0.5;
+    private static final double FARTHEST_M = 8; // from its line
+    private static final double[] OFFSETS_DEG = {0, 20, -20, 40, -40, 60, -60, 90, -90, 120, -120, 150, -150, 180};
+    private static final double[] PARTS = {1, 0.6, 0.3};
+
+    private static final double RISK = 8;
+    private static final double BESIDE_PER_M = 0.15;
+    private static final double TURNING_BACK = 0.15; // for another side than before
+    private static final double TO_PORT = 0.04;
+    private static final double IMPATIENCE_PER_S = 0.1;
+    private static final double LONGEST_WAIT_S = 20;
+
+    private final Surroundings surroundings;
+    private final Vehicle vehicle;
+    private double eastM; // of the boat, on the plane of the surroundings
+    private double northM;
+    private double headingRad;
+    private double speedMps;
+    private OtherBoat[] near = new OtherBoat[0];
+    private double[] nearEastM = new double[0]; // from the boat
+    private double[] nearNorthM = new double[0];
+    private double[] lookedAheadS = new double[0];
+    private StoppingWay[] stopping = new StoppingWay[0];
+    private double[] leastM = new double[0];
+    private int count;
+    private double chosenRad = Double.NaN; // while it gives way
+    private double waitedS;
+
+    /** Nobody is in the way yet. */
+    public GivingWay(Surroundings surroundings, Vehicle vehicle) {
+        this.surroundings = surroundings;
+        this.vehicle = vehicle;
+    }
+
+    /** Whether the boat goes otherwise than it would without others. */
+    public boolean isGivingWay() {
+        return !Double.isNaN(chosenRad);
+    }
+
+    /**
+     * Where the boat goes now.
+     *
+     * @param wanted where it would go without others; not astern
+     * @param besideM how far it is beside its line, to starboard, in metres
+     * @param lineRad the course of that line
+     * @param hasWay whether it is under way, so that others may have to give way to it
+     * @param seconds since the last choice
+     */
+    public CourseAndSpeed choose(
+            CourseAndSpeed wanted, double besideM, double lineRad, boolean hasWay, long nowMs, double seconds) {
+        if (surroundings.isEmpty()) {
+            forget();
+            return wanted;
+        }
+        look(hasWay, nowMs);
+        if (count == 0 || isFree(wanted)) {
+            chosenRad = Double.NaN;
+            waitedS = Math.max(0, waitedS - seconds);
+            return wanted;
+        }
+        boolean waits = speedMps * StrictMath.cos(headingRad - wanted.courseRad()) < wanted.speedMps() / 5;
+        waitedS = waits ? Math.min(LONGEST_WAIT_S, waitedS + seconds) : Math.max(0, waitedS - seconds);
+        CourseAndSpeed best = best(wanted, besideM, lineRad);
+        chosenRad = best.courseRad();
+        return best;
+    }
+
+    private void forget() {
+        chosenRad = Double.NaN;
+        waitedS = 0;
+    }
+
+    // ---- who is there
+
+    private void look(boolean hasWay, long nowMs) {
+        eastM = surroundings.plane().eastM(vehicle.latDeg(), vehicle.lonDeg());
+        northM = surroundings.plane().northM(vehicle.latDeg(), vehicle.lonDeg());
+        headingRad = vehicle.headingRad();
+        speedMps = vehicle.speedMps();
+        List<OtherBoat> others = surroundings.others();
+        makeRoom(others.size());
+        count = 0;
+        StoppingWay own = new StoppingWay(eastM, northM, headingRad, speedMps, 0);
+        for (int i = 0; i < others.size(); i++) {
+            OtherBoat other = others.get(i);
+            double atEastM = other.eastM(nowMs);
+            double atNorthM = other.northM(nowMs);
+            double awayEastM = atEastM - eastM;
+            double awayNorthM = atNorthM - northM;
+            if (Math.abs(awayEastM) < REACH_M && Math.abs(awayNorthM) < REACH_M) {
+                near[count] = other;
+                nearEastM[count] = awayEastM;
+                nearNorthM[count] = awayNorthM;
+                boolean precedes = hasWay
+                        && other.isUnderWay()
+                        && !other.isSlow()
+                        && surroundings.ownId().compareTo(other.boatId()) < 0;
+                lookedAheadS[count] = precedes ? SOON_S : AHEAD_S;
+                StoppingWay its = new StoppingWay(
+                        atEastM, atNorthM, other.headingRad(), other.speedMps(), StoppingWay.REACTION_S);
+                stopping[count] = its;
+                leastM[count] = Math.min(APART_M, own.distanceM(its));
+                count++;
+            }
+        }
+    }
+
+    private void makeRoom(int size) {
+        if (near.length < size) {
+            near = new OtherBoat[size];
+            nearEastM = new double[size];
+            nearNorthM = new double[size];
+            lookedAheadS = new double[size];
+            stopping = new StoppingWay[size];
+            leastM = new double[size];
+        }
+    }
+
+    // ---- what is safe and what it costs
+
+    private boolean isFree(CourseAndSpeed motion) {
+        return risk(motion.courseRad(), motion.speedMps()) == 0 && isSafe(motion.courseRad(), motion.speedMps());
+    }
+
+    /** Whether the boat could still stop apart from all others, had it gone so for a moment; where it is nearer already, no nearer. */
+    private boolean isSafe(double courseRad, double atMps) {
+        double turn = Math.IEEEremainder(courseRad - headingRad, 2 * Math.PI);
+        double wantedMps = atMps * Math.max(0, StrictMath.cos(turn));
+        double gain = GAINING_MPS2 * StoppingWay.REACTION_S;
+        double thenMps = speedMps + clamped(wantedMps - speedMps, gain);
+        double most = TURNING_RAD_S * StoppingWay.REACTION_S;
+        double leastRad = headingRad + clamped(turn, most / 3); // where it hardly turns yet
+        double mostRad = headingRad + clamped(turn, 1.5 * most); // where it goes on turning while it stops
+        double wayM = (speedMps + thenMps) / 2 * StoppingWay.REACTION_S;
+        double thenEastM = eastM + wayM * StrictMath.sin(leastRad);
+        double thenNorthM = northM + wayM * StrictMath.cos(leastRad);
+        return isClear(new StoppingWay(thenEastM, thenNorthM, leastRad, thenMps, 0))
+                && isClear(new StoppingWay(thenEastM, thenNorthM, mostRad, thenMps, 0));
+    }
+
+    private static double clamped(double value, double most) {
+        return Math.max(-most, Math.min(most, value));
+    }
+
+    private boolean isClear(StoppingWay own) {
+        for (int i = 0; i < count; i++) {
+            if (own.distanceM(stopping[i]) < leastM[i]) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** How near others come, and how soon; zero where they do not. */
+    private double risk(double courseRad, double atMps) {
+        double eastMps = atMps * StrictMath.sin(courseRad);
+        double northMps = atMps * StrictMath.cos(courseRad);
+        double risk = 0;
+        for (int i = 0; i < count; i++) {
+            double byEast = near[i].eastMps() - eastMps;
+            double byNorth = near[i].northMps() - northMps;
+            double square = byEast * byEast + byNorth * byNorth;
+            double closestS = square > 0 ? -(nearEastM[i] * byEast + nearNorthM[i] * byNorth) / square : 0;
+            double atS = Math.max(AT_ONCE_S, Math.min(lookedAheadS[i], closestS));
+            double away = Math.hypot(nearEastM[i] + atS * byEast, nearNorthM[i] + atS * byNorth);
+            if (away < WIDE_M) {
+                double part = (WIDE_M - away) / WIDE_M;
+                risk += RISK * part * part / (1 + atS / 5);
+            }
+        }
+        return risk;
+    }
+
+    private CourseAndSpeed best(CourseAndSpeed wanted, double besideM, double lineRad) {
+        double restRad = Math.abs(speedMps) > 0.3 ? headingRad : wanted.courseRad();
+        CourseAndSpeed best = new CourseAndSpeed(restRad, 0);
+        double least = cost(best, wanted, besideM, lineRad);
+        double fullMps = Math.max(wanted.speedMps(), ASIDE_MPS);
+        for (double offsetDeg : OFFSETS_DEG) {
+            for (double part : PARTS) {
+                double mps = part * (Math.abs(offsetDeg) < 30 ? wanted.speedMps() : fullMps);
+                CourseAndSpeed other = new CourseAndSpeed(wanted.courseRad() + Math.toRadians(offsetDeg), mps);
+                double cost = cost(other, wanted, besideM, lineRad) + (offsetDeg < 0 ? TO_PORT : 0);
+                if (cost < least && isSafe(other.courseRad(), mps)) {
+                    least = cost;
+                    best = other;
+                }
+            }
+        }
+        CourseAndSpeed astern = new CourseAndSpeed(headingRad, -ASTERN_MPS);
+        return cost(astern, wanted, besideM, lineRad) < least && isSafeAstern() ? astern : best;
+    }
+
+    private boolean isSafeAstern() {
+        return isClear(new StoppingWay(eastM, northM, headingRad, -ASTERN_MPS, StoppingWay.REACTION_S));
+    }
+
+    private double cost(CourseAndSpeed motion, CourseAndSpeed wanted, double besideM, double lineRad) {
+        double mps = motion.speedMps();
+        double onward = mps
+                * StrictMath.cos(motion.courseRad() - wanted.courseRad())
+                / Math.max(wanted.speedMps(), ASIDE_MPS);
+        double thenM = Math.abs(besideM + mps * StrictMath.sin(motion.courseRad() - lineRad) * SOON_S);
+        double patience = 1 / (1 + IMPATIENCE_PER_S * waitedS);
+        double cost = (1 - onward) + risk(motion.courseRad(), mps);
+        cost += patience * BESIDE_PER_M * Math.max(0, thenM - 0.5);
+        if (thenM > FARTHEST_M && thenM > Math.abs(besideM)) {
+            cost += thenM - FARTHEST_M;
+        }
+        if (Math.abs(mps) < ASIDE_MPS / 4) {
+            cost += IMPATIENCE_PER_S * waitedS;
+        }
+        if (!Double.isNaN(chosenRad) && mps > 0) {
+            double change = Math.abs(Math.IEEEremainder(motion.courseRad() - chosenRad, 2 * Math.PI));
+            cost += TURNING_BACK * change / (Math.PI / 2);
+        }
+        return cost;
+    }
+}

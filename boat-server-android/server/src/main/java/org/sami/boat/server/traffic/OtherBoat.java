@@ -1,0 +1,96 @@
+package org.sami.boat.server.traffic;
+
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.NearbyBoat;
+import org.sami.boat.server.LocalFrame;
+
+/** Another boat as it was seen last, in metres of the plane of {@link Surroundings}. It is taken to go on as it did. */
+final class OtherBoat {
+    private static final double SLOW_MPS = 0.3;
+    private static final long FORETOLD_MS = 1500; // for longer nobody goes straight on for sure
+
+    private final String boatId;
+    private final BoatMode mode;
+    private final double eastM;
+    private final double northM;
+    private final double headingRad;
+    private final double speedMps;
+    private final double eastMps;
+    private final double northMps;
+    private final long seenMs;
+    private final double toEastM;
+    private final double toNorthM;
+
+    OtherBoat(NearbyBoat row, LocalFrame plane, long nowMs) {
+        boatId = row.boatId();
+        mode = row.mode();
+        eastM = plane.eastM(row.latDeg(), row.lonDeg());
+        northM = plane.northM(row.latDeg(), row.lonDeg());
+        headingRad = row.headingRad();
+        speedMps = row.speedMps();
+        eastMps = speedMps * StrictMath.sin(headingRad);
+        northMps = speedMps * StrictMath.cos(headingRad);
+        seenMs = nowMs - row.ageMs();
+        toEastM = row.isGoing() ? plane.eastM(row.toLatDeg(), row.toLonDeg()) : Double.NaN;
+        toNorthM = row.isGoing() ? plane.northM(row.toLatDeg(), row.toLonDeg()) : Double.NaN;
+    }
+
+    String boatId() {
+        return boatId;
+    }
+
+    long seenMs() {
+        return seenMs;
+    }
+
+    double eastM(long nowMs) {
+        return eastM + eastMps * sinceS(nowMs);
+    }
+
+    double northM(long nowMs) {
+        return northM + northMps * sinceS(nowMs);
+    }
+
+    private double sinceS(long nowMs) {
+        return Math.max(0, Math.min(FORETOLD_MS, nowMs - seenMs)) / 1000.0;
+    }
+
+    double eastMps() {
+        return eastMps;
+    }
+
+    double northMps() {
+        return northMps;
+    }
+
+    double speedMps() {
+        return speedMps;
+    }
+
+    double headingRad() {
+        return headingRad;
+    }
+
+    /** Whether it follows its way by itself, so that it gives way as this boat does. */
+    boolean isUnderWay() {
+        return mode == BoatMode.PATH || mode == BoatMode.RETURN;
+    }
+
+    /** Whether it lies still, or nearly so, and is not soon out of anybody's way. */
+    boolean isSlow() {
+        return Math.abs(speedMps) < SLOW_MPS;
+    }
+
+    /** Whether it is under way to a point that is known. */
+    boolean isGoing() {
+        return isUnderWay() && !Double.isNaN(toEastM);
+    }
+
+    double toEastM() {
+        return toEastM;
+    }
+
+    double toNorthM() {
+        return toNorthM;
+    }
+}

@@ -1,0 +1,101 @@
+package org.sami.boat.server.traffic;
+
+import java.util.Optional;
+import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.Vehicle;
+
+/**
+ * Finds where on its station a boat goes aside, so that another can come to a point on which it lies: it drifts within the same circle
+ * anyway.
+ */
+public final class StationRoom {
+    private static final double CLEAR_M = GivingWay.APART_M + 0.5; // of the point to which the other goes
+    private static final double COMING_M = 15; // who is farther from its point is not awaited yet
+    private static final double HELD_UP_M = 7; // who waits farther away waits for somebody else
+    private static final double FROM_EDGE_M = 0.5;
+    private static final int SIDES = 24;
+
+    private final Surroundings surroundings;
+    private final Vehicle vehicle;
+    private final double radiusM;
+
+    /**
+     * The room of a boat.
+     *
+     * @param radiusM how far from its station it may lie
+     */
+    public StationRoom(Surroundings surroundings, Vehicle vehicle, double radiusM) {
+        this.surroundings = surroundings;
+        this.vehicle = vehicle;
+        this.radiusM = radiusM - FROM_EDGE_M;
+    }
+
+    /** Where to go aside; empty where the boat lies in nobody's way, or there is no room. */
+    public Optional<LocalFrame> aside(LocalFrame station, long nowMs) {
+        if (surroundings.isEmpty()) {
+            return Optional.empty();
+        }
+        LocalFrame plane = surroundings.plane();
+        double eastM = plane.eastM(vehicle.latDeg(), vehicle.lonDeg());
+        double northM = plane.northM(vehicle.latDeg(), vehicle.lonDeg());
+        if (isClear(eastM, northM, nowMs)) {
+            return Optional.empty();
+        }
+        double stationEastM = plane.eastM(station.originLatDeg(), station.originLonDeg());
+        double stationNorthM = plane.northM(station.originLatDeg(), station.originLonDeg());
+        double leastM = Double.MAX_VALUE;
+        Optional<LocalFrame> nearest = Optional.empty();
+        for (int i = 0; i < SIDES; i++) {
+            double atEastM = stationEastM + radiusM * StrictMath.sin(2 * Math.PI * i / SIDES);
+            double atNorthM = stationNorthM + radiusM * StrictMath.cos(2 * Math.PI * i / SIDES);
+            double wayM = Math.hypot(atEastM - eastM, atNorthM - northM);
+            if (wayM < leastM && isClear(atEastM, atNorthM, nowMs) && isFree(atEastM, atNorthM, nowMs)) {
+                leastM = wayM;
+                nearest = Optional.of(new LocalFrame(
+                        plane.latDeg(atEastM, atNorthM), plane.lonDeg(atEastM, atNorthM)));
+            }
+        }
+        return nearest;
+    }
+
+    /** Whether nobody who comes wants to go there, and nobody waits to go past there. */
+    private boolean isClear(double eastM, double northM, long nowMs) {
+        for (OtherBoat other : surroundings.others()) {
+            if (other.isGoing() && (isGoal(other, eastM, northM, nowMs) || isAhead(other, eastM, northM, nowMs))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean isGoal(OtherBoat other, double eastM, double northM, long nowMs) {
+        double leftM = Math.hypot(other.toEastM() - other.eastM(nowMs), other.toNorthM() - other.northM(nowMs));
+        return leftM < COMING_M
+                && Math.hypot(other.toEastM() - eastM, other.toNorthM() - northM) < CLEAR_M - FROM_EDGE_M;
+    }
+
+    /** Whether a boat that hardly moves is held up by who lies there, on its straight way. */
+    private static boolean isAhead(OtherBoat other, double eastM, double northM, long nowMs) {
+        double awayEastM = eastM - other.eastM(nowMs);
+        double awayNorthM = northM - other.northM(nowMs);
+        if (!other.isSlow() || Math.hypot(awayEastM, awayNorthM) > HELD_UP_M) {
+            return false;
+        }
+        double toEastM = other.toEastM() - other.eastM(nowMs);
+        double toNorthM = other.toNorthM() - other.northM(nowMs);
+        double wayM = Math.hypot(toEastM, toNorthM);
+        double along = (awayEastM * toEastM + awayNorthM * toNorthM) / wayM;
+        double across = Math.abs(awayEastM * toNorthM - awayNorthM * toEastM) / wayM;
+        return along > 0 && along < wayM + GivingWay.APART_M && across < GivingWay.APART_M;
+    }
+
+    /** Whether nobody lies there. */
+    private boolean isFree(double eastM, double northM, long nowMs) {
+        for (OtherBoat other : surroundings.others()) {
+            if (Math.hypot(other.eastM(nowMs) - eastM, other.northM(nowMs) - northM) < CLEAR_M) {
+                return false;
+            }
+        }
+        return true;
+    }
+}

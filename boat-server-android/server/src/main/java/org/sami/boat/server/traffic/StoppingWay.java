@@ -1,0 +1,56 @@
+package org.sami.boat.server.traffic;
+
+/** The way on which a boat that begins to stop now comes to rest: straight on, some of it before it stops at all. */
+final class StoppingWay {
+    /** Until what is decided shows, and others know of it. */
+    static final double REACTION_S = 0.3;
+
+    /** How fast small hulls stop with motors astern, in m/s per second. */
+    static final double BRAKING_MPS2 = 0.5;
+
+    private final double fromEastM;
+    private final double fromNorthM;
+    private final double toEastM;
+    private final double toNorthM;
+
+    /** A way that begins here, for a boat of that heading and speed; of a negative speed astern. */
+    StoppingWay(double eastM, double northM, double headingRad, double speedMps, double reactionS) {
+        double lengthM = speedMps * reactionS + speedMps * Math.abs(speedMps) / (2 * BRAKING_MPS2);
+        fromEastM = eastM;
+        fromNorthM = northM;
+        toEastM = eastM + lengthM * StrictMath.sin(headingRad);
+        toNorthM = northM + lengthM * StrictMath.cos(headingRad);
+    }
+
+    /** The least distance of two ways, whenever boats are where on them; in metres. */
+    double distanceM(StoppingWay other) {
+        if (crosses(other)) {
+            return 0;
+        }
+        double mine = Math.min(
+                toPoint(other.fromEastM, other.fromNorthM), toPoint(other.toEastM, other.toNorthM));
+        double its = Math.min(other.toPoint(fromEastM, fromNorthM), other.toPoint(toEastM, toNorthM));
+        return Math.min(mine, its);
+    }
+
+    private boolean crosses(StoppingWay other) {
+        return side(other.fromEastM, other.fromNorthM) * side(other.toEastM, other.toNorthM) < 0
+                && other.side(fromEastM, fromNorthM) * other.side(toEastM, toNorthM) < 0;
+    }
+
+    private double side(double eastM, double northM) {
+        return (toEastM - fromEastM) * (northM - fromNorthM) - (toNorthM - fromNorthM) * (eastM - fromEastM);
+    }
+
+    private double toPoint(double eastM, double northM) {
+        double alongEast = toEastM - fromEastM;
+        double alongNorth = toNorthM - fromNorthM;
+        double square = alongEast * alongEast + alongNorth * alongNorth;
+        double part = square > 0
+                ? ((eastM - fromEastM) * alongEast + (northM - fromNorthM) * alongNorth) / square
+                : 0;
+        double within = Math.max(0, Math.min(1, part));
+        return Math.hypot(
+                eastM - fromEastM - within * alongEast, northM - fromNorthM - within * alongNorth);
+    }
+}

@@ -1,0 +1,89 @@
+package org.sami.boat.server.traffic;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import org.sami.boat.link.NearbyBoat;
+import org.sami.boat.link.Traffic;
+import org.sami.boat.server.LocalFrame;
+
+/** The other boats near this one, as its base told of them. What is old is forgotten. For the thread that ticks the server. */
+public final class Surroundings {
+    /** What is older, in ms, says nothing any more: a link that is silent for so long is lost. */
+    public static final long OLDEST_MS = 3500;
+
+    private static final double REACH_M = 2000; // of the plane
+
+    private final String ownId;
+    private final List<OtherBoat> others = new ArrayList<>();
+    private LocalFrame plane = new LocalFrame(0, 0);
+
+    /** Nobody is known yet. */
+    public Surroundings(String ownId) {
+        this.ownId = Objects.requireNonNull(ownId, "ownId");
+    }
+
+    /** The base has told of others; of each the newest counts. */
+    public void hear(Traffic traffic, long nowMs) {
+        for (NearbyBoat row : traffic.boats()) {
+            if (!row.boatId().equals(ownId) && row.ageMs() < OLDEST_MS && Math.abs(row.latDeg()) <= 85) {
+                if (!(plane.distanceM(row.latDeg(), row.lonDeg()) < REACH_M)) {
+                    others.clear(); // they are those of another water
+                    plane = new LocalFrame(row.latDeg(), row.lonDeg());
+                }
+                take(new OtherBoat(row, plane, nowMs));
+            }
+        }
+    }
+
+    private void take(OtherBoat seen) {
+        for (int i = 0; i < others.size(); i++) {
+            if (others.get(i).boatId().equals(seen.boatId())) {
+                if (seen.seenMs() >= others.get(i).seenMs()) {
+                    others.set(i, seen);
+                }
+                return;
+            }
+        }
+        others.add(seen);
+    }
+
+    /** Forgets what is old. */
+    public void tick(long nowMs) {
+        for (int i = others.size() - 1; i >= 0; i--) {
+            if (nowMs - others.get(i).seenMs() > OLDEST_MS) {
+                others.remove(i);
+            }
+        }
+    }
+
+    /** Whether nobody is known. */
+    public boolean isEmpty() {
+        return others.isEmpty();
+    }
+
+    /** Whether some boat is nearer to a position than so many metres. */
+    public boolean isNear(double latDeg, double lonDeg, double metres, long nowMs) {
+        double eastM = plane.eastM(latDeg, lonDeg);
+        double northM = plane.northM(latDeg, lonDeg);
+        for (OtherBoat other : others) {
+            if (Math.hypot(other.eastM(nowMs) - eastM, other.northM(nowMs) - northM) < metres) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    String ownId() {
+        return ownId;
+    }
+
+    List<OtherBoat> others() {
+        return others;
+    }
+
+    /** In whose metres the others are. */
+    LocalFrame plane() {
+        return plane;
+    }
+}
