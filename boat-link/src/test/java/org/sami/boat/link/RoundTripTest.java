@@ -180,8 +180,8 @@ class RoundTripTest {
                 .hasMessageContaining("negative");
         assertThatThrownBy(() -> codec.decode(MalformedFrameTest.frame(traffic("7"))))
                 .hasMessageContaining("/boats/0");
-        assertThatThrownBy(() -> new Traffic(Collections.nCopies(
-                        65, new NearbyBoat("b", 1, 1, 0, 0, BoatMode.HOLD, 0))))
+        assertThatThrownBy(
+                        () -> new Traffic(Collections.nCopies(65, new NearbyBoat("b", 1, 1, 0, 0, BoatMode.HOLD, 0))))
                 .hasMessageContaining("65");
         assertThatThrownBy(() -> new NearbyBoat("b", 1, 1, 0, 0, BoatMode.HOLD, 0, 1, Double.NaN))
                 .hasMessageContaining("toLon");

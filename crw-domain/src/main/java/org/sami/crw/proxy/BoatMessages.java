@@ -141,17 +141,11 @@ final class BoatMessages {
     }
 
     private void seen(double latDeg, double lonDeg, double headingRad, double speedMps, BoatMode mode) {
-        condition.sighting =
-                Optional.of(new Sighting(latDeg, lonDeg, headingRad, speedMps, mode, condition.nowMs));
+        condition.sighting = Optional.of(new Sighting(latDeg, lonDeg, headingRad, speedMps, mode, condition.nowMs));
     }
 
     private void telemetry(Telemetry telemetry) {
-        seen(
-                telemetry.latDeg(),
-                telemetry.lonDeg(),
-                telemetry.headingRad(),
-                telemetry.speedMps(),
-                telemetry.mode());
+        seen(telemetry.latDeg(), telemetry.lonDeg(), telemetry.headingRad(), telemetry.speedMps(), telemetry.mode());
         BoatPose pose = new BoatPose(
                 GeoPoint.of(telemetry.latDeg(), telemetry.lonDeg()),
                 telemetry.headingRad(),

@@ -307,8 +307,8 @@ final class ModeControl {
             steering.rest();
             return;
         }
-        CourseAndSpeed chosen = givingWay.choose(
-                new CourseAndSpeed(courseRad, speedMps), 0, courseRad, false, nowMs, seconds);
+        CourseAndSpeed chosen =
+                givingWay.choose(new CourseAndSpeed(courseRad, speedMps), 0, courseRad, false, nowMs, seconds);
         steering.steerAlong(chosen.courseRad(), chosen.speedMps(), seconds);
     }
 

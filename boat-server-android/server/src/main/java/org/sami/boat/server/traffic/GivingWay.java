@@ -225,9 +225,8 @@ public final class GivingWay {
 
     private double cost(CourseAndSpeed motion, CourseAndSpeed wanted, double besideM, double lineRad) {
         double mps = motion.speedMps();
-        double onward = mps
-                * StrictMath.cos(motion.courseRad() - wanted.courseRad())
-                / Math.max(wanted.speedMps(), ASIDE_MPS);
+        double onward =
+                mps * StrictMath.cos(motion.courseRad() - wanted.courseRad()) / Math.max(wanted.speedMps(), ASIDE_MPS);
         double thenM = Math.abs(besideM + mps * StrictMath.sin(motion.courseRad() - lineRad) * SOON_S);
         double patience = 1 / (1 + IMPATIENCE_PER_S * waitedS);
         double cost = (1 - onward) + risk(motion.courseRad(), mps);

@@ -51,8 +51,7 @@ public final class StationRoom {
             double wayM = Math.hypot(atEastM - eastM, atNorthM - northM);
             if (wayM < leastM && isClear(atEastM, atNorthM, nowMs) && isFree(atEastM, atNorthM, nowMs)) {
                 leastM = wayM;
-                nearest = Optional.of(new LocalFrame(
-                        plane.latDeg(atEastM, atNorthM), plane.lonDeg(atEastM, atNorthM)));
+                nearest = Optional.of(new LocalFrame(plane.latDeg(atEastM, atNorthM), plane.lonDeg(atEastM, atNorthM)));
             }
         }
         return nearest;

@@ -27,8 +27,7 @@ final class StoppingWay {
         if (crosses(other)) {
             return 0;
         }
-        double mine = Math.min(
-                toPoint(other.fromEastM, other.fromNorthM), toPoint(other.toEastM, other.toNorthM));
+        double mine = Math.min(toPoint(other.fromEastM, other.fromNorthM), toPoint(other.toEastM, other.toNorthM));
         double its = Math.min(other.toPoint(fromEastM, fromNorthM), other.toPoint(toEastM, toNorthM));
         return Math.min(mine, its);
     }
@@ -46,11 +45,8 @@ final class StoppingWay {
         double alongEast = toEastM - fromEastM;
         double alongNorth = toNorthM - fromNorthM;
         double square = alongEast * alongEast + alongNorth * alongNorth;
-        double part = square > 0
-                ? ((eastM - fromEastM) * alongEast + (northM - fromNorthM) * alongNorth) / square
-                : 0;
+        double part = square > 0 ? ((eastM - fromEastM) * alongEast + (northM - fromNorthM) * alongNorth) / square : 0;
         double within = Math.max(0, Math.min(1, part));
-        return Math.hypot(
-                eastM - fromEastM - within * alongEast, northM - fromNorthM - within * alongNorth);
+        return Math.hypot(eastM - fromEastM - within * alongEast, northM - fromNorthM - within * alongNorth);
     }
 }

@@ -1,0 +1,138 @@
+package org.sami.boat.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.HoldPosition;
+import org.sami.boat.link.Motion;
+import org.sami.boat.link.NearbyBoat;
+import org.sami.boat.link.Role;
+import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.Traffic;
+import org.sami.boat.link.UploadWaypoints;
+import org.sami.boat.link.Waypoint;
+import org.sami.boat.link.Welcome;
+
+/** What a boat does with what its base says of others; how it then moves among them is tested on simulated hulls (GivingWayTest of crw-sim). */
+class TrafficTest {
+    private static final LocalFrame FRAME = new LocalFrame(45, 10);
+
+    private final ServerTestBench bench = new ServerTestBench();
+    private ServerTestBench.Client commander;
+
+    /** Northward at 1.5 m/s. */
+    @BeforeEach
+    void driveNorth() {
+        commander = bench.commander();
+        bench.vehicle.speedMps = 1.5;
+        commander.command(new UploadWaypoints(
+                "c1", "l1", List.of(new Waypoint(FRAME.latDeg(0, 100), FRAME.lonDeg(0, 100), 1.5))));
+        commander.command(new StartWaypoints("c2", "l1", 0));
+        bench.run(1, commander);
+    }
+
+    private static NearbyBoat boat(String id, double eastM, double northM, long ageMs) {
+        return new NearbyBoat(
+                id, FRAME.latDeg(eastM, northM), FRAME.lonDeg(eastM, northM), 0, 0, BoatMode.STOPPED, ageMs);
+    }
+
+    private static Traffic traffic(NearbyBoat... boats) {
+        return new Traffic(List.of(boats));
+    }
+
+    private boolean isGivingWay() {
+        return bench.vehicle.thrust() <= 0 || Math.abs(bench.vehicle.rudder()) > 0.3; // else it drives straight on
+    }
+
+    @Test
+    void welcomeSaysThatTheBoatTakesTraffic() {
+        assertThat(commander.all(Welcome.class)).allMatch(Welcome::takesTraffic);
+    }
+
+    @Test
+    void boatGivesWayToOneThatLiesRightAhead() {
+        assertThat(isGivingWay()).isFalse();
+
+        commander.say(traffic(boat("boat2", 0, 5, 0)));
+        bench.run(0.2, commander);
+
+        assertThat(isGivingWay()).isTrue();
+    }
+
+    @Test
+    void whatIsOldIsForgotten() {
+        commander.say(traffic(boat("boat2", 0, 5, 0)));
+        bench.run(3.3, commander);
+        assertThat(isGivingWay()).isTrue();
+
+        bench.run(0.4, commander);
+
+        assertThat(isGivingWay()).isFalse();
+    }
+
+    @Test
+    void whatWasOldWhenItWasSentCountsNot() {
+        commander.say(traffic(boat("boat2", 0, 5, 3500)));
+        bench.run(0.2, commander);
+
+        assertThat(isGivingWay()).isFalse();
+    }
+
+    @Test
+    void theNewestOfABoatCountsInWhateverOrderItComes() {
+        commander.say(traffic(boat("boat2", 0, 60, 100)));
+        commander.say(traffic(boat("boat2", 0, 5, 900)));
+        bench.run(0.2, commander);
+
+        assertThat(isGivingWay()).isFalse();
+    }
+
+    @Test
+    void onlyTheCommanderIsBelieved() {
+        ServerTestBench.Client observer = bench.client(Role.OBSERVER, 1);
+
+        observer.say(traffic(boat("boat2", 0, 5, 0)));
+        bench.run(0.2, commander, observer);
+
+        assertThat(isGivingWay()).isFalse();
+    }
+
+    @Test
+    void boatIsNotInItsOwnWay() {
+        commander.say(traffic(boat("boat1", 0, 5, 0)));
+        bench.run(0.2, commander);
+
+        assertThat(isGivingWay()).isFalse();
+    }
+
+    @Test
+    void boatThatMovesNearAnotherTellsTheCommanderFiveTimesASecond() {
+        ServerTestBench.Client observer = bench.client(Role.OBSERVER, 1);
+        assertThat(commander.all(Motion.class)).isEmpty();
+
+        commander.say(traffic(boat("boat2", 10, 0, 0)));
+        bench.run(2, commander, observer);
+
+        assertThat(commander.all(Motion.class)).hasSizeBetween(9, 11).allSatisfy(motion -> {
+            assertThat(motion.latDeg()).isEqualTo(bench.vehicle.latDeg());
+            assertThat(motion.mode()).isEqualTo(BoatMode.PATH);
+            assertThat(motion.speedMps()).isEqualTo(1.5);
+        });
+        assertThat(observer.all(Motion.class)).isEmpty();
+    }
+
+    @Test
+    void boatFarFromOthersOrAtRestTellsNothingMore() {
+        commander.say(traffic(boat("boat2", 30, 0, 0)));
+        bench.run(1, commander);
+        commander.command(new HoldPosition("c3"));
+        bench.vehicle.speedMps = 0;
+        commander.say(traffic(boat("boat2", 10, 0, 0)));
+        bench.run(1, commander);
+
+        assertThat(commander.all(Motion.class)).isEmpty();
+    }
+}
