@@ -10,7 +10,7 @@ import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.KeepStation;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.service.path.Detour;
+import org.sami.crw.service.reach.WayDanger;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.host.HandlerContext;
@@ -102,20 +102,13 @@ final class ClearWays {
             GeoPoint from,
             List<GeoPoint> points,
             Water water) {
-        List<GeoPoint> way = new ArrayList<>(List.of(from));
-        for (GeoPoint point : points) {
-            Detour.between(way.get(way.size() - 1), point, water).ifPresent(way::addAll);
-            way.add(point);
-        }
-        CrossTrackError error = water.error();
-        double clearanceM = water.clearanceM(way);
-        if (error.insideM(clearanceM) > 0) {
+        for (String danger : WayDanger.of(from, points, water)) {
             messages.tell(new OperatorMessage(
                     context.nowMillis(),
                     activation.mission(),
                     OperatorMessage.Source.DOMAIN,
                     Priority.LOW,
-                    move.addressee().boat() + " " + error.words(clearanceM),
+                    move.addressee().boat() + " " + danger,
                     List.of(move.addressee().boat()),
                     ""));
         }

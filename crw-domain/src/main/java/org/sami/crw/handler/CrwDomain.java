@@ -49,7 +49,7 @@ public final class CrwDomain implements AutoCloseable {
             Optional<ServiceThreads> threads) {
         this.events = events;
         NewBoats newBoats = new NewBoats();
-        WayQuestions ways = new WayQuestions(boats, fleet);
+        WayQuestions ways = new WayQuestions(boats, messages, fleet);
         BoatErrors errors = new BoatErrors(boats, services.error());
         ClearWays clearWays = new ClearWays(boats, messages, errors);
         MotionCommands motion = new MotionCommands(boats, messages, ways, clearWays);

@@ -1,5 +1,6 @@
 package org.sami.crw.handler;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -39,6 +40,7 @@ final class PathHandler implements ActivationHandler {
     private static final String POINTS = "points";
     private static final String CLEARANCE = "clearance";
     private static final String DETOUR = "detour";
+    private static final int NAMED = 5;
 
     private final PathService service;
     private final BoatPositions positions;
@@ -71,32 +73,33 @@ final class PathHandler implements ActivationHandler {
             from.put(one.boat(), positions.positionOf(one.boat()));
             error.put(one.boat(), errors.of(one.boat()));
         }
-        computations.compute(activation, context, new Computations.Task<Map<String, PathService.Options>>() {
+        computations.compute(activation, context, new Computations.Task<Map<String, Found>>() {
             @Override
             public String what() {
                 return "the ways of " + addressees.size() + " boats";
             }
 
             @Override
-            public Map<String, PathService.Options> compute() {
-                Map<String, PathService.Options> options = new LinkedHashMap<>();
+            public Map<String, Found> compute() {
+                Map<String, Found> options = new LinkedHashMap<>();
                 addressees.forEach(one ->
                         options.put(one.boat(), find(one, from.get(one.boat()), error.get(one.boat()), activation)));
                 return options;
             }
 
             @Override
-            public void found(Map<String, PathService.Options> options) {
+            public void found(Map<String, Found> options) {
                 answer(activation, context, options);
             }
         });
     }
 
-    private void answer(Activation activation, HandlerContext context, Map<String, PathService.Options> found) {
+    private void answer(Activation activation, HandlerContext context, Map<String, Found> found) {
         Map<String, List<PathAnswer.Way>> ways = new LinkedHashMap<>();
         Map<String, Value> noWay = new LinkedHashMap<>();
         Set<String> reasons = new LinkedHashSet<>();
-        found.forEach((boat, options) -> {
+        found.forEach((boat, one) -> {
+            PathService.Options options = one.options();
             if (options.ways().isEmpty()) {
                 noWay.put(boat, new TextValue(options.reason()));
                 tell(activation, context, Priority.HIGH, boat + ": " + options.reason(), boat);
@@ -108,34 +111,66 @@ final class PathHandler implements ActivationHandler {
         if (Markups.criterion(activation).isPresent()) {
             reasons.forEach(reason -> tell(activation, context, Priority.LOW, "Path: " + reason));
         }
+        tellWhatIsKept(activation, context, found);
         Map<String, Value> values =
                 Map.of("options", new ListValue(List.copyOf(sets(ways))), "noWay", ProxyMaps.toValue(noWay));
         context.post(new Input.Received(Occurrence.answer(
                 EventNames.PATH_RESPONSE, activation, List.copyOf(found.keySet()), List.of(), values)));
     }
 
-    private PathService.Options find(
-            Addressee addressee, Optional<GeoPoint> from, CrossTrackError error, Activation activation) {
+    /** How far each set of paths keeps off what is to be avoided, and what that costs; nothing in open water. */
+    private void tellWhatIsKept(Activation activation, HandlerContext context, Map<String, Found> found) {
+        int most =
+                found.values().stream().mapToInt(one -> one.kept().size()).max().orElse(0);
+        for (int i = 0; i < most; i++) {
+            List<String> kept = new ArrayList<>();
+            int rank = i;
+            found.forEach((boat, one) -> {
+                if (!one.kept().isEmpty()) {
+                    kept.add(boat + " "
+                            + one.kept().get(Math.min(rank, one.kept().size() - 1)));
+                }
+            });
+            int more = kept.size() - NAMED;
+            String which = most == 1 ? "Paths: " : "Paths, option " + (i + 1) + " of " + most + ": ";
+            String words = String.join("; ", kept.subList(0, Math.min(NAMED, kept.size())));
+            tell(activation, context, Priority.LOW, which + words + (more > 0 ? "; and " + more + " boats more" : ""));
+        }
+    }
+
+    private Found find(Addressee addressee, Optional<GeoPoint> from, CrossTrackError error, Activation activation) {
         Optional<GeoPoint> to = addressee.values(activation, POINTS).stream()
                 .map(byBoat -> ProxyMaps.read(byBoat, GeoPoint.class).get(addressee.boat()))
                 .filter(point -> point != null)
                 .findFirst();
         if (from.isEmpty()) {
-            return none("its position is not known yet");
+            return Found.none("its position is not known yet");
         }
         if (to.isEmpty()) {
-            return none("it was given no location");
+            return Found.none("it was given no location");
         }
         Water water = Restrictions.water(activation, from.get(), error);
         double detour =
                 activation.value(DETOUR).isPresent() ? ActivationFields.number(activation, DETOUR) : PathProblem.DETOUR;
         PathProblem problem =
                 new PathProblem(from.get(), to.get(), water, ActivationFields.metres(activation, CLEARANCE), detour);
-        return service.find(problem, Markups.criterion(activation), Markups.optionsWanted(activation));
+        PathService.Options options =
+                service.find(problem, Markups.criterion(activation), Markups.optionsWanted(activation));
+        List<String> kept = options.ways().stream()
+                .flatMap(way -> way.words(from.get(), water).stream())
+                .toList();
+        return new Found(options, kept);
     }
 
-    private static PathService.Options none(String reason) {
-        return new PathService.Options(List.of(), "There is no way: " + reason);
+    /**
+     * The ways of a boat.
+     *
+     * @param kept how far each keeps off what is to be avoided, in words; none in open water
+     */
+    private record Found(PathService.Options options, List<String> kept) {
+        static Found none(String reason) {
+            return new Found(new PathService.Options(List.of(), "There is no way: " + reason), List.of());
+        }
     }
 
     /** The first ways of all, the second ones and so on; a boat that has no more of them keeps its last. */

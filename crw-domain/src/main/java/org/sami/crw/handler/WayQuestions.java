@@ -14,6 +14,8 @@ import java.util.concurrent.Executor;
 import java.util.stream.Collectors;
 import org.sami.crw.decision.DomainQuestion;
 import org.sami.crw.operator.AvoidedAreas;
+import org.sami.crw.operator.MessageSink;
+import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.proxy.BatteryState;
 import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.BoatProxy;
@@ -22,6 +24,7 @@ import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.KeepStation;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.reach.Way;
+import org.sami.crw.service.reach.WayBack;
 import org.sami.crw.service.reach.WayCheck;
 import org.sami.crw.service.reach.WayDoubt;
 import org.sami.crw.service.water.Water;
@@ -45,6 +48,7 @@ final class WayQuestions implements HostListener {
     private static final int NAMED = 3;
 
     private final ProxyRegistry boats;
+    private final MessageSink messages;
     private final Executor fleet;
     private final Map<String, Held> held = new LinkedHashMap<>(); // by kind and activation
 
@@ -70,8 +74,9 @@ final class WayQuestions implements HostListener {
         }
     }
 
-    WayQuestions(ProxyRegistry boats, Executor fleet) {
+    WayQuestions(ProxyRegistry boats, MessageSink messages, Executor fleet) {
         this.boats = boats;
+        this.messages = messages;
         this.fleet = fleet;
     }
 
@@ -81,9 +86,11 @@ final class WayQuestions implements HostListener {
         Map<DomainQuestion, Held> doubted = new EnumMap<>(DomainQuestion.class);
         List<GeoArea> avoid = moves.isEmpty() ? List.of() : context.query(view -> avoided(activation, view));
         for (Move move : moves) {
-            Optional<WayDoubt> doubt = way(move, avoid).flatMap(WayCheck::doubt);
+            Optional<Way> way = way(move, avoid);
+            Optional<WayDoubt> doubt = way.flatMap(WayCheck::doubt);
             if (doubt.isEmpty()) {
                 clear.add(move);
+                way.ifPresent(one -> tellOfWayBack(activation, context, one));
             } else {
                 doubted.computeIfAbsent(
                                 question(doubt.get()),
@@ -94,6 +101,20 @@ final class WayQuestions implements HostListener {
         }
         doubted.values().forEach(this::askUnlessAnswered);
         return clear;
+    }
+
+    private void tellOfWayBack(Activation activation, HandlerContext context, Way way) {
+        boats.find(way.boat())
+                .flatMap(BoatProxy::home)
+                .flatMap(home -> WayBack.words(way, home))
+                .ifPresent(words -> messages.tell(new OperatorMessage(
+                        context.nowMillis(),
+                        activation.mission(),
+                        OperatorMessage.Source.DOMAIN,
+                        Priority.LOW,
+                        words,
+                        List.of(way.boat()),
+                        "")));
     }
 
     /** The areas that the activation avoids, and its mission. */

@@ -100,7 +100,29 @@ class PathRequestTest {
         assertThat(options(answer)).hasSize(2);
         assertClear(paths(answer, 0), 4.9);
         assertThat(lengthM(paths(answer, 1), "west")).isLessThan(lengthM(paths(answer, 0), "west"));
-        assertThat(messages()).anyMatch(text -> text.contains("Path: Safest path, best for execution safety"));
+        assertThat(messages())
+                .anyMatch(text -> text.contains("Path: Safest path, best for execution safety"))
+                .anyMatch(text -> text.matches("Paths, option 1 of 2: west keeps 5\\.\\d m; east keeps .* m"))
+                .anyMatch(text -> text.matches("Paths, option 2 of 2: west keeps 0\\.\\d m; east keeps .* m"));
+    }
+
+    @Test
+    void whatASafePathKeepsInAGapAndWhatItCostsIsTold() {
+        GeoArea north = box(-20, 8, 20, 300);
+        GeoArea south = box(-20, -300, 20, 0); // 8 m between them
+
+        world.happens(
+                engine,
+                asking().with("avoid", new ListValue(List.of(north, south)))
+                        .with("clearance", new RealValue(10))
+                        .markup("Optimize", "criteria", new EnumValue("Criterion", "EXECUTION_SAFETY"))
+                        .of("west")
+                        .effect());
+
+        assertThat(messages())
+                .anyMatch(
+                        text -> text.matches(
+                                "Paths: west keeps 10\\.0 m where there is room, [1-4]\\.\\d m near 45\\.\\d{5},10\\.\\d{5}.*"));
     }
 
     @Test
@@ -118,7 +140,8 @@ class PathRequestTest {
         Map<String, TextValue> noWay = ProxyMaps.read(answer.values().get("noWay"), TextValue.class);
         assertThat(noWay).containsOnlyKeys("west");
         assertThat(noWay.get("west").value()).contains("what is forbidden lies all the way");
-        assertThat(world.operator.messages().messages()).singleElement().satisfies(message -> {
+        assertThat(messages()).anyMatch(text -> text.matches("Paths: east keeps \\d+\\.\\d m"));
+        assertThat(world.operator.messages().messages()).anySatisfy(message -> {
             assertThat(message.text()).startsWith("west: There is no way");
             assertThat(message.priority()).isEqualTo(Priority.HIGH);
             assertThat(message.boats()).containsExactly("west");

@@ -36,6 +36,21 @@ public final class Detour {
         return Optional.of(points);
     }
 
+    /** A way with its turns: straight where there is no way around. */
+    public static List<GeoPoint> along(GeoPoint from, List<GeoPoint> points, Optional<Water> water) {
+        if (water.isEmpty()) {
+            return points;
+        }
+        List<GeoPoint> driven = new ArrayList<>();
+        GeoPoint at = from;
+        for (GeoPoint point : points) {
+            between(at, point, water.get()).ifPresent(driven::addAll);
+            driven.add(point);
+            at = point;
+        }
+        return driven;
+    }
+
     /** Whether the straight leg keeps clear. */
     static boolean isClear(GeoPoint from, GeoPoint to, Water water) {
         return water.isOpen()

@@ -25,6 +25,13 @@ public final class StraightPath implements PathAlgorithm {
             return new PathAnswer.NoWay("the straight way leads through what is forbidden, or past it too near", 1);
         }
         double lengthM = Geodesy.distanceM(problem.from(), problem.to());
-        return new PathAnswer.Way(List.of(problem.to()), lengthM, clearanceM, name(), 1);
+        return new PathAnswer.Way(
+                List.of(problem.to()),
+                lengthM,
+                clearanceM,
+                problem.water().error().steeringM(),
+                lengthM,
+                name(),
+                1);
     }
 }

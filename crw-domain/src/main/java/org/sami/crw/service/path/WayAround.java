@@ -23,6 +23,7 @@ final class WayAround {
     private final Water water;
     private final String method;
     private long tested;
+    private double wantedM;
 
     WayAround(PathProblem problem, String method) {
         this.problem = problem;
@@ -39,17 +40,19 @@ final class WayAround {
             return new PathAnswer.NoWay(forbidden.get(), tested);
         }
         double leastM = water.error().steeringM();
+        wantedM = leastM;
         PathAnswer shortest = find(new VisibilityGraph(water.forbidden(), leastM));
         if (clearanceM <= leastM || !(shortest instanceof PathAnswer.Way tight)) {
             return shortest;
         }
+        wantedM = clearanceM;
         double longestM = problem.detour() * tight.lengthM();
         PathAnswer kept = find(new VisibilityGraph(water.forbidden(), clearanceM));
         for (int i = 0; !isWorth(kept, longestM) && i < PARTS.length; i++) {
             double gapM = Math.max(leastM, PARTS[i] * clearanceM);
             kept = find(VisibilityGraph.withGaps(water.forbidden(), clearanceM, gapM));
         }
-        return isWorth(kept, longestM) ? kept : shortest;
+        return isWorth(kept, longestM) ? ((PathAnswer.Way) kept).than(tight.lengthM()) : shortest;
     }
 
     private static boolean isWorth(PathAnswer answer, double longestM) {
@@ -120,7 +123,8 @@ final class WayAround {
     private PathAnswer way(List<GeoPoint> points) {
         List<GeoPoint> whole = new ArrayList<>(List.of(problem.from()));
         whole.addAll(points);
+        double lengthM = Geodesy.lengthM(problem.from(), points);
         return new PathAnswer.Way(
-                points, Geodesy.lengthM(problem.from(), points), water.clearanceM(whole), method, Math.max(1, tested));
+                points, lengthM, water.clearanceM(whole), wantedM, lengthM, method, Math.max(1, tested));
     }
 }

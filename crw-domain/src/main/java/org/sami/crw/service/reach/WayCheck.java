@@ -40,7 +40,8 @@ public final class WayCheck {
         if (distanceM <= FAR_M) {
             return Optional.empty();
         }
-        String words = way.boat() + " is to go " + kilometres(distanceM) + " from where it is, to " + text(farthest);
+        String words =
+                way.boat() + " is to go " + kilometres(distanceM) + " from where it is, to " + WayDanger.text(farthest);
         return Optional.of(new WayDoubt(WayDoubt.Kind.PLACE, words + exchanged(from, farthest)));
     }
 
@@ -51,7 +52,7 @@ public final class WayCheck {
         }
         GeoPoint other = GeoPoint.of(point.lonDeg(), point.latDeg());
         return Geodesy.distanceM(from, other) <= FAR_M
-                ? "; are latitude and longitude exchanged? " + text(other) + " is near"
+                ? "; are latitude and longitude exchanged? " + WayDanger.text(other) + " is near"
                 : "";
     }
 
@@ -59,11 +60,15 @@ public final class WayCheck {
         for (GeoArea area : way.avoid()) {
             for (int i = 0; i < way.points().size(); i++) {
                 GeoPoint point = way.points().get(i);
-                if (Water.of(point, List.of(area), Optional.empty()).clearanceM(point) == 0) {
+                Water around = Water.of(point, List.of(area), Optional.empty());
+                if (around.clearanceM(point) == 0) {
                     return Optional.of(new WayDoubt(
                             WayDoubt.Kind.PLACE,
-                            way.boat() + " is to go to " + text(point) + ", point " + (i + 1)
-                                    + " of its way, which lies in an area that the plan avoids"));
+                            way.boat() + " is to go to " + WayDanger.text(point) + ", point " + (i + 1)
+                                    + String.format(
+                                            Locale.ROOT,
+                                            " of its way, which lies %.1f m inside an area that the plan avoids",
+                                            around.depthM(point))));
                 }
             }
         }
@@ -82,7 +87,7 @@ public final class WayCheck {
             if (isBarred) {
                 return Optional.of(new WayDoubt(
                         WayDoubt.Kind.PLACE,
-                        way.boat() + " is to go to " + text(point)
+                        way.boat() + " is to go to " + WayDanger.text(point)
                                 + " through what the plan avoids, and there is no way around"));
             }
             at = point;
@@ -94,7 +99,7 @@ public final class WayCheck {
         if (way.batteryPercent().isEmpty()) {
             return Optional.empty();
         }
-        double lengthM = Geodesy.lengthM(from, way.points());
+        double lengthM = Geodesy.lengthM(from, Detour.along(from, way.points(), way.water()));
         double percent = way.batteryPercent().getAsDouble();
         double rangeM = Range.sureM(percent);
         return lengthM <= rangeM
@@ -103,11 +108,12 @@ public final class WayCheck {
                         WayDoubt.Kind.CHARGE,
                         String.format(
                                 Locale.ROOT,
-                                "%s is to go %s, and its charge of %.0f %% is sure to last for %s",
+                                "%s is to go %s, and its charge of %.0f %% is sure to last for %s, %s less",
                                 way.boat(),
                                 kilometres(lengthM),
                                 percent,
-                                kilometres(rangeM))));
+                                kilometres(rangeM),
+                                kilometres(lengthM - rangeM))));
     }
 
     private static String kilometres(double metres) {
@@ -115,9 +121,5 @@ public final class WayCheck {
             return String.format(Locale.ROOT, "%.0f m", metres);
         }
         return String.format(Locale.ROOT, metres < 9_950 ? "%.1f km" : "%.0f km", metres / 1000);
-    }
-
-    private static String text(GeoPoint point) {
-        return String.format(Locale.ROOT, "%.5f,%.5f", point.latDeg(), point.lonDeg());
     }
 }

@@ -1,7 +1,5 @@
 package org.sami.crw.service.water;
 
-import java.util.Locale;
-
 /**
  * How far a boat may truly be beside the straight line that it is to follow. Planners keep paths off what is not to be entered by it
  * (docs/decisions, 0301).
@@ -69,17 +67,5 @@ public record CrossTrackError(double steeringM, double positionM, double driftMp
     public double insideM(double clearanceM) {
         double insideM = mostM() - clearanceM;
         return insideM > ROUNDING_M ? insideM : 0;
-    }
-
-    /** What follows for a way at a distance, as people say it; empty where it is safe. */
-    public String words(double clearanceM) {
-        return insideM(clearanceM) == 0
-                ? ""
-                : String.format(
-                        Locale.ROOT,
-                        "passes what is to be avoided at %.1f m; boats may be %.1f m beside their way, so up to %.1f m inside",
-                        clearanceM,
-                        mostM(),
-                        insideM(clearanceM));
     }
 }

@@ -7,7 +7,9 @@ import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
+import org.locationtech.jts.geom.Point;
 import org.locationtech.jts.geom.Polygon;
+import org.locationtech.jts.operation.distance.DistanceOp;
 import org.locationtech.jts.operation.union.UnaryUnionOp;
 import org.sami.crw.service.LocalPlane;
 import org.sami.spn.value.GeoArea;
@@ -135,6 +137,23 @@ public final class Water {
         }
         Coordinate[] stops = way.stream().map(this::coordinate).toArray(Coordinate[]::new);
         return forbidden.distance(stops.length == 1 ? FACTORY.createPoint(stops[0]) : FACTORY.createLineString(stops));
+    }
+
+    /** How far a point is inside what is forbidden, in metres: its distance to the edge; zero outside. */
+    public double depthM(GeoPoint point) {
+        Point place = FACTORY.createPoint(coordinate(point));
+        return isOpen() || forbidden.distance(place) > 0
+                ? 0
+                : forbidden.getBoundary().distance(place);
+    }
+
+    /** The place of a way that is nearest to what is forbidden; where nothing is, its first point. */
+    public GeoPoint nearest(List<GeoPoint> way) {
+        if (isOpen() || way.size() < 2) {
+            return way.get(0);
+        }
+        Coordinate[] stops = way.stream().map(this::coordinate).toArray(Coordinate[]::new);
+        return Areas.point(DistanceOp.nearestPoints(FACTORY.createLineString(stops), forbidden)[0], plane);
     }
 
     /** Distance of all water between some points, as the string around them encloses it, likewise. */

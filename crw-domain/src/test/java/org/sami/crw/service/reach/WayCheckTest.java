@@ -50,7 +50,7 @@ class WayCheckTest {
         assertThat(doubt(100, List.of(island), at(100, 0), at(250, 0)))
                 .hasValueSatisfying(doubt -> assertThat(doubt.words())
                         .startsWith("anna is to go to ")
-                        .endsWith("point 2 of its way, which lies in an area that the plan avoids"));
+                        .endsWith("point 2 of its way, which lies 50.0 m inside an area that the plan avoids"));
     }
 
     @Test
@@ -58,7 +58,8 @@ class WayCheckTest {
         assertThat(doubt(20, List.of(), at(630, 0))).isEmpty();
         assertThat(doubt(20, List.of(), at(330, 0), at(0, 0))) // 700 m on the average
                 .contains(new WayDoubt(
-                        WayDoubt.Kind.CHARGE, "anna is to go 660 m, and its charge of 20 % is sure to last for 636 m"));
+                        WayDoubt.Kind.CHARGE,
+                        "anna is to go 660 m, and its charge of 20 % is sure to last for 636 m, 24 m less"));
     }
 
     @Test

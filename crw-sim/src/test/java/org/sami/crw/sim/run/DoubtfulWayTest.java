@@ -59,7 +59,7 @@ class DoubtfulWayTest {
     void boatIsNotSentOntoLandThatItsPlanAvoids() {
         RunReport report = run(ON_LAND, InitialCharges.FULL, "");
 
-        assertThat(asked(report)).singleElement().asString().contains("lies in an area that the plan avoids");
+        assertThat(asked(report)).singleElement().asString().contains("m inside an area that the plan avoids");
         assertThat(report.distanceM()).isZero();
     }
 
@@ -70,7 +70,8 @@ class DoubtfulWayTest {
         assertThat(asked(report))
                 .singleElement()
                 .asString()
-                .matches("LongWay: boat1 is to go \\d+ m, and its charge of 1 % is sure to last for 32 m. Send it\\?");
+                .matches(
+                        "LongWay: boat1 is to go \\d+ m, and its charge of 1 % is sure to last for 32 m, \\d+ m less. Send it\\?");
         assertThat(report.decisions()).extracting(DecisionResult::answer).containsExactly("yes");
         assertThat(report.distanceM()).isPositive();
     }
