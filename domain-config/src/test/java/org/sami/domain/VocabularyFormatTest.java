@@ -154,6 +154,12 @@ class VocabularyFormatTest {
     }
 
     @Test
+    void domainOfTheClassPathIsLoadedOnceInAProcess() {
+        assertThat(DomainLibrary.fromClassPath(CRW).orThrow())
+                .isSameAs(DomainLibrary.fromClassPath(CRW).orThrow());
+    }
+
+    @Test
     void filesAsAJournalKeepsThemGiveTheSameVocabulary() {
         DomainLibrary library = DomainLibrary.fromClassPath(CRW).orThrow();
 

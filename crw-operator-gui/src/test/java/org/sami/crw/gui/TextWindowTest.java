@@ -117,6 +117,9 @@ class TextWindowTest {
             for (int percent : List.of(100, 150)) {
                 shown.look(theme, percent);
                 for (Dimension size : SIZES) {
+                    if (theme == Theme.DARK && !(percent == 150 && size.equals(SIZES.get(0)))) {
+                        continue; // it is Light in other colours: once, where there is the least room
+                    }
                     shown.size(size.width, size.height);
                     String what = theme.id() + "-" + percent + "-" + size.width;
                     List<String> here = shown.textFaults();

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
 import org.sami.spn.component.ComponentLibrary;
 import org.sami.spn.model.MissionTreeNode;
@@ -32,6 +33,8 @@ public record DomainLibrary(
         ComponentLibrary components,
         AuthoringLibrary authoring,
         Map<String, Project> projects) {
+    private static final Map<String, Reading<DomainLibrary>> OF_CLASS_PATH = new ConcurrentHashMap<>();
+
     public DomainLibrary {
         Objects.requireNonNull(vocabulary, "vocabulary");
         Objects.requireNonNull(files, "files");
@@ -41,13 +44,21 @@ public record DomainLibrary(
     }
 
     /**
-     * Loads a domain from the class path.
+     * Loads a domain from the class path, which does not change while the process lives: what was loaded once is given again.
      *
      * @param folder absolute, such as {@code /org/sami/domain/NAME}
      */
     public static Reading<DomainLibrary> fromClassPath(String folder) {
-        return load(
+        Reading<DomainLibrary> known = OF_CLASS_PATH.get(folder);
+        if (known != null) {
+            return known;
+        }
+        Reading<DomainLibrary> loaded = load(
                 VocabularyFiles.fromClassPath(folder), folder, name -> VocabularyFiles.resource(folder + "/" + name));
+        if (loaded.result().isPresent()) {
+            OF_CLASS_PATH.put(folder, loaded);
+        }
+        return loaded;
     }
 
     /** Loads a domain from a folder. */

@@ -47,7 +47,7 @@ class FullDiskTest {
         Path library = folder.resolve("libsqlitejdbc.so"); // larger than the limit: not to be unpacked under it
         assumeThat(unpacked(library)).as("SQLite's library for Linux").isTrue();
         int interrupted = 0;
-        for (int kib = 110; kib <= 320; kib += 35) {
+        for (int kib = 110; kib <= 320; kib += 52) {
             Path journal = folder.resolve("limit" + kib + ".journal");
             ProcessBuilder limited = CrwProcess.command(mission(journal));
             limited.command().addAll(0, List.of("/bin/bash", "-c", "ulimit -f " + kib + "; exec \"$@\"", "bash"));
@@ -72,7 +72,7 @@ class FullDiskTest {
     void runWhoseDiskIsFullEndsAndIsTakenUpToTheSameEndOnceThereIsRoom() throws Exception {
         Path disk = Files.createDirectory(folder.resolve("disk"));
         int interrupted = 0;
-        for (int kib = 244; kib <= 532; kib += 48) {
+        for (int kib = 244; kib <= 532; kib += 72) {
             boolean mounted = exitCode("mount", "-t", "tmpfs", "-o", "size=" + kib + "k", "none", disk.toString()) == 0;
             assumeThat(mounted).as("a small disk can be mounted here").isTrue();
             try {

@@ -67,7 +67,7 @@ class UsageTest {
 
         CommandResult ran = CommandResult.crw(line.isEmpty() ? new String[0] : line.split(" "));
 
-        assertThat(ran.exitCode()).isEqualTo(2);
+        assertThat(ran.exitCode()).as(ran.err()).isEqualTo(2);
         assertThat(ran.err()).contains(caseOf.get(0)).doesNotContain("Exception");
         assertThat(ran.out()).isEmpty();
     }
