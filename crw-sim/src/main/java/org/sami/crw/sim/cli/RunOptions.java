@@ -146,11 +146,11 @@ final class RunOptions {
     RunSettings settings(String plan, String mission) {
         List<BoatAddress> addresses = addresses(connect);
         int count = addresses.isEmpty() ? Optional.ofNullable(boats).orElse(DEFAULT_BOATS) : addresses.size();
-        Conditions water = addresses.isEmpty() ? conditions.conditions() : conditions.stated();
         within("--boats", count, 1, RunSettings.Fleet.MOST_BOATS);
         within("--locations", locations, 1, RunSettings.Fleet.MOST_LOCATIONS);
         within("--area", areaM, RunSettings.Fleet.SHORTEST_AREA_M, RunSettings.Fleet.LONGEST_AREA_M);
         try {
+            Conditions water = addresses.isEmpty() ? conditions.conditions() : conditions.stated();
             return new RunSettings(
                     plan,
                     mission,
