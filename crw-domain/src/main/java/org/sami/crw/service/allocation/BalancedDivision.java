@@ -7,7 +7,8 @@ import org.sami.crw.service.choice.Merit;
 
 /**
  * A division whose longest path is short, as that decides when the last boat is done. For few locations the best there is; for more an
- * auction that a local search balances until no small change helps. What boats have begun counts.
+ * auction's that {@link RuinAndRecreate} balances, and a local search alone beyond {@link RuinAndRecreate#MOST_WORK} locations. Never worse than the auction.
+ * What boats have begun counts.
  */
 public final class BalancedDivision extends AllocationAlgorithm {
     private final SequentialSingleItemAuction auction = new SequentialSingleItemAuction();
@@ -24,9 +25,19 @@ public final class BalancedDivision extends AllocationAlgorithm {
 
     @Override
     List<List<Integer>> shares(AllocationProblem problem, DistanceTable legs) {
-        List<List<Integer>> first = problem.work().size() <= ExactDivision.MOST_WORK
-                ? new ExactDivision(problem, legs, Objective.LONGEST).shares()
-                : auction.shares(problem, legs);
-        return new LocalSearch(problem, legs, Objective.LONGEST, first).run();
+        int works = problem.work().size();
+        if (works <= ExactDivision.MOST_WORK) {
+            return polished(problem, legs, new ExactDivision(problem, legs, Objective.LONGEST).shares());
+        }
+        List<List<Integer>> auctioned = auction.shares(problem, legs);
+        return works <= RuinAndRecreate.MOST_WORK
+                ? polished(problem, legs, new RuinAndRecreate(problem, legs, Objective.LONGEST, auctioned).run())
+                : polished(problem, legs, auctioned);
+    }
+
+    /** The same with shorter paths of the other boats. */
+    private static List<List<Integer>> polished(
+            AllocationProblem problem, DistanceTable legs, List<List<Integer>> shares) {
+        return new LocalSearch(problem, legs, Objective.LONGEST, shares).run();
     }
 }

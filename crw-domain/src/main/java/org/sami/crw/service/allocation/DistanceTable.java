@@ -13,10 +13,12 @@ import org.sami.spn.value.GeoPoint;
  */
 final class DistanceTable {
     private static final long LOOK_MASK = (1 << 16) - 1;
+    private static final double BEYOND_RANGE = 9;
 
     private final double[] boatX;
     private final double[] boatY;
     private final double[] begunM;
+    private final double[] rangeM;
     private final double[] x;
     private final double[] y;
     private long measured;
@@ -29,6 +31,9 @@ final class DistanceTable {
         boatX = boats.stream().mapToDouble(boat -> plane.x(boat.freeAt())).toArray();
         boatY = boats.stream().mapToDouble(boat -> plane.y(boat.freeAt())).toArray();
         begunM = boats.stream().mapToDouble(DistanceTable::begunM).toArray();
+        rangeM = boats.stream()
+                .mapToDouble(boat -> boat.rangeM().orElse(Double.POSITIVE_INFINITY))
+                .toArray();
         x = problem.work().stream().mapToDouble(one -> plane.x(one.location())).toArray();
         y = problem.work().stream().mapToDouble(one -> plane.y(one.location())).toArray();
     }
@@ -43,10 +48,38 @@ final class DistanceTable {
         return begunM[boat];
     }
 
+    /** What a path of a length costs its boat: what is longer than its charge lasts for counts tenfold. */
+    double cost(int boat, double lengthM) {
+        return lengthM <= rangeM[boat] ? lengthM : lengthM + BEYOND_RANGE * (lengthM - rangeM[boat]);
+    }
+
     private void count() {
         if ((++measured & LOOK_MASK) == 0) {
             Interruption.check();
         }
+    }
+
+    /** Counts distances that were taken from the matrix. */
+    void count(long distances) {
+        long before = measured;
+        measured += distances;
+        if ((before ^ measured) > LOOK_MASK) {
+            Interruption.check();
+        }
+    }
+
+    /** All distances to work: from work, then from where each boat is free. */
+    double[][] matrix() {
+        double[][] matrix = new double[x.length + boatX.length][x.length];
+        for (int to = 0; to < x.length; to++) {
+            for (int from = 0; from < x.length; from++) {
+                matrix[from][to] = between(from, to);
+            }
+            for (int boat = 0; boat < boatX.length; boat++) {
+                matrix[x.length + boat][to] = first(boat, to);
+            }
+        }
+        return matrix;
     }
 
     /** The division came to a limit; what became of the rest, in words. */

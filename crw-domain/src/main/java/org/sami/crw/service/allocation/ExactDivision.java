@@ -72,15 +72,16 @@ final class ExactDivision {
         return length;
     }
 
-    /** Length of the shortest path through each set. */
+    /** What the shortest path through each set costs. */
     private double[] lengths(int boat, double[] shortestTo) {
         double[] lengths = new double[sets];
-        lengths[0] = legs.begun(boat);
+        lengths[0] = legs.cost(boat, legs.begun(boat));
         for (int set = 1; set < sets; set++) {
             lengths[set] = Double.POSITIVE_INFINITY;
             for (int last = 0; last < works; last++) {
                 lengths[set] = Math.min(lengths[set], shortestTo[set * works + last]);
             }
+            lengths[set] = lengths[set] < Double.POSITIVE_INFINITY ? legs.cost(boat, lengths[set]) : lengths[set];
         }
         return lengths;
     }

@@ -7,9 +7,9 @@ import org.sami.crw.service.choice.Criterion;
 import org.sami.crw.service.choice.Merit;
 
 /**
- * A division whose paths have a small sum, for any number of locations: each location goes where it costs least, then a local search
- * makes it better until no small change helps. Not the optimum: within a few percent of it on problems small enough to know it.
- * Boats that are far off may get nothing. Paths of two boats do not cross where their capabilities do not force them to.
+ * A division whose paths have a small sum, for any number of locations: each location goes where it costs least, then {@link RuinAndRecreate} and a local
+ * search make it better. Not the optimum: within a percent of it on problems small enough to know it. Boats that are far off may
+ * get nothing. Straight paths of two boats do not cross where capabilities and charges do not force them to.
  */
 public final class LeastTotalDivision extends AllocationAlgorithm {
     @Override
@@ -24,7 +24,16 @@ public final class LeastTotalDivision extends AllocationAlgorithm {
 
     @Override
     List<List<Integer>> shares(AllocationProblem problem, DistanceTable legs) {
-        return new LocalSearch(problem, legs, Objective.TOTAL, cheapestInsertion(problem, legs)).run();
+        List<List<Integer>> shares = searched(problem, legs, cheapestInsertion(problem, legs));
+        if (problem.work().size() <= RuinAndRecreate.MOST_WORK) {
+            shares = searched(problem, legs, new RuinAndRecreate(problem, legs, Objective.TOTAL, shares).run());
+        }
+        return shares;
+    }
+
+    private static List<List<Integer>> searched(
+            AllocationProblem problem, DistanceTable legs, List<List<Integer>> shares) {
+        return new LocalSearch(problem, legs, Objective.TOTAL, shares).run();
     }
 
     private static List<List<Integer>> cheapestInsertion(AllocationProblem problem, DistanceTable legs) {

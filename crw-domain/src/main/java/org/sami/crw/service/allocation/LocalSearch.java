@@ -64,7 +64,7 @@ final class LocalSearch {
                 if (to + 1 < path.size) {
                     change += path.leg(from, to + 1) - path.leg(to, to + 1);
                 }
-                if (objective.better(path.length(), 0, path.length() + change, 0)) {
+                if (isBetter(path, path.length() + change)) {
                     path.turn(from, to);
                     any = true;
                 }
@@ -94,7 +94,7 @@ final class LocalSearch {
                 double with = without
                         + path.inner(from, last)
                         + path.insertion(before, path.stops[turned ? last : from], path.stops[turned ? from : last]);
-                if (objective.better(path.length(), 0, with, 0)) {
+                if (isBetter(path, with)) {
                     int[] moved = path.cut(from, part);
                     path.insert(before > last ? before - part : before, turned ? turned(moved) : moved);
                     return true;
@@ -126,7 +126,7 @@ final class LocalSearch {
                         + inner
                         + target.insertion(
                                 before, source.stops[turned ? last : from], source.stops[turned ? from : last]);
-                if (objective.better(source.length(), target.length(), without, with)) {
+                if (isBetter(source, without, target, with)) {
                     int[] moved = source.cut(from, part);
                     target.insert(before, turned ? turned(moved) : moved);
                     return true;
@@ -142,9 +142,7 @@ final class LocalSearch {
             for (int j = 0; j <= b.size; j++) {
                 double newA = a.lengthTo(i) + (j < b.size ? a.legTo(i - 1, b.stops[j]) + b.rest(j) : 0);
                 double newB = b.lengthTo(j) + (i < a.size ? b.legTo(j - 1, a.stops[i]) + a.rest(i) : 0);
-                if (objective.better(a.length(), b.length(), newA, newB)
-                        && canDo(b.boat, a, i, a.size)
-                        && canDo(a.boat, b, j, b.size)) {
+                if (isBetter(a, newA, b, newB) && canDo(b.boat, a, i, a.size) && canDo(a.boat, b, j, b.size)) {
                     int[] restA = a.cut(i, a.size - i);
                     int[] restB = b.cut(j, b.size - j);
                     a.insert(i, restB);
@@ -154,6 +152,14 @@ final class LocalSearch {
             }
         }
         return false;
+    }
+
+    private boolean isBetter(Path path, double lengthM) {
+        return objective.better(path.cost(path.length()), 0, path.cost(lengthM), 0);
+    }
+
+    private boolean isBetter(Path a, double lengthOfA, Path b, double lengthOfB) {
+        return objective.better(a.cost(a.length()), b.cost(b.length()), a.cost(lengthOfA), b.cost(lengthOfB));
     }
 
     private boolean canDo(int boat, Path source, int from, int to) {
@@ -195,6 +201,10 @@ final class LocalSearch {
 
         double length() {
             return lengthTo(size);
+        }
+
+        double cost(double lengthM) {
+            return legs.cost(boat, lengthM);
         }
 
         /** Length of the first stops, what was begun included. */

@@ -13,6 +13,21 @@ enum Objective {
         double join(double length, double other) {
             return length + other;
         }
+
+        @Override
+        double value(SearchedPaths paths) {
+            return paths.totalM();
+        }
+
+        @Override
+        int doublings(double part) {
+            return 0;
+        }
+
+        @Override
+        double temperature(double part) {
+            return falling(0.02, 0.0005, part);
+        }
     },
     /** The shortest longest path; of equally long ones the least sum. */
     LONGEST {
@@ -28,6 +43,21 @@ enum Objective {
         double join(double length, double other) {
             return Math.max(length, other);
         }
+
+        @Override
+        double value(SearchedPaths paths) {
+            return paths.longestM();
+        }
+
+        @Override
+        int doublings(double part) {
+            return (int) Math.round(3 + 2 * part);
+        }
+
+        @Override
+        double temperature(double part) {
+            return falling(0.05, 0.001, part);
+        }
     };
 
     /** Less is no gain: rounding must not make a search go round in circles. */
@@ -38,4 +68,17 @@ enum Objective {
 
     /** The objective over the paths of some boats and of one more. */
     abstract double join(double length, double other);
+
+    /** The objective over all paths of a search; less is better. */
+    abstract double value(SearchedPaths paths);
+
+    /** How often a search squares a path's cost to weigh it, when such a part of the search is done, from 0 to 1. */
+    abstract int doublings(double part);
+
+    /** How much worse a search accepts then, relative to the norm. */
+    abstract double temperature(double part);
+
+    private static double falling(double first, double last, double part) {
+        return first * StrictMath.pow(last / first, part);
+    }
 }

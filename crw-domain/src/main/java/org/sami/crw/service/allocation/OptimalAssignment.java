@@ -9,7 +9,8 @@ import org.sami.crw.service.choice.Merit;
 
 /**
  * At most one work for each boat, so that the sum of the ways is the least possible: the assignment problem, solved to the optimum.
- * Only where there are not more works than boats, and where the boats' capabilities allow it. The paths of no two boats cross.
+ * Only where there are not more works than boats, and where the boats' capabilities allow it. The straight paths of two boats do not cross, as exchanging
+ * their works would be shorter, unless capabilities or charges forbid the exchange.
  */
 public final class OptimalAssignment extends AllocationAlgorithm {
     /** Costs more than any way on earth. */

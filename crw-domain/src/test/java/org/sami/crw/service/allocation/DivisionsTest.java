@@ -29,7 +29,7 @@ class DivisionsTest {
     @MethodSource("algorithms")
     void eachWorkIsOnOnePathOfABoatThatCanDoItOrNamedAsUnallocated(AllocationAlgorithm algorithm) {
         int solved = 0;
-        for (long seed = 1; seed <= 120; seed++) {
+        for (long seed = 1; seed <= 60; seed++) {
             AllocationProblem problem = withSkills(seed);
             if (algorithm.whyNot(problem).isPresent()) {
                 continue;
@@ -50,7 +50,7 @@ class DivisionsTest {
             assertThat(done).as("seed %s", seed).containsExactlyInAnyOrderElementsOf(problem.work());
             assertLengths(division);
         }
-        assertThat(solved).isGreaterThan(20);
+        assertThat(solved).isGreaterThan(10);
     }
 
     private static void assertLengths(Division division) {
@@ -90,23 +90,20 @@ class DivisionsTest {
 
     @ParameterizedTest
     @CsvSource({"2,10", "3,10", "5,9"})
-    void theLeastTotalIsWithinAFewPercentOfTheOptimum(int boats, int locations) {
-        double sum = 0;
-        for (long seed = 1; seed <= 20; seed++) {
+    void theLeastTotalIsWithinAPercentOfTheOptimum(int boats, int locations) {
+        for (long seed = 1; seed <= 10; seed++) {
             AllocationProblem problem = problem(seed, boats, locations);
 
             double ratio = new LeastTotalDivision().divide(problem).totalM()
                     / new OptimalDivision().divide(problem).totalM();
 
-            assertThat(ratio).as("seed %s", seed).isBetween(1 - 1e-6, 1.25);
-            sum += ratio;
+            assertThat(ratio).as("seed %s", seed).isBetween(1 - 1e-6, 1.01);
         }
-        assertThat(sum / 20).isLessThan(1.05);
     }
 
     @Test
     void theLeastTotalLeavesNoPathsThatCross() {
-        for (long seed = 1; seed <= 20; seed++) {
+        for (long seed = 1; seed <= 8; seed++) {
             assertThat(new LeastTotalDivision().divide(problem(seed, 5, 40)).crossings())
                     .as("seed %s", seed)
                     .isZero();
@@ -114,18 +111,12 @@ class DivisionsTest {
     }
 
     @Test
-    void theBalancedDivisionIsNeverWorseThanTheAuctionByItsLongestPath() {
-        double gain = 0;
-        for (long seed = 1; seed <= 20; seed++) {
-            AllocationProblem problem = problem(seed, 5, 40);
-            double auction = new SequentialSingleItemAuction().divide(problem).longestM();
-
-            double balanced = new BalancedDivision().divide(problem).longestM();
-
-            assertThat(balanced).as("seed %s", seed).isLessThanOrEqualTo(auction + 1e-3);
-            gain += 1 - balanced / auction;
+    void theOptimalAssignmentLeavesNoPathsThatCross() {
+        for (long seed = 1; seed <= 100; seed++) {
+            assertThat(new OptimalAssignment().divide(problem(seed, 8, 8)).crossings())
+                    .as("seed %s", seed)
+                    .isZero();
         }
-        assertThat(gain / 20).isGreaterThan(0.1);
     }
 
     @Test

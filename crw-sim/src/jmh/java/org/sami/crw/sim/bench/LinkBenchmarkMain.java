@@ -24,6 +24,7 @@ public final class LinkBenchmarkMain {
     private static final String SPEED = "sim.speed";
     private static final String PREFIX = "link.";
     private static final String SERVICES = "service.";
+    private static final String BALANCE = "service.balance";
     private static final String HEAP = "heap.growth";
     private static final String JOURNAL = "journal.growth";
 
@@ -44,6 +45,9 @@ public final class LinkBenchmarkMain {
         }
         if (isWanted(SERVICES)) {
             note(file, SERVICES, services(quick));
+        }
+        if (isWanted(BALANCE)) {
+            note(file, BALANCE, new BalanceBenchmark(quick).run());
         }
         if (isWanted(HEAP)) {
             List<Figure> growth = new GrowthBenchmark(25, quick ? 3 : 100).run();

@@ -1,0 +1,242 @@
+package org.sami.crw.service.allocation;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/**
+ * The paths of all boats while a search takes work out of them and puts it back, and what they weigh: the cost of each, raised to a power of two.
+ * What changed since a mark can be taken back.
+ */
+final class SearchedPaths {
+    private static final int NOBODY = -1;
+
+    private final DistanceTable legs;
+    /** From work, and from where the boats are free (their index after the last work's), to work. */
+    private final double[][] legM;
+
+    private final boolean[][] canDo;
+    private final int works;
+    private final int[][] stops;
+    private final int[] size;
+    private final int[] boatOf;
+    private final int[] indexOf;
+    private final double[] lengthM;
+    private final double[] weight;
+    private final double unitM;
+    private int doublings;
+
+    private final int[][] markedStops;
+    private final int[] markedSize;
+    private final boolean[] changed;
+
+    SearchedPaths(AllocationProblem problem, DistanceTable legs, List<List<Integer>> shares) {
+        this.legs = legs;
+        legM = legs.matrix();
+        works = problem.work().size();
+        int boats = shares.size();
+        canDo = new boolean[boats][works];
+        stops = new int[boats][works];
+        markedStops = new int[boats][works];
+        size = new int[boats];
+        markedSize = new int[boats];
+        changed = new boolean[boats];
+        lengthM = new double[boats];
+        weight = new double[boats];
+        boatOf = new int[works];
+        indexOf = new int[works];
+        for (int boat = 0; boat < boats; boat++) {
+            for (int work = 0; work < works; work++) {
+                canDo[boat][work] =
+                        problem.boats().get(boat).canDo(problem.work().get(work));
+            }
+            for (int work : shares.get(boat)) {
+                stops[boat][size[boat]++] = work;
+            }
+            measure(boat);
+        }
+        unitM = Math.max(1, longestM());
+        weigh(0);
+    }
+
+    /** Weighs all costs with a power of two from now on. */
+    void weigh(int exponentOfTwo) {
+        doublings = exponentOfTwo;
+        for (int boat = 0; boat < weight.length; boat++) {
+            weight[boat] = weightOf(boat, lengthM[boat]);
+        }
+    }
+
+    private double weightOf(int boat, double length) {
+        double power = legs.cost(boat, length) / unitM;
+        for (int i = 0; i < doublings; i++) {
+            power *= power;
+        }
+        return power;
+    }
+
+    /** Sum of the weights of all paths. */
+    double weight() {
+        double sum = 0;
+        for (double one : weight) {
+            sum += one;
+        }
+        return sum;
+    }
+
+    /** The greatest cost of a path. */
+    double longestM() {
+        double longest = 0;
+        for (int boat = 0; boat < lengthM.length; boat++) {
+            longest = Math.max(longest, legs.cost(boat, lengthM[boat]));
+        }
+        return longest;
+    }
+
+    /** The cost of all paths. */
+    double totalM() {
+        double total = 0;
+        for (int boat = 0; boat < lengthM.length; boat++) {
+            total += legs.cost(boat, lengthM[boat]);
+        }
+        return total;
+    }
+
+    /** The boat whose path weighs most. */
+    int heaviest() {
+        int heaviest = 0;
+        for (int boat = 1; boat < weight.length; boat++) {
+            heaviest = weight[boat] > weight[heaviest] ? boat : heaviest;
+        }
+        return heaviest;
+    }
+
+    int works() {
+        return works;
+    }
+
+    int boats() {
+        return size.length;
+    }
+
+    int size(int boat) {
+        return size[boat];
+    }
+
+    int stop(int boat, int index) {
+        return stops[boat][index];
+    }
+
+    /** Whose path some work is on; below zero where it was taken out. */
+    int boatOf(int work) {
+        return boatOf[work];
+    }
+
+    int indexOf(int work) {
+        return indexOf[work];
+    }
+
+    double legM(int from, int to) {
+        return legM[from][to];
+    }
+
+    boolean isChanged(int boat) {
+        return changed[boat];
+    }
+
+    /** Keeps the paths as they are now. */
+    void mark() {
+        Arrays.fill(changed, false);
+    }
+
+    /** Takes back all changes since the mark. */
+    void takeBack() {
+        for (int boat = 0; boat < changed.length; boat++) {
+            if (changed[boat]) {
+                size[boat] = markedSize[boat];
+                System.arraycopy(markedStops[boat], 0, stops[boat], 0, size[boat]);
+                measure(boat);
+            }
+        }
+    }
+
+    private void changing(int boat) {
+        if (!changed[boat]) {
+            changed[boat] = true;
+            markedSize[boat] = size[boat];
+            System.arraycopy(stops[boat], 0, markedStops[boat], 0, size[boat]);
+        }
+    }
+
+    /**
+     * Takes some stops in a row out of a path.
+     *
+     * @param keptFrom stops from this index on, as many as {@code kept}, stay although they lie in between
+     * @param into gets the work; returns how much is in it then
+     */
+    int takeOut(int boat, int from, int until, int keptFrom, int kept, int[] into, int count) {
+        changing(boat);
+        int out = count;
+        int[] path = stops[boat];
+        int left = from;
+        for (int i = from; i < size[boat]; i++) {
+            if (i < until && (i < keptFrom || i >= keptFrom + kept)) {
+                boatOf[path[i]] = NOBODY;
+                into[out++] = path[i];
+            } else {
+                path[left++] = path[i];
+            }
+        }
+        size[boat] = left;
+        measure(boat);
+        return out;
+    }
+
+    void insert(int boat, int before, int work) {
+        changing(boat);
+        int[] path = stops[boat];
+        System.arraycopy(path, before, path, before + 1, size[boat] - before);
+        path[before] = work;
+        size[boat]++;
+        measure(boat);
+    }
+
+    private void measure(int boat) {
+        double length = legs.begun(boat);
+        int from = works + boat;
+        for (int i = 0; i < size[boat]; i++) {
+            int work = stops[boat][i];
+            boatOf[work] = boat;
+            indexOf[work] = i;
+            length += legM[from][work];
+            from = work;
+        }
+        lengthM[boat] = length;
+        weight[boat] = weightOf(boat, length);
+    }
+
+    boolean canDo(int boat, int work) {
+        return canDo[boat][work];
+    }
+
+    /** How much longer a path gets with some work before a stop. */
+    double addedM(int boat, int before, int work) {
+        int[] path = stops[boat];
+        double[] previous = legM[before == 0 ? works + boat : path[before - 1]];
+        return before == size[boat]
+                ? previous[work]
+                : previous[work] + legM[work][path[before]] - previous[path[before]];
+    }
+
+    /** How much more a path weighs when it is so much longer. */
+    double addedWeight(int boat, double addedM) {
+        return weightOf(boat, lengthM[boat] + addedM) - weight[boat];
+    }
+
+    List<List<Integer>> shares() {
+        return IntStream.range(0, stops.length)
+                .mapToObj(boat ->
+                        Arrays.stream(stops[boat], 0, size[boat]).boxed().toList())
+                .toList();
+    }
+}
