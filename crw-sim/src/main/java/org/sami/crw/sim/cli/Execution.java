@@ -182,7 +182,12 @@ final class Execution {
         };
     }
 
-    private static void checkSettings(RunPlan plan, RunSettings settings) {
+    /**
+     * Looks whether values, places and interrupts fit the plan.
+     *
+     * @throws UsageFault if they do not
+     */
+    static void checkSettings(RunPlan plan, RunSettings settings) {
         try {
             Map<String, Value> parameters =
                     new Parameters(plan.vocabulary(), plan.project(), plan.plan()).read(settings.parameters());

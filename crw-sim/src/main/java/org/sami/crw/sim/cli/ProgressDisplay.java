@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import org.sami.crw.sim.report.ReportText;
 import org.sami.crw.sim.run.RunProgress;
 
@@ -37,16 +38,21 @@ final class ProgressDisplay implements Consumer<RunProgress> {
 
     @Override
     public void accept(RunProgress progress) {
+        show(() -> words(progress));
+    }
+
+    /** Shows how far something else is. */
+    void show(Supplier<String> words) {
         long now = nanos.getAsLong();
         if (now - nextNanos < 0) {
             return;
         }
         nextNanos = now + (terminal ? TERMINAL_NANOS : LINE_NANOS);
         if (terminal) {
-            out.print(CLEAR_LINE + words(progress));
+            out.print(CLEAR_LINE + words.get());
             lineIsOpen = true;
         } else {
-            out.println(words(progress));
+            out.println(words.get());
         }
         out.flush();
     }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Splits a typed line into words: at spaces, but not within quotes. What follows a {@code #} at the start of a word is a remark. */
-final class CommandLineText {
+public final class CommandLineText {
     private CommandLineText() {}
 
     /**
@@ -12,7 +12,7 @@ final class CommandLineText {
      *
      * @throws ConsoleFault if a quote is not closed
      */
-    static List<String> words(String line) {
+    public static List<String> words(String line) {
         List<String> words = new ArrayList<>();
         StringBuilder word = new StringBuilder();
         boolean inWord = false;

@@ -1,7 +1,7 @@
 package org.sami.crw.sim.console;
 
 /** A command was not carried out; the message says why, in one line for the operator. */
-final class ConsoleFault extends RuntimeException {
+public final class ConsoleFault extends RuntimeException {
     private static final long serialVersionUID = 1;
 
     ConsoleFault(String message) {

@@ -1,11 +1,22 @@
 package org.sami.crw.sim.hull;
 
-/** Finds out when a boat has lain at its quay long enough for a full battery. */
+/**
+ * Finds out when a boat has lain at its quay long enough for a full battery. A boat that comes to rest there, in the water or, where
+ * current and wind have it drive to keep its place, over ground, is taken hold of, and lies there as long as it does not leave.
+ */
 final class BatterySwap {
     private static final double STILL_MPS = 0.3;
 
+    /** A boat that is taken hold of sways; one that goes farther than this, in metres, has left. */
+    private static final double HELD_M = 8;
+
     private final Quay quay;
     private boolean used;
+    private boolean isHeld;
+    private double heldEastM;
+    private double heldNorthM;
+    private double lastEastM = Double.NaN;
+    private double lastNorthM = Double.NaN;
     private double stillSeconds;
 
     BatterySwap(Quay quay) {
@@ -15,15 +26,26 @@ final class BatterySwap {
     /** The boat has work to do: from now on its battery is somebody's concern. */
     void use() {
         used = true;
-        stillSeconds = 0;
+        isHeld = false;
     }
 
     /** Lets time pass; true at the moment at which the battery is full. */
     boolean pass(double seconds, double eastM, double northM, double speedMps) {
         boolean still = Math.abs(speedMps) < STILL_MPS;
-        used |= !still;
-        if (!still || !quay.reaches(eastM, northM)) {
+        used |= !still && !isHeld; // who is held and sways has not left
+        still |= Math.hypot(eastM - lastEastM, northM - lastNorthM) < STILL_MPS * seconds;
+        lastEastM = eastM;
+        lastNorthM = northM;
+        boolean reached = quay.reaches(eastM, northM);
+        if (isHeld) {
+            isHeld = reached && Math.hypot(eastM - heldEastM, northM - heldNorthM) <= HELD_M;
+        } else if (reached && still) {
+            isHeld = true;
+            heldEastM = eastM;
+            heldNorthM = northM;
             stillSeconds = 0;
+        }
+        if (!isHeld) {
             return false;
         }
         stillSeconds += seconds;

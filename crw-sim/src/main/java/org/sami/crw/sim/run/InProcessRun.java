@@ -209,7 +209,7 @@ public final class InProcessRun {
 
     private void begin(RunObserver observer) {
         session.begin();
-        boolean isWatched = !observer.equals(RunObserver.NONE);
+        boolean isWatched = observer.isWatched();
         repeat(LOOK_MILLIS, () -> {
             if (records.visits().count() > 0) {
                 records.lookAtTruth(now(), water.boats());

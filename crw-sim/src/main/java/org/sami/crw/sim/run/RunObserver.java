@@ -13,7 +13,7 @@ import java.util.function.Consumer;
  */
 public record RunObserver(Consumer<RunProgress> progress, BooleanSupplier stop, News news) {
     /** Nobody. */
-    public static final RunObserver NONE = new RunObserver(progress -> {}, () -> false);
+    public static final RunObserver NONE = stopping(() -> false);
 
     /**
      * What a person follows of a run.
@@ -30,10 +30,30 @@ public record RunObserver(Consumer<RunProgress> progress, BooleanSupplier stop, 
         }
     }
 
+    /** Hears how far it is, and does nothing with it. */
+    private enum Nobody implements Consumer<RunProgress> {
+        LOOKS;
+
+        @Override
+        public void accept(RunProgress progress) {
+            // Nobody wants to know.
+        }
+    }
+
     public RunObserver {
         Objects.requireNonNull(progress, "progress");
         Objects.requireNonNull(stop, "stop");
         Objects.requireNonNull(news, "news");
+    }
+
+    /** Somebody who does not look how far it is, and may want it to stop. */
+    public static RunObserver stopping(BooleanSupplier stop) {
+        return new RunObserver(Nobody.LOOKS, stop);
+    }
+
+    /** Whether anybody looks how far it is. */
+    boolean isWatched() {
+        return progress != Nobody.LOOKS;
     }
 
     /** Somebody who only wants to know how far it is. */

@@ -102,6 +102,11 @@ public record RunSettings(
             return new Fleet(boats, locations, areaM, seed, water, charges, site);
         }
 
+        /** The same fleet, with other locations, batteries and all else that is drawn. */
+        public Fleet drawnFrom(long otherSeed) {
+            return new Fleet(boats, locations, areaM, otherSeed, conditions, charges, site);
+        }
+
         /** The same fleet with other charges. */
         public Fleet with(InitialCharges others) {
             return new Fleet(boats, locations, areaM, seed, conditions, others, site);

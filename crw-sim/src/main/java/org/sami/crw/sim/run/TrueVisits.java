@@ -131,7 +131,7 @@ final class TrueVisits {
     }
 
     private static long cell(long east, long north) {
-        return east << Integer.SIZE ^ north & 0xFFFF_FFFFL;
+        return (east << Integer.SIZE) ^ (north & 0xFFFF_FFFFL);
     }
 
     /** The run's locations with what boats reported and where they truly were. */

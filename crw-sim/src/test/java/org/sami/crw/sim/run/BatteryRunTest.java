@@ -7,6 +7,7 @@ import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.InterruptResult;
 import org.sami.crw.sim.report.LocationResult;
@@ -118,6 +119,19 @@ class BatteryRunTest {
                 .first()
                 .satisfies(leaving -> assertThat(leaving.batteryPercent()).isGreaterThan(99.9));
         assertThat(report.interrupts().get(0).takenAtMillis().getAsLong()).isLessThan(swapped);
+    }
+
+    /** A boat that holds its place against current and wind never lies still in the water: it is taken hold of at the quay. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void batteryIsSwappedInRoughWaterToo(long seed) {
+        RunSettings settings = settings("100,37,100", 12, "recharge@battery");
+        RunSettings.Fleet fleet = settings.fleet().on(Conditions.ROUGH).drawnFrom(seed);
+
+        RunReport report = TestRuns.run(plan(), settings.withFleet(fleet));
+
+        assertThat(report.result().outcome()).as(report.result().reason()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.boats().get(1).recharges()).isPositive();
     }
 
     @Test

@@ -1,0 +1,195 @@
+package org.sami.crw.sim.experiment;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.Function;
+import java.util.function.ToIntFunction;
+import org.sami.crw.sim.report.CsvRow;
+import org.sami.crw.sim.report.ReportText;
+import org.sami.crw.sim.report.RunOutcome;
+
+/** What came of an experiment: for people a line for each case and conditions, for programs one for each run. */
+public final class ExperimentTable {
+    private static final List<String> HEADER = List.of(
+            "case",
+            "conditions",
+            "runs",
+            "ended",
+            "median",
+            "longest",
+            "reported",
+            "visited",
+            "farthest",
+            "planned",
+            "explored",
+            "inside",
+            "closest",
+            "under way",
+            "empty");
+
+    private static final String NONE = "-";
+
+    private ExperimentTable() {}
+
+    /** The table as text with line feeds; below it a line for each run that did not end, or not without problems. */
+    public static String text(List<ExperimentRow> rows) {
+        Map<List<String>, List<ExperimentRow>> groups = new LinkedHashMap<>();
+        rows.forEach(row -> groups.computeIfAbsent(List.of(row.label(), row.conditions()), key -> new ArrayList<>())
+                .add(row));
+        List<List<String>> lines = new ArrayList<>();
+        lines.add(HEADER);
+        groups.values().forEach(group -> lines.add(line(group)));
+        StringBuilder text = new StringBuilder(aligned(lines));
+        rows.stream().filter(row -> !row.isGreen()).forEach(row -> text.append(trouble(row)));
+        return text.toString();
+    }
+
+    private static List<String> line(List<ExperimentRow> group) {
+        ExperimentRow first = group.get(0);
+        long[] millis = group.stream()
+                .filter(row -> row.outcome() == RunOutcome.ENDED)
+                .mapToLong(ExperimentRow::simulatedMillis)
+                .sorted()
+                .toArray();
+        int locations = sum(group, ExperimentRow::locations);
+        return List.of(
+                first.label(),
+                first.conditions(),
+                String.valueOf(group.size()),
+                String.valueOf(millis.length),
+                millis.length == 0 ? NONE : ReportText.duration(median(millis)),
+                millis.length == 0 ? NONE : ReportText.duration(millis[millis.length - 1]),
+                locations == 0 ? NONE : sum(group, ExperimentRow::reported) + "/" + locations,
+                locations == 0 ? NONE : sum(group, ExperimentRow::visited) + "/" + locations,
+                metres(most(group, ExperimentRow::farthestM)),
+                percent(group, ExperimentRow::plannedUncoveredM2),
+                percent(group, row -> OptionalDouble.of(row.uncoveredM2())),
+                metres(most(group, ExperimentRow::insideM)),
+                metres(least(group, ExperimentRow::closestM)),
+                metres(least(group, ExperimentRow::underWayM)),
+                String.valueOf(sum(group, ExperimentRow::emptyBoats)));
+    }
+
+    private static long median(long[] sorted) {
+        return (sorted[(sorted.length - 1) / 2] + sorted[sorted.length / 2]) / 2;
+    }
+
+    private static int sum(List<ExperimentRow> group, ToIntFunction<ExperimentRow> of) {
+        return group.stream().mapToInt(of).sum();
+    }
+
+    private static OptionalDouble most(List<ExperimentRow> group, Function<ExperimentRow, OptionalDouble> of) {
+        return group.stream().map(of).flatMapToDouble(OptionalDouble::stream).max();
+    }
+
+    private static OptionalDouble least(List<ExperimentRow> group, Function<ExperimentRow, OptionalDouble> of) {
+        return group.stream().map(of).flatMapToDouble(OptionalDouble::stream).min();
+    }
+
+    /** How much of the areas is covered, of the runs that say how much is not. */
+    private static String percent(List<ExperimentRow> group, Function<ExperimentRow, OptionalDouble> uncoveredM2) {
+        List<ExperimentRow> told = group.stream()
+                .filter(row -> row.areaM2() > 0 && uncoveredM2.apply(row).isPresent())
+                .toList();
+        double areaM2 = told.stream().mapToDouble(ExperimentRow::areaM2).sum();
+        double leftM2 = told.stream()
+                .mapToDouble(row -> uncoveredM2.apply(row).getAsDouble())
+                .sum();
+        return told.isEmpty() ? NONE : String.format(Locale.ROOT, "%.2f %%", 100 * (1 - leftM2 / areaM2));
+    }
+
+    private static String metres(OptionalDouble value) {
+        return value.isEmpty() ? NONE : String.format(Locale.ROOT, "%.1f m", value.getAsDouble());
+    }
+
+    /** Columns of words to the left, of numbers to the right, two spaces apart. */
+    private static String aligned(List<List<String>> lines) {
+        StringBuilder text = new StringBuilder();
+        for (List<String> line : lines) {
+            StringBuilder padded = new StringBuilder();
+            for (int column = 0; column < HEADER.size(); column++) {
+                int index = column;
+                int width = lines.stream()
+                        .mapToInt(other -> other.get(index).length())
+                        .max()
+                        .orElse(0);
+                String gap = " ".repeat(width - line.get(column).length());
+                boolean words = column < 2;
+                padded.append(column == 0 ? "" : "  ").append(words ? line.get(column) + gap : gap + line.get(column));
+            }
+            text.append(padded.toString().stripTrailing()).append('\n');
+        }
+        return text.toString();
+    }
+
+    private static String trouble(ExperimentRow row) {
+        String problems =
+                row.problems() == 0 ? "" : ", " + row.problems() + (row.problems() == 1 ? " problem" : " problems");
+        String reason = row.reason().isEmpty() ? "" : ": " + row.reason();
+        return String.format(
+                Locale.ROOT,
+                "%s, %s, seed %d: %s after %s%s%s\n",
+                row.label(),
+                row.conditions(),
+                row.seed(),
+                row.outcome().word(),
+                ReportText.duration(row.simulatedMillis()),
+                problems,
+                reason);
+    }
+
+    /** A table in the form of RFC 4180 with a row for each run; times are simulated seconds, lengths metres. */
+    public static String csv(List<ExperimentRow> rows) {
+        StringBuilder text = new StringBuilder(CsvRow.of(
+                "case",
+                "conditions",
+                "seed",
+                "outcome",
+                "reason",
+                "problems",
+                "simulated_s",
+                "locations",
+                "locations_reported",
+                "locations_visited",
+                "farthest_m",
+                "area_m2",
+                "planned_uncovered_m2",
+                "uncovered_m2",
+                "inside_m",
+                "closest_m",
+                "under_way_m",
+                "empty_boats",
+                "run_hash"));
+        for (ExperimentRow row : rows) {
+            text.append(CsvRow.of(
+                    row.label(),
+                    row.conditions(),
+                    row.seed(),
+                    row.outcome().word(),
+                    row.reason(),
+                    row.problems(),
+                    CsvRow.fixed(row.simulatedMillis() / 1000.0, 3),
+                    row.locations(),
+                    row.reported(),
+                    row.visited(),
+                    cell(row.farthestM()),
+                    CsvRow.fixed(row.areaM2(), 1),
+                    cell(row.plannedUncoveredM2()),
+                    CsvRow.fixed(row.uncoveredM2(), 1),
+                    cell(row.insideM()),
+                    cell(row.closestM()),
+                    cell(row.underWayM()),
+                    row.emptyBoats(),
+                    row.runHash()));
+        }
+        return text.toString();
+    }
+
+    private static String cell(OptionalDouble value) {
+        return value.isEmpty() ? "" : CsvRow.fixed(value.getAsDouble(), 2);
+    }
+}

@@ -1,0 +1,115 @@
+package org.sami.crw.sim.experiment;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalLong;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.junit.jupiter.api.Test;
+import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.RunSettings;
+import org.sami.crw.sim.run.Speed;
+import org.sami.crw.sim.run.TestRuns;
+
+/** Many runs side by side come out as they do one by one. */
+class ExperimentTest {
+    private static final List<ExperimentCase> CASES =
+            List.of(of("clv", 200), of("measure", 150), of("explore-area", 150));
+    private static final Map<String, Conditions> WATERS = waters();
+    private static final List<Long> SEEDS = List.of(4L, 2L);
+    private static final Experiment EXPERIMENT = new Experiment(CASES, WATERS, SEEDS);
+
+    @Test
+    void rowsAreTheSameOnAnyNumberOfThreads() {
+        List<Integer> progress = new ArrayList<>();
+
+        List<ExperimentRow> alone = EXPERIMENT.run(1, () -> false, progress::add);
+        List<ExperimentRow> sideBySide = EXPERIMENT.run(5, () -> false, done -> {});
+
+        assertThat(sideBySide).isEqualTo(alone);
+        assertThat(ExperimentTable.text(sideBySide)).isEqualTo(ExperimentTable.text(alone));
+        assertThat(progress).containsExactly(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12);
+        assertThat(alone)
+                .extracting(row -> row.label() + " " + row.conditions() + " " + row.seed())
+                .startsWith("clv calm 4", "clv calm 2", "clv field 4", "clv field 2", "measure calm 4")
+                .hasSize(12)
+                .doesNotHaveDuplicates();
+        assertThat(alone).allMatch(ExperimentRow::isGreen);
+        assertThat(alone)
+                .filteredOn(row -> row.conditions().equals("field"))
+                .extracting(ExperimentRow::runHash)
+                .doesNotHaveDuplicates();
+    }
+
+    @Test
+    void rowSaysWhatTheReportOfTheRunAloneSays() {
+        ExperimentCase clv = CASES.get(0);
+        RunReport report = TestRuns.run(
+                clv.plan(),
+                clv.settings()
+                        .withFleet(clv.settings().fleet().on(Conditions.FIELD).drawnFrom(2)));
+
+        ExperimentRow row = new Experiment(List.of(clv), Map.of("field", Conditions.FIELD), List.of(2L))
+                .run(2, () -> false, done -> {})
+                .get(0);
+
+        assertThat(row.runHash()).isEqualTo(report.result().runHash());
+        assertThat(row.simulatedMillis()).isEqualTo(report.result().simulatedMillis());
+        assertThat(row.reported()).isEqualTo(report.locationsReported()).isEqualTo(9);
+        assertThat(row.visited()).isEqualTo(report.locationsVisited());
+        assertThat(row.closestM().orElseThrow())
+                .isEqualTo(report.map().closest().ever().orElseThrow().distanceM());
+    }
+
+    @Test
+    void runsThatAreStoppedAreLeftOut() {
+        AtomicBoolean stop = new AtomicBoolean();
+
+        List<ExperimentRow> rows = EXPERIMENT.run(1, stop::get, done -> stop.set(done >= 3));
+
+        assertThat(rows).hasSizeBetween(3, 4);
+        assertThat(rows).extracting(ExperimentRow::outcome).containsOnly(RunOutcome.ENDED);
+    }
+
+    @Test
+    void tableNamesEachRunThatDidNotEnd() {
+        ExperimentCase tooShort = new ExperimentCase(
+                "clv",
+                CASES.get(0).plan(),
+                CASES.get(0).settings().withLimit(OptionalLong.of(30_000)),
+                AnswersFile.EMPTY);
+
+        String table = ExperimentTable.text(new Experiment(List.of(tooShort), Map.of("calm", Conditions.CALM), SEEDS)
+                .run(2, () -> false, done -> {}));
+
+        assertThat(table.lines().toList()).hasSize(4).element(1).asString().startsWith("clv   calm           2      0");
+        assertThat(table)
+                .contains("clv, calm, seed 4: running after 30 s\n", "clv, calm, seed 2: running after 30 s\n");
+    }
+
+    private static Map<String, Conditions> waters() {
+        Map<String, Conditions> waters = new LinkedHashMap<>();
+        waters.put("calm", Conditions.CALM);
+        waters.put("field", Conditions.FIELD);
+        return waters;
+    }
+
+    private static ExperimentCase of(String plan, double areaM) {
+        RunSettings settings = new RunSettings(
+                plan,
+                plan,
+                new RunSettings.Fleet(3, 9, areaM, 1),
+                Speed.MAX,
+                OptionalLong.of(7_200_000),
+                Map.of(),
+                5_000,
+                "");
+        return new ExperimentCase(plan, TestRuns.plan(plan), settings, AnswersFile.EMPTY);
+    }
+}
