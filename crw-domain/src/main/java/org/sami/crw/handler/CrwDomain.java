@@ -82,7 +82,14 @@ public final class CrwDomain implements AutoCloseable {
         handlers.putAll(movers(motion));
         handlers.put(
                 ExploreAreaHandler.TYPE,
-                new ExploreAreaHandler(services.coverage(), positions, motion, messages, computations, errors));
+                new ExploreAreaHandler(
+                        services.coverage(),
+                        positions,
+                        motion,
+                        messages,
+                        computations,
+                        errors,
+                        boat -> rangeM(boats, boat)));
         Withdrawals withdrawals = new Withdrawals(handlers.keySet(), motion, computations, fleet);
         handlers.put(AreaSubscriptions.TYPE, areas);
         handlers.put(MeasurementHandler.TYPE, measurements);

@@ -7,14 +7,18 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.sami.crw.operator.MessageSink;
 import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.coverage.Coverage;
 import org.sami.crw.service.coverage.CoverageAlgorithm;
 import org.sami.crw.service.coverage.CoverageProblem;
+import org.sami.crw.service.coverage.Ranges;
+import org.sami.crw.service.reach.WayDoubt;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
@@ -25,6 +29,7 @@ import org.sami.spn.protocol.Token;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.TextValue;
 
 /**
  * Proxy Explore Area: the area is divided among the boats that enter together, and each drives its share in lanes (thesis 6.2). The
@@ -45,6 +50,7 @@ final class ExploreAreaHandler implements ActivationHandler {
     private final MessageSink messages;
     private final Computations computations;
     private final BoatErrors errors;
+    private final Function<String, OptionalDouble> rangesM;
     /** What waits until an area is divided, by mission and area. */
     private final Map<String, List<Consumer<Map<String, GeoPath>>>> underWay = new HashMap<>();
 
@@ -54,7 +60,9 @@ final class ExploreAreaHandler implements ActivationHandler {
             MotionCommands motion,
             MessageSink messages,
             Computations computations,
-            BoatErrors errors) {
+            BoatErrors errors,
+            Function<String, OptionalDouble> rangesM) {
+        this.rangesM = rangesM;
         this.algorithm = algorithm;
         this.positions = positions;
         this.motion = motion;
@@ -83,6 +91,11 @@ final class ExploreAreaHandler implements ActivationHandler {
         String name() {
             return activation.mission() + " " + key;
         }
+
+        /** Where it is kept what the operator is to be asked before boats begin: of this activation alone. */
+        String doubt() {
+            return key + "/doubt/" + activation.id();
+        }
     }
 
     /** It waited for another activation's division: what goes wrong now concerns it alone. */
@@ -105,10 +118,15 @@ final class ExploreAreaHandler implements ActivationHandler {
         if (!newcomers.isEmpty()) {
             takeOver(newcomers, shares, one.activation, one.context);
         }
-        drive(one, shares, Map.of());
+        Optional<String> doubt = one.context
+                .query(view -> view.memory(one.activation.mission(), one.doubt()))
+                .filter(TextValue.class::isInstance)
+                .map(words -> ((TextValue) words).value());
+        drive(one, shares, Map.of(), doubt);
     }
 
-    private void drive(Exploration one, Map<String, GeoPath> shares, Map<String, String> noWay) {
+    private void drive(
+            Exploration one, Map<String, GeoPath> shares, Map<String, String> noWay, Optional<String> doubt) {
         Activation activation = one.activation;
         HandlerContext context = one.context;
         context.post(ExplorationShares.remember(activation.mission(), one.key, shares));
@@ -118,7 +136,9 @@ final class ExploreAreaHandler implements ActivationHandler {
                 motion.refuse(activation, context, addressee, noWay.get(addressee.boat()));
             } else if (!computations.areElsewhere() || addressee.stands(activation, context)) {
                 GeoPath path = shares.getOrDefault(addressee.boat(), new GeoPath(List.of()));
-                moves.add(ExecutePathHandler.move(activation, context, addressee, path, false));
+                Move move = ExecutePathHandler.move(activation, context, addressee, path, false);
+                moves.add(doubt.map(words -> move.doubted(new WayDoubt(WayDoubt.Kind.CHARGE, words)))
+                        .orElse(move));
             }
         }
         motion.send(activation, context, moves);
@@ -133,7 +153,8 @@ final class ExploreAreaHandler implements ActivationHandler {
                 one.spacingM,
                 Restrictions.avoid(one.activation),
                 Restrictions.within(one.activation),
-                errors.of(List.copyOf(from.keySet())));
+                errors.of(List.copyOf(from.keySet())),
+                ranges(boats, one));
         underWay.put(one.name(), new ArrayList<>());
         boolean[] begun = new boolean[1];
         try {
@@ -144,6 +165,12 @@ final class ExploreAreaHandler implements ActivationHandler {
                 letOthersGo(one, new LinkedHashMap<>());
             }
         }
+    }
+
+    private Ranges ranges(List<Addressee> boats, Exploration one) {
+        Map<String, Double> metres = new LinkedHashMap<>();
+        boats.forEach(boat -> rangesM.apply(boat.boat()).ifPresent(range -> metres.put(boat.boat(), range)));
+        return new Ranges(metres, one.context.query(view -> PlannedSwaps.areOf(one.activation.mission(), view)));
     }
 
     private final class Dividing implements Computations.Task<Coverage> {
@@ -175,7 +202,10 @@ final class ExploreAreaHandler implements ActivationHandler {
             Map<String, GeoPath> shares = new LinkedHashMap<>();
             coverage.shares().forEach((boat, share) -> shares.put(boat, share.path()));
             tell(one.activation, one.context, "Exploring " + coverage.words(), List.copyOf(shares.keySet()));
-            drive(one, shares, coverage.noWay());
+            Optional<String> doubt = coverage.doubt();
+            doubt.ifPresent(words ->
+                    one.context.post(new Input.Remember(one.activation.mission(), one.doubt(), new TextValue(words))));
+            drive(one, shares, coverage.noWay(), doubt);
             letOthersGo(one, shares);
         }
 

@@ -3,6 +3,7 @@ package org.sami.crw.handler;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.service.reach.WayDoubt;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 
@@ -11,9 +12,21 @@ import org.sami.spn.protocol.Activation;
  *
  * @param progress how the mission remembers what is visited; empty = it does not
  * @param reply what the plan is told of completion and failure
+ * @param doubt what is wrong with it beside its way, which others look at
  */
-record Move(Addressee addressee, BoatCommand command, Optional<PathProgress.Along> progress, Reply reply) {
+record Move(
+        Addressee addressee,
+        BoatCommand command,
+        Optional<PathProgress.Along> progress,
+        Reply reply,
+        Optional<WayDoubt> doubt) {
+    /** A command with which nothing is wrong but maybe its way. */
+    Move(Addressee addressee, BoatCommand command, Optional<PathProgress.Along> progress, Reply reply) {
+        this(addressee, command, progress, reply, Optional.empty());
+    }
+
     Move {
+        Objects.requireNonNull(doubt, "doubt");
         Objects.requireNonNull(addressee, "addressee");
         Objects.requireNonNull(command, "command");
         Objects.requireNonNull(progress, "progress");
@@ -22,7 +35,12 @@ record Move(Addressee addressee, BoatCommand command, Optional<PathProgress.Alon
 
     /** The same with the command changed. */
     Move with(BoatCommand other) {
-        return new Move(addressee, other, progress, reply);
+        return new Move(addressee, other, progress, reply, doubt);
+    }
+
+    /** The same, about which the operator is to be asked. */
+    Move doubted(WayDoubt other) {
+        return new Move(addressee, command, progress, reply, Optional.of(other));
     }
 
     /** The command's id: the same whenever the activation is delivered, and no other's. */

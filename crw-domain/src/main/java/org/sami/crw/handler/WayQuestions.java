@@ -87,7 +87,7 @@ final class WayQuestions implements HostListener {
         List<GeoArea> avoid = moves.isEmpty() ? List.of() : context.query(view -> avoided(activation, view));
         for (Move move : moves) {
             Optional<Way> way = way(move, avoid);
-            Optional<WayDoubt> doubt = way.flatMap(WayCheck::doubt);
+            Optional<WayDoubt> doubt = move.doubt().or(() -> way.flatMap(WayCheck::doubt));
             if (doubt.isEmpty()) {
                 clear.add(move);
                 way.ifPresent(one -> tellOfWayBack(activation, context, one));
@@ -159,11 +159,12 @@ final class WayQuestions implements HostListener {
             return;
         }
         held.put(one.question.kind() + " " + one.about(), one);
-        String doubts = one.all.stream()
-                .limit(NAMED)
+        List<String> all = one.all.stream()
                 .map(doubted -> doubted.doubt.words())
-                .collect(Collectors.joining("; "));
-        int more = one.all.size() - NAMED;
+                .distinct()
+                .toList();
+        String doubts = all.stream().limit(NAMED).collect(Collectors.joining("; "));
+        int more = all.size() - NAMED;
         one.context.post(new Input.AskOperator(
                 one.question.kind(),
                 one.about(),

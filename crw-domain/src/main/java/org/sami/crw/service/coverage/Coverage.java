@@ -1,10 +1,12 @@
 package org.sami.crw.service.coverage;
 
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
@@ -18,6 +20,7 @@ import org.sami.spn.value.GeoPoint;
  * @param uncoveredM2 what of it is farther from every track than half the spacing
  * @param rest that part
  * @param unreached the parts of the area that no boat can get to, as what is not to be entered lies all around them; they are in the rest
+ * @param beyondCharge what of the tracks no charge lasts for, in each part of the area at most once
  */
 public record Coverage(
         Map<String, CoverageShare> shares,
@@ -25,7 +28,8 @@ public record Coverage(
         double areaM2,
         double uncoveredM2,
         List<GeoArea> rest,
-        List<Unreached> unreached) {
+        List<Unreached> unreached,
+        List<BeyondCharge> beyondCharge) {
     /**
      * A part of the area that no boat can get to.
      *
@@ -33,11 +37,20 @@ public record Coverage(
      */
     public record Unreached(GeoPoint near, double areaM2) {}
 
+    /**
+     * A stretch of track that no charge lasts for.
+     *
+     * @param near a point of it
+     * @param recharged whether boats drive it nevertheless, as their batteries are swapped on the way: each so much; else nobody drives it
+     */
+    public record BeyondCharge(GeoPoint near, double trackM, boolean recharged) {}
+
     public Coverage {
         shares = Collections.unmodifiableMap(new LinkedHashMap<>(shares));
         noWay = Collections.unmodifiableMap(new LinkedHashMap<>(noWay));
         rest = List.copyOf(rest);
         unreached = List.copyOf(unreached);
+        beyondCharge = List.copyOf(beyondCharge);
     }
 
     /** Sum of the lengths of all tracks, without the boats' ways to them. */
@@ -70,6 +83,30 @@ public record Coverage(
                                 part.areaM2(),
                                 part.near().latDeg(),
                                 part.near().lonDeg()))
+                        .collect(Collectors.joining())
+                + beyondCharge.stream()
+                        .map(stretch -> String.format(
+                                Locale.ROOT,
+                                stretch.recharged()
+                                        ? "; that is up to %.0f m a boat more than its charge is sure to last for: batteries are to be swapped on the way"
+                                        : "; charges do not last for %.0f m of track more, near %.5f,%.5f",
+                                stretch.trackM(),
+                                stretch.near().latDeg(),
+                                stretch.near().lonDeg()))
                         .collect(Collectors.joining());
+    }
+
+    /** What the operator is to be asked before boats begin: charges do not last for all, and nothing is swapped on the way. */
+    public Optional<String> doubt() {
+        return beyondCharge.stream()
+                .filter(stretch -> !stretch.recharged())
+                .max(Comparator.comparingDouble(BeyondCharge::trackM))
+                .map(stretch -> String.format(
+                        Locale.ROOT,
+                        "charges are sure to last for %.0f %% of the area: %.0f m² stay unexplored, most near %.5f,%.5f",
+                        100 * (1 - uncoveredM2 / areaM2),
+                        uncoveredM2,
+                        stretch.near().latDeg(),
+                        stretch.near().lonDeg()));
     }
 }

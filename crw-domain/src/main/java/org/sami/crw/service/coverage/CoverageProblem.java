@@ -20,6 +20,7 @@ import org.sami.spn.value.GeoPoint;
  * @param avoid areas that are not to be entered, on the boats' way to the area as well
  * @param within the area to stay in, if there is one, likewise
  * @param error how far boats may be beside their tracks: these keep as much off what is not to be entered
+ * @param ranges how far boats get
  */
 public record CoverageProblem(
         Map<String, Optional<GeoPoint>> boats,
@@ -27,8 +28,10 @@ public record CoverageProblem(
         double spacingM,
         List<GeoArea> avoid,
         Optional<GeoArea> within,
-        CrossTrackError error) {
+        CrossTrackError error,
+        Ranges ranges) {
     public CoverageProblem {
+        Objects.requireNonNull(ranges, "ranges");
         Objects.requireNonNull(error, "error");
         boats = Collections.unmodifiableMap(new LinkedHashMap<>(boats));
         Objects.requireNonNull(area, "area");
@@ -40,6 +43,17 @@ public record CoverageProblem(
         if (!(spacingM >= 0.1) || spacingM > 10_000) {
             throw new IllegalArgumentException("The spacing is at least 0.1 m and at most 10 km, not " + spacingM);
         }
+    }
+
+    /** An area for boats of which is not known how far they get. */
+    public CoverageProblem(
+            Map<String, Optional<GeoPoint>> boats,
+            GeoArea area,
+            double spacingM,
+            List<GeoArea> avoid,
+            Optional<GeoArea> within,
+            CrossTrackError error) {
+        this(boats, area, spacingM, avoid, within, error, Ranges.UNKNOWN);
     }
 
     /** An area for boats that are where their tracks are. */
@@ -57,11 +71,16 @@ public record CoverageProblem(
         return new CoverageProblem(boats, area, spacingM, List.of(), Optional.empty());
     }
 
+    /** The same for boats that get so far. */
+    public CoverageProblem with(Ranges others) {
+        return new CoverageProblem(boats, area, spacingM, avoid, within, error, others);
+    }
+
     /** The same for fewer boats. */
     CoverageProblem withBoats(Collection<String> some) {
         Map<String, Optional<GeoPoint>> others = new LinkedHashMap<>(boats);
         others.keySet().retainAll(some);
-        return new CoverageProblem(others, area, spacingM, avoid, within, error);
+        return new CoverageProblem(others, area, spacingM, avoid, within, error, ranges);
     }
 
     /** The same without one boat. */

@@ -11,11 +11,17 @@ import org.sami.spn.value.GeoPoint;
  * @param approach the points at which its way to the track turns; empty where it goes there straight
  * @param track the points of the track in order
  * @param trackM the track's length
+ * @param approachM the length of the way to it
  */
-public record CoverageShare(List<GeoPoint> approach, List<GeoPoint> track, double trackM) {
+public record CoverageShare(List<GeoPoint> approach, List<GeoPoint> track, double trackM, double approachM) {
     public CoverageShare {
         approach = List.copyOf(approach);
         track = List.copyOf(track);
+    }
+
+    /** The length of all that the boat drives, in metres. */
+    double drivenM() {
+        return approachM + trackM;
     }
 
     /** All that the boat drives. */

@@ -10,7 +10,7 @@ import org.locationtech.jts.geom.Geometry;
  * To and fro in lanes, as one mows a lawn (thesis 6.2). One tour through the whole area is cut into pieces of equal length, one for
  * each boat, so no boat's share lies in another's. The pieces are given out so that the boats' ways to them are least in sum, and
  * each is driven from its nearer end. Where what is not to be entered cuts the area apart, each part has a tour of its own, for the boats that
- * can get to it; what none can get to is named.
+ * can get to it; what none can get to is named. Where a charge does not last for such a piece, pieces are as long as charges allow ({@link TourDivision}).
  *
  * <p>Tracks never leave the area and keep off its holes and what is to be avoided by the boats' cross-track error; where the area is in parts,
  * boats cross from one to the next through what is not forbidden. Lanes end a little before the area's edge, half a metre at most.
@@ -24,22 +24,30 @@ public final class LawnMower implements CoverageAlgorithm {
         Map<String, CoveragePart> partOf = BoatsOfParts.of(problem, parts, noWay);
         Map<String, CoverageShare> found = new LinkedHashMap<>();
         List<Coverage.Unreached> unreached = new ArrayList<>();
+        List<Coverage.BeyondCharge> beyond = new ArrayList<>();
         for (CoveragePart part : parts) {
             List<String> boats = problem.boats().keySet().stream()
                     .filter(boat -> partOf.get(boat) == part)
                     .toList();
-            Map<String, CoverageShare> shares = boats.isEmpty()
-                    ? Map.of()
+            TrackShares.Divided divided = boats.isEmpty()
+                    ? TrackShares.Divided.NOTHING
                     : TrackShares.of(problem.withBoats(boats), part.tour(), lawn.water(), noWay);
-            if (shares.isEmpty()) {
+            divided.beyond().ifPresent(beyond::add);
+            if (divided.shares().isEmpty() && divided.beyond().isEmpty()) {
                 unreached.add(new Coverage.Unreached(part.place(), part.areaM2()));
             }
-            found.putAll(shares);
+            found.putAll(divided.shares());
         }
         Map<String, CoverageShare> shares = new LinkedHashMap<>();
         problem.boats().keySet().stream().filter(found::containsKey).forEach(boat -> shares.put(boat, found.get(boat)));
         Geometry rest = lawn.rest(List.copyOf(shares.values()));
         return new Coverage(
-                shares, noWay, lawn.areaM2(), rest.getArea(), UncoveredArea.areas(rest, lawn.plane()), unreached);
+                shares,
+                noWay,
+                lawn.areaM2(),
+                rest.getArea(),
+                UncoveredArea.areas(rest, lawn.plane()),
+                unreached,
+                beyond);
     }
 }

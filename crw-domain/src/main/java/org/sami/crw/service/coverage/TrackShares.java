@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.locationtech.jts.geom.Coordinate;
 import org.sami.crw.service.allocation.LeastSumAssignment;
 import org.sami.crw.service.path.PathAnswer;
@@ -17,61 +19,177 @@ import org.sami.spn.value.GeoPoint;
 
 /** Gives pieces of one track to boats. */
 final class TrackShares {
-    private TrackShares() {}
+    /** A boat whose charge lasts for less of the track than that gets nothing of it. */
+    private static final double LEAST_M = 1;
+
+    private final CoverageProblem problem;
+    private final List<Coordinate> tour;
+    private final Water water;
+    private final List<String> names;
+    private final List<Optional<Coordinate>> places;
 
     /**
-     * The shares of boats: pieces of equal length, the boats' ways to them least in sum, each driven from its nearer end.
+     * What boats get of a track.
+     *
+     * @param beyond what no charge lasts for
+     */
+    record Divided(Map<String, CoverageShare> shares, Optional<Coverage.BeyondCharge> beyond) {
+        static final Divided NOTHING = new Divided(Map.of(), Optional.empty());
+    }
+
+    private TrackShares(CoverageProblem problem, List<Coordinate> tour, Water water) {
+        this.problem = problem;
+        this.tour = tour;
+        this.water = water;
+        names = List.copyOf(problem.boats().keySet());
+        places = problem.boats().values().stream()
+                .map(boat -> boat.map(at -> Areas.coordinate(at, water.plane())))
+                .toList();
+    }
+
+    /**
+     * The shares of boats: pieces of equal length, the boats' ways to them least in sum, each driven from its nearer end. Where a charge does not
+     * last for such a piece, pieces are as long as charges allow.
      *
      * @param noWay gets the boats that cannot get to their piece, and why; the others divide the track among them
      */
-    static Map<String, CoverageShare> of(
-            CoverageProblem problem, List<Coordinate> tour, Water water, Map<String, String> noWay) {
-        Map<String, CoverageShare> shares = new LinkedHashMap<>();
-        List<List<Coordinate>> pieces = TrackPieces.of(tour, problem.boats().size());
-        List<Optional<GeoPoint>> boats = List.copyOf(problem.boats().values());
-        double[][] costs = new double[boats.size()][pieces.size()];
-        for (int boat = 0; boat < boats.size(); boat++) {
+    static Divided of(CoverageProblem problem, List<Coordinate> tour, Water water, Map<String, String> noWay) {
+        TrackShares shares = new TrackShares(problem, tour, water);
+        Map<String, CoverageShare> equal = new LinkedHashMap<>();
+        int[] pieceOf = shares.nearestOf(TrackPieces.of(tour, problem.boats().size()), equal, noWay);
+        Optional<String> without = problem.boats().keySet().stream()
+                .filter(boat -> !equal.containsKey(boat))
+                .findFirst();
+        if (without.isPresent()) {
+            return problem.boats().size() == 1
+                    ? Divided.NOTHING
+                    : of(problem.without(without.get()), tour, water, noWay);
+        }
+        return shares.allLast(equal)
+                ? new Divided(equal, Optional.empty())
+                : shares.asFarAsChargesLast(pieceOf, equal, noWay);
+    }
+
+    /** The share of each boat that has a way to its piece, up to the first that has none. */
+    private int[] nearestOf(
+            List<List<Coordinate>> pieces, Map<String, CoverageShare> shares, Map<String, String> noWay) {
+        double[][] costs = new double[names.size()][pieces.size()];
+        for (int boat = 0; boat < names.size(); boat++) {
             for (int piece = 0; piece < pieces.size(); piece++) {
-                costs[boat][piece] = approachM(boats.get(boat), pieces.get(piece), water);
+                costs[boat][piece] = approachM(boat, pieces.get(piece));
             }
         }
         int[] pieceOf = LeastSumAssignment.of(costs);
-        int boat = 0;
-        for (Map.Entry<String, Optional<GeoPoint>> entry : problem.boats().entrySet()) {
-            List<Coordinate> piece = pieces.get(pieceOf[boat++]);
-            List<GeoPoint> track = driven(entry.getValue(), piece, water);
-            PathAnswer approach = approach(entry.getValue(), track.get(0), water);
-            if (approach instanceof PathAnswer.NoWay none) {
-                noWay.put(entry.getKey(), none.reason());
-                return problem.boats().size() == 1 ? Map.of() : of(problem.without(entry.getKey()), tour, water, noWay);
+        for (int boat = 0; boat < names.size(); boat++) {
+            if (!give(boat, pieces.get(pieceOf[boat]), shares, noWay)) {
+                break;
             }
-            List<GeoPoint> way = ((PathAnswer.Way) approach).points();
-            shares.put(
-                    entry.getKey(),
-                    new CoverageShare(way.subList(0, way.size() - 1), track, TrackPieces.lengthM(piece)));
         }
-        return shares;
+        return pieceOf;
     }
 
-    private static double approachM(Optional<GeoPoint> boat, List<Coordinate> piece, Water water) {
-        return boat.map(at -> Areas.coordinate(at, water.plane()))
-                .map(at -> Math.min(at.distance(piece.get(0)), at.distance(piece.get(piece.size() - 1))))
-                .orElse(0.0);
+    private boolean give(
+            int boat, List<Coordinate> piece, Map<String, CoverageShare> shares, Map<String, String> noWay) {
+        List<GeoPoint> track = driven(boat, piece);
+        PathAnswer approach = approach(boat, track.get(0));
+        if (approach instanceof PathAnswer.NoWay none) {
+            noWay.put(names.get(boat), none.reason());
+            return false;
+        }
+        PathAnswer.Way way = (PathAnswer.Way) approach;
+        shares.put(
+                names.get(boat),
+                new CoverageShare(
+                        way.points().subList(0, way.points().size() - 1),
+                        track,
+                        TrackPieces.lengthM(piece),
+                        way.lengthM()));
+        return true;
     }
 
-    private static List<GeoPoint> driven(Optional<GeoPoint> boat, List<Coordinate> piece, Water water) {
+    private boolean allLast(Map<String, CoverageShare> shares) {
+        return shares.entrySet().stream()
+                .allMatch(
+                        share -> share.getValue().drivenM() <= problem.ranges().of(share.getKey()));
+    }
+
+    /** A boat whose charge is too low for any of it is left out, and the others divide the track among them. */
+    private Divided asFarAsChargesLast(int[] pieceOf, Map<String, CoverageShare> equal, Map<String, String> noWay) {
+        double[] rangeM = names.stream().mapToDouble(problem.ranges()::of).toArray();
+        double[] detour = IntStream.range(0, names.size())
+                .mapToDouble(boat -> detour(boat, equal.get(names.get(boat))))
+                .toArray();
+        TourDivision.Approach approach = (boat, place) -> detour[boat] * straightM(boat, place);
+        TourPlaces line = new TourPlaces(tour);
+        TourDivision.Cuts cuts =
+                new TourDivision(line, rangeM, problem.ranges().recharged(), approach).from(inverse(pieceOf));
+        Map<String, CoverageShare> given = new LinkedHashMap<>();
+        for (int piece = 0; piece < names.size(); piece++) {
+            int boat = cuts.boat(piece);
+            if (cuts.lengthM(piece) < LEAST_M) {
+                noWay.put(names.get(boat), tooLittle(names.get(boat)));
+            } else {
+                give(boat, line.between(cuts.fromM(piece), cuts.fromM(piece + 1)), given, noWay);
+            }
+        }
+        Map<String, CoverageShare> shares = new LinkedHashMap<>();
+        names.stream().filter(given::containsKey).forEach(boat -> shares.put(boat, given.get(boat)));
+        return new Divided(shares, beyond(cuts, line));
+    }
+
+    private static int[] inverse(int[] pieceOf) {
+        int[] order = new int[pieceOf.length];
+        for (int boat = 0; boat < pieceOf.length; boat++) {
+            order[pieceOf[boat]] = boat;
+        }
+        return order;
+    }
+
+    /** By how much a boat's way to its piece is longer than the straight one: more or less the same to a piece near by. */
+    private double detour(int boat, CoverageShare share) {
+        double straightM = straightM(boat, Areas.coordinate(share.track().get(0), water.plane()));
+        return straightM > LEAST_M ? Math.max(1, share.approachM() / straightM) : 1;
+    }
+
+    private String tooLittle(String boat) {
+        return String.format(
+                Locale.ROOT,
+                "%s has charge for %.0f m, and its way to the area is longer",
+                boat,
+                problem.ranges().of(boat));
+    }
+
+    private Optional<Coverage.BeyondCharge> beyond(TourDivision.Cuts cuts, TourPlaces line) {
+        double leftM = line.lengthM() - cuts.endM();
+        if (leftM >= LEAST_M) {
+            Coordinate middle = line.at(cuts.endM() + leftM / 2);
+            return Optional.of(new Coverage.BeyondCharge(Areas.point(middle, water.plane()), leftM, false));
+        }
+        return cuts.beyondM() >= LEAST_M
+                ? Optional.of(new Coverage.BeyondCharge(
+                        Areas.point(line.at(line.lengthM() / 2), water.plane()), cuts.beyondM(), true))
+                : Optional.empty();
+    }
+
+    private double straightM(int boat, Coordinate place) {
+        return places.get(boat).map(place::distance).orElse(0.0);
+    }
+
+    private double approachM(int boat, List<Coordinate> piece) {
+        return Math.min(straightM(boat, piece.get(0)), straightM(boat, piece.get(piece.size() - 1)));
+    }
+
+    private List<GeoPoint> driven(int boat, List<Coordinate> piece) {
         List<GeoPoint> track = new ArrayList<>();
         piece.forEach(place -> track.add(Areas.point(place, water.plane())));
-        boat.map(at -> Areas.coordinate(at, water.plane())).ifPresent(at -> {
-            if (at.distance(piece.get(piece.size() - 1)) < at.distance(piece.get(0))) {
-                Collections.reverse(track);
-            }
-        });
+        if (straightM(boat, piece.get(piece.size() - 1)) < straightM(boat, piece.get(0))) {
+            Collections.reverse(track);
+        }
         return track;
     }
 
-    private static PathAnswer approach(Optional<GeoPoint> boat, GeoPoint to, Water water) {
-        GeoPoint from = boat.orElse(to);
+    private PathAnswer approach(int boat, GeoPoint to) {
+        GeoPoint from = problem.boats().get(names.get(boat)).orElse(to);
         return new ShortestPath().find(new PathProblem(from, to, water, 1));
     }
 }

@@ -46,9 +46,8 @@ class RangeRunTest {
         assertThat(asked.decisions())
                 .filteredOn(decision -> decision.type().equals("LongWay"))
                 .singleElement()
-                .satisfies(question -> assertThat(question.prompt())
-                        .startsWith("boat1 is to go ")
-                        .contains("its charge of 12 % is sure to last for 382 m"));
+                .satisfies(question ->
+                        assertThat(question.prompt()).startsWith("charges are sure to last for 82 % of the area: "));
         assertThat(run("explore-area", "100,100,100", 1).decisions())
                 .extracting(DecisionResult::type)
                 .doesNotContain("LongWay");

@@ -1,0 +1,174 @@
+package org.sami.crw.service.coverage;
+
+import java.util.function.DoublePredicate;
+import org.locationtech.jts.geom.Coordinate;
+import org.sami.crw.service.Interruption;
+
+/**
+ * Divides a tour among boats so that each piece, with the way to it, is as long as its boat's charge is sure to last for at most, and otherwise
+ * all are equally long. Where all charges together do not last for the tour, its end is left; or, where boats recharge on the way, each exceeds
+ * its charge by up to the same.
+ */
+final class TourDivision {
+    /** So many ways may be measured to find out which boat's piece best lies where: about a second's worth. */
+    private static final int MOST_WAYS = 10_000_000;
+
+    private static final double EXACT_M = 0.05;
+    private static final double BETTER_M = 0.5;
+
+    private final TourPlaces tour;
+    private final double[] rangeM;
+    private final boolean recharges;
+    private final Approach approach;
+    private int ways;
+
+    /** Measures the way of a boat to a place, in metres. */
+    @FunctionalInterface
+    interface Approach {
+        double metres(int boat, Coordinate place);
+    }
+
+    /** Where the pieces lie. */
+    static final class Cuts {
+        private final int[] order;
+        private final double[] fromM;
+        private final double beyondM;
+        private final double longestM;
+
+        private Cuts(int[] order, double[] fromM, double beyondM, double longestM) {
+            this.order = order;
+            this.fromM = fromM;
+            this.beyondM = beyondM;
+            this.longestM = longestM;
+        }
+
+        /** The boat that has a piece; pieces are counted along the tour. */
+        int boat(int piece) {
+            return order[piece];
+        }
+
+        /** Where on the tour a piece begins; the one after the last begins where that ends. */
+        double fromM(int piece) {
+            return fromM[piece];
+        }
+
+        double lengthM(int piece) {
+            return fromM[piece + 1] - fromM[piece];
+        }
+
+        /** Where on the tour the last piece ends. */
+        double endM() {
+            return fromM[fromM.length - 1];
+        }
+
+        /** By how much each way and piece may exceed its charge. */
+        double beyondM() {
+            return beyondM;
+        }
+
+        private boolean isBetterThan(Cuts other) {
+            double differenceM = endM() - other.endM() + other.beyondM - beyondM;
+            return differenceM > BETTER_M || (differenceM > -BETTER_M && longestM < other.longestM - BETTER_M);
+        }
+    }
+
+    /**
+     * A division to be found.
+     *
+     * @param rangeM how far each boat's charge is sure to last, in metres; infinite where that is not known
+     */
+    TourDivision(TourPlaces tour, double[] rangeM, boolean recharges, Approach approach) {
+        this.tour = tour;
+        this.rangeM = rangeM.clone();
+        this.recharges = recharges;
+        this.approach = approach;
+    }
+
+    /** The best that exchanging boats two by two leads to, from an order of their pieces. */
+    Cuts from(int[] first) {
+        int[] order = first.clone();
+        Cuts best = cuts(order);
+        boolean isBetter = true;
+        while (isBetter) {
+            isBetter = false;
+            for (int i = 0; i < order.length; i++) {
+                for (int j = i + 1; j < order.length && ways < MOST_WAYS; j++) {
+                    Interruption.check();
+                    exchange(order, i, j);
+                    Cuts other = cuts(order);
+                    if (other.isBetterThan(best)) {
+                        best = other;
+                        isBetter = true;
+                    } else {
+                        exchange(order, i, j);
+                    }
+                }
+            }
+        }
+        return best;
+    }
+
+    private static void exchange(int[] order, int i, int j) {
+        int boat = order[i];
+        order[i] = order[j];
+        order[j] = boat;
+    }
+
+    /** The pieces of boats in this order: the shortest limit for all with which they reach the tour's end. */
+    private Cuts cuts(int[] order) {
+        double wholeM = tour.lengthM();
+        Cuts most = cuts(order, wholeM, 0);
+        if (most.endM() >= wholeM - EXACT_M) {
+            double limitM = least(0, wholeM, limit -> cuts(order, limit, 0).endM() >= wholeM - EXACT_M);
+            return cuts(order, limitM, 0);
+        } else if (!recharges) {
+            return most;
+        }
+        double beyondM = least(0, wholeM, beyond -> cuts(order, wholeM, beyond).endM() >= wholeM - EXACT_M);
+        return cuts(order, wholeM, beyondM);
+    }
+
+    /** One piece after the other, each as long as a limit and its boat's charge allow. */
+    private Cuts cuts(int[] order, double limitM, double beyondM) {
+        double[] fromM = new double[order.length + 1];
+        double longestM = 0;
+        for (int piece = 0; piece < order.length; piece++) {
+            double lengthM = lengthM(order[piece], fromM[piece], limitM, beyondM);
+            fromM[piece + 1] = fromM[piece] + lengthM;
+            longestM = Math.max(longestM, lengthM);
+        }
+        return new Cuts(order.clone(), fromM, beyondM, longestM);
+    }
+
+    /** A piece is driven from either of its ends; the farther one lies, the longer it is with the way to that. */
+    private double lengthM(int boat, double fromM, double limitM, double beyondM) {
+        double mostM = Math.min(limitM, tour.lengthM() - fromM);
+        double roomM = rangeM[boat] + beyondM;
+        double beginningM = roomM - wayM(boat, fromM);
+        if (beginningM >= mostM || mostM + wayM(boat, fromM + mostM) <= roomM) {
+            return mostM;
+        }
+        double endM = least(0, mostM, length -> length + wayM(boat, fromM + length) > roomM) - EXACT_M;
+        return Math.max(0, Math.max(beginningM, endM));
+    }
+
+    private double wayM(int boat, double alongM) {
+        ways++;
+        return approach.metres(boat, tour.at(alongM));
+    }
+
+    /** The least number that fulfils what greater ones fulfil too, to within 5 cm. */
+    private static double least(double from, double to, DoublePredicate isFulfilled) {
+        double low = from;
+        double high = to;
+        while (high - low > EXACT_M) {
+            double middle = (low + high) / 2;
+            if (isFulfilled.test(middle)) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        return high;
+    }
+}

@@ -1,0 +1,110 @@
+package org.sami.crw.sim.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Map;
+import java.util.OptionalLong;
+import java.util.stream.LongStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.report.DecisionResult;
+import org.sami.crw.sim.report.Exploration;
+import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+
+/** Areas are divided by how far charges last, so that no boat stops dead in its share: judged by true batteries and true tracks. */
+class ExploredByChargeTest {
+    static LongStream seeds() {
+        return LongStream.rangeClosed(1, 20);
+    }
+
+    @ParameterizedTest
+    @MethodSource("seeds")
+    void aBoatWithLittleChargeHasALittleShareAndTheOthersHaveTheRest(long seed) {
+        RunReport report = run("explore-area", 400, 50, "35,100,70", Conditions.CALM, seed);
+
+        assertThat(report.decisions()).extracting(DecisionResult::type).doesNotContain("LongWay");
+        assertAllIsExplored(report, 99);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
+    void soItIsInTheFieldWithStandardSettings(long seed) {
+        RunReport report = run("explore-area", 600, 50, "100,100,100", Conditions.FIELD, seed);
+
+        assertThat(report.decisions()).extracting(DecisionResult::type).doesNotContain("LongWay");
+        assertAllIsExplored(report, 97.5);
+    }
+
+    /** Lanes of 20 m take twice what three batteries last for. */
+    @Test
+    void operatorIsAskedBeforeTheStartWhatChargesDoNotLastForAndNoBoatStopsDead() {
+        RunReport report = run("explore-area", 600, 20, "100,60,100", Conditions.CALM, 1);
+
+        assertThat(report.result().outcome()).as(report.result().reason()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.decisions())
+                .filteredOn(decision -> decision.type().equals("LongWay"))
+                .singleElement()
+                .satisfies(question -> {
+                    assertThat(question.prompt())
+                            .matches(
+                                    "charges are sure to last for \\d\\d % of the area: \\d+ m² stay unexplored, most near "
+                                            + "[0-9.,]+\\. Send them\\?");
+                    assertThat(question.openedAtMillis()).isLessThan(15_000);
+                });
+        Exploration explored = report.map().explorations().get(0);
+        assertThat(explored.uncoveredM2())
+                .isCloseTo(explored.left().plannedM2().orElseThrow(), within(0.005 * explored.areaM2()));
+        assertThat(explored.percent(explored.uncoveredM2())).isBetween(30.0, 60.0);
+        assertNoBoatStoppedDead(report);
+    }
+
+    /** Its plan has batteries swapped. */
+    @Test
+    void wherePlansHaveBatteriesSwappedAllIsDividedAndTheOperatorIsTold() {
+        RunReport report = run("explore-team", 600, 20, "100,100,100", Conditions.CALM, 1);
+
+        assertThat(report.notes())
+                .extracting(NoteResult::message)
+                .anyMatch(
+                        text -> text.startsWith("Exploring ")
+                                && text.endsWith(
+                                        "a boat more than its charge is sure to last for: batteries are to be swapped on the way"));
+        assertThat(report.map().explorations().get(0).left().plannedM2().orElseThrow())
+                .isLessThan(100);
+    }
+
+    private static void assertAllIsExplored(RunReport report, double percent) {
+        assertThat(report.result().outcome()).as(report.result().reason()).isEqualTo(RunOutcome.ENDED);
+        Exploration explored = report.map().explorations().get(0);
+        assertThat(explored.percent(explored.left().trueM2().orElseThrow())).isGreaterThan(percent);
+        assertNoBoatStoppedDead(report);
+    }
+
+    private static void assertNoBoatStoppedDead(RunReport report) {
+        assertThat(report.boats())
+                .allSatisfy(
+                        boat -> assertThat(boat.batteryPercent()).as(boat.id()).isPositive());
+    }
+
+    private static RunReport run(
+            String planId, double areaM, double spacingM, String charges, Conditions conditions, long seed) {
+        RunPlan plan = TestRuns.plan(planId);
+        return TestRuns.run(
+                plan,
+                new RunSettings(
+                        plan.plan().id(),
+                        plan.plan().name(),
+                        new RunSettings.Fleet(3, 1, areaM, seed).on(conditions).with(InitialCharges.parse(charges)),
+                        Speed.MAX,
+                        OptionalLong.of(7_200_000),
+                        Map.of("@spacing", String.valueOf(spacingM)),
+                        5_000,
+                        ""));
+    }
+}
