@@ -8,6 +8,7 @@ import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.PanoramaReport;
 import org.sami.boat.link.SetWaysHome;
 import org.sami.boat.link.TakePanorama;
+import org.sami.boat.link.TrackingError;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.traffic.CourseAndSpeed;
 import org.sami.boat.server.traffic.GivingWay;
@@ -51,7 +52,10 @@ final class ModeControl {
         this.vehicle = vehicle;
         steering = new SteeringControl(vehicle, config);
         surroundings = new Surroundings(config.boatId());
-        givingWay = new GivingWay(surroundings, vehicle);
+        givingWay = new GivingWay(
+                surroundings,
+                vehicle,
+                config.trackingError().map(TrackingError::positionM).orElse(0.0));
         room = new StationRoom(surroundings, vehicle, config.holdRadiusM());
         follower = new PathFollower(vehicle, steering, givingWay, config.arrivalRadiusM());
         home = here();

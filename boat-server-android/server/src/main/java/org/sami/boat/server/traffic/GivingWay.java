@@ -16,8 +16,14 @@ public final class GivingWay {
     /** Ways on which two boats stop are so far apart: 3 m, and what somebody may turn and speed up until that is known. */
     static final double APART_M = 3.5;
 
-    /** In passing so much is kept where there is room. */
-    static final double WIDE_M = 4.5;
+    /** In passing so much more is kept where there is room. */
+    private static final double ROOM_M = 1;
+
+    /**
+     * Where positions err so many deviations of the distance between two boats are kept on top: with 2 boats in the field hold each other up for minutes, with
+     * 1 they are under 3 m for twice as long (docs/decisions, 0320).
+     */
+    private static final double DEVIATIONS = 1.5;
 
     private static final double REACH_M = 40;
     private static final double AHEAD_S = 8;
@@ -40,6 +46,8 @@ public final class GivingWay {
 
     private final Surroundings surroundings;
     private final Vehicle vehicle;
+    private final double apartM;
+    private final double wideM;
     private double eastM; // of the boat, on the plane of the surroundings
     private double northM;
     private double headingRad;
@@ -54,10 +62,16 @@ public final class GivingWay {
     private double chosenRad = Double.NaN; // while it gives way
     private double waitedS;
 
-    /** Nobody is in the way yet. */
-    public GivingWay(Surroundings surroundings, Vehicle vehicle) {
+    /**
+     * Nobody is in the way yet.
+     *
+     * @param positionErrorM standard deviation of positions along each axis, the boat's own and those of others, in metres
+     */
+    public GivingWay(Surroundings surroundings, Vehicle vehicle, double positionErrorM) {
         this.surroundings = surroundings;
         this.vehicle = vehicle;
+        apartM = APART_M + DEVIATIONS * Math.sqrt(2) * positionErrorM;
+        wideM = apartM + ROOM_M;
     }
 
     /** Whether the boat goes otherwise than it would without others. */
@@ -127,7 +141,7 @@ public final class GivingWay {
                 StoppingWay its = new StoppingWay(
                         atEastM, atNorthM, other.headingRad(), other.speedMps(), StoppingWay.REACTION_S);
                 stopping[count] = its;
-                leastM[count] = Math.min(APART_M, own.distanceM(its));
+                leastM[count] = Math.min(apartM, own.distanceM(its));
                 count++;
             }
         }
@@ -191,8 +205,8 @@ public final class GivingWay {
             double closestS = square > 0 ? -(nearEastM[i] * byEast + nearNorthM[i] * byNorth) / square : 0;
             double atS = Math.max(AT_ONCE_S, Math.min(lookedAheadS[i], closestS));
             double away = Math.hypot(nearEastM[i] + atS * byEast, nearNorthM[i] + atS * byNorth);
-            if (away < WIDE_M) {
-                double part = (WIDE_M - away) / WIDE_M;
+            if (away < wideM) {
+                double part = (wideM - away) / wideM;
                 risk += RISK * part * part / (1 + atS / 5);
             }
         }
