@@ -18,19 +18,23 @@ import org.sami.crw.service.water.Areas;
 import org.sami.crw.service.water.Water;
 
 /**
- * Ways between lanes: straight where that stays in what is drivable, else the shortest there, else the shortest in the area, else the
- * shortest through what is not forbidden.
+ * Ways between lanes: straight where that stays in what is drivable, else the shortest there, else the shortest in the area, as far off what is forbidden as
+ * boats may be beside their ways, else nearer, else the shortest through what is not forbidden.
  */
 final class LaneConnections {
     private static final GeometryFactory FACTORY = new GeometryFactory();
     /** Lanes end on the edge of what is drivable; ways between them may touch it. */
     private static final double EDGE_M = 0.02;
 
+    /** Ways turn a little off what they keep from: lanes that end there are to lie clear of that. */
+    private static final double TURNING_M = 0.25;
+
     private final Water water;
     private final Geometry region;
     private final Geometry outside;
     private final PreparedGeometry prepared;
     private Optional<VisibilityGraph> onDrivable = Optional.empty();
+    private Optional<VisibilityGraph> farOffInRegion = Optional.empty();
     private Optional<VisibilityGraph> inRegion = Optional.empty();
 
     /**
@@ -54,20 +58,39 @@ final class LaneConnections {
         if (onDrivable.isEmpty()) {
             onDrivable = Optional.of(new VisibilityGraph(outside, 0));
         }
-        return onDrivable.get().shortest(from, to).or(() -> inRegion(from, to)).or(() -> throughWater(from, to));
+        return onDrivable
+                .get()
+                .shortest(from, to)
+                .or(() -> farOffInRegion(from, to))
+                .or(() -> inRegion(from, to))
+                .or(() -> throughWater(from, to));
+    }
+
+    private Optional<List<Coordinate>> farOffInRegion(Coordinate from, Coordinate to) {
+        double keptM = water.error().marginM() - TURNING_M;
+        if (keptM <= water.error().steeringM()) {
+            return Optional.empty();
+        }
+        if (farOffInRegion.isEmpty()) {
+            farOffInRegion = Optional.of(inRegion(keptM));
+        }
+        return farOffInRegion.get().shortest(from, to);
     }
 
     private Optional<List<Coordinate>> inRegion(Coordinate from, Coordinate to) {
         if (inRegion.isEmpty()) {
-            Geometry beyond = Water.inside(water.plane(), region).forbidden();
-            double leastM = water.error().steeringM();
-            inRegion = Optional.of(new VisibilityGraph(
-                    leastM > 0 && !water.isOpen()
-                            ? OverlayNGRobust.overlay(beyond, water.forbidden().buffer(leastM), OverlayNG.UNION)
-                            : beyond,
-                    0));
+            inRegion = Optional.of(inRegion(water.error().steeringM()));
         }
         return inRegion.get().shortest(from, to);
+    }
+
+    private VisibilityGraph inRegion(double clearanceM) {
+        Geometry beyond = Water.inside(water.plane(), region).forbidden();
+        return new VisibilityGraph(
+                clearanceM > 0 && !water.isOpen()
+                        ? OverlayNGRobust.overlay(beyond, water.forbidden().buffer(clearanceM), OverlayNG.UNION)
+                        : beyond,
+                0);
     }
 
     private Optional<List<Coordinate>> throughWater(Coordinate from, Coordinate to) {
