@@ -95,6 +95,9 @@ public final class TrafficRelay {
 
     private static void pairUp(Seen one, Seen other) {
         double northM = other.northM - one.northM;
+        if (Math.abs(northM) > NEAR_M) {
+            return;
+        }
         double distanceM = Math.hypot(other.eastM - one.eastM, northM);
         if (distanceM <= NEAR_M) {
             one.near.add(other);

@@ -141,7 +141,7 @@ public final class GivingWay {
                 StoppingWay its = new StoppingWay(
                         atEastM, atNorthM, other.headingRad(), other.speedMps(), StoppingWay.REACTION_S);
                 stopping[count] = its;
-                leastM[count] = Math.min(apartM, own.distanceM(its));
+                leastM[count] = own.distanceM(its, apartM);
                 count++;
             }
         }
@@ -186,7 +186,7 @@ public final class GivingWay {
 
     private boolean isClear(StoppingWay own) {
         for (int i = 0; i < count; i++) {
-            if (own.distanceM(stopping[i]) < leastM[i]) {
+            if (own.distanceM(stopping[i], leastM[i]) < leastM[i]) {
                 return false;
             }
         }
@@ -204,7 +204,12 @@ public final class GivingWay {
             double square = byEast * byEast + byNorth * byNorth;
             double closestS = square > 0 ? -(nearEastM[i] * byEast + nearNorthM[i] * byNorth) / square : 0;
             double atS = Math.max(AT_ONCE_S, Math.min(lookedAheadS[i], closestS));
-            double away = Math.hypot(nearEastM[i] + atS * byEast, nearNorthM[i] + atS * byNorth);
+            double thenEastM = nearEastM[i] + atS * byEast;
+            double thenNorthM = nearNorthM[i] + atS * byNorth;
+            if (Math.abs(thenEastM) >= wideM || Math.abs(thenNorthM) >= wideM) {
+                continue;
+            }
+            double away = Math.hypot(thenEastM, thenNorthM);
             if (away < wideM) {
                 double part = (wideM - away) / wideM;
                 risk += RISK * part * part / (1 + atS / 5);

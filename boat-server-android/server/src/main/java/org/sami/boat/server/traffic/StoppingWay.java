@@ -8,22 +8,37 @@ final class StoppingWay {
     /** How fast small hulls stop with motors astern, in m/s per second. */
     static final double BRAKING_MPS2 = 0.5;
 
+    private static final double SLACK_M = 1e-6; // more than sums are rounded by
+
     private final double fromEastM;
     private final double fromNorthM;
     private final double toEastM;
     private final double toNorthM;
+    private final double lengthM;
 
     /** A way that begins here, for a boat of that heading and speed; of a negative speed astern. */
     StoppingWay(double eastM, double northM, double headingRad, double speedMps, double reactionS) {
-        double lengthM = speedMps * reactionS + speedMps * Math.abs(speedMps) / (2 * BRAKING_MPS2);
+        double alongM = speedMps * reactionS + speedMps * Math.abs(speedMps) / (2 * BRAKING_MPS2);
         fromEastM = eastM;
         fromNorthM = northM;
-        toEastM = eastM + lengthM * StrictMath.sin(headingRad);
-        toNorthM = northM + lengthM * StrictMath.cos(headingRad);
+        toEastM = eastM + alongM * StrictMath.sin(headingRad);
+        toNorthM = northM + alongM * StrictMath.cos(headingRad);
+        lengthM = Math.abs(alongM);
+    }
+
+    /**
+     * The least distance of two ways, whenever boats are where on them, in metres; no more than {@code mostM}. Where the beginnings and lengths of the
+     * ways say that it is more, it is not computed.
+     */
+    double distanceM(StoppingWay other, double mostM) {
+        double eastM = other.fromEastM - fromEastM;
+        double northM = other.fromNorthM - fromNorthM;
+        double reachM = mostM + lengthM + other.lengthM + SLACK_M;
+        return eastM * eastM + northM * northM > reachM * reachM ? mostM : Math.min(mostM, distanceM(other));
     }
 
     /** The least distance of two ways, whenever boats are where on them; in metres. */
-    double distanceM(StoppingWay other) {
+    private double distanceM(StoppingWay other) {
         if (crosses(other)) {
             return 0;
         }
