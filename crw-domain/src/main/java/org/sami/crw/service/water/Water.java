@@ -3,12 +3,15 @@ package org.sami.crw.service.water;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.locationtech.jts.algorithm.construct.MaximumInscribedCircle;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Point;
 import org.locationtech.jts.geom.Polygon;
+import org.locationtech.jts.operation.buffer.BufferOp;
+import org.locationtech.jts.operation.buffer.BufferParameters;
 import org.locationtech.jts.operation.distance.DistanceOp;
 import org.locationtech.jts.operation.union.UnaryUnionOp;
 import org.sami.crw.service.LocalPlane;
@@ -22,6 +25,14 @@ import org.sami.spn.value.GeoPoint;
 public final class Water {
     /** How far the world goes on around an area to stay in, which is all round it; nothing out there is allowed. */
     private static final double RIM_M = 40_000_000;
+
+    /** What is shrunk and grown again by a little more lacks only what is narrow. */
+    private static final double GROWN_AGAIN = 1.05;
+
+    /** So much of half its width is taken from both sides of what is narrow. */
+    private static final double MIDDLE = 0.9;
+
+    private static final double ROUNDING_M = 0.01;
 
     private static final GeometryFactory FACTORY = new GeometryFactory();
 
@@ -102,12 +113,37 @@ public final class Water {
     }
 
     /**
-     * Water in which so much at the rim of what is forbidden is allowed. Areas that are narrower than twice that are gone.
+     * Water in which so much at the rim of what is forbidden is allowed. Of what is narrower than twice that the middle stays forbidden, a tenth of its
+     * width.
      *
      * @param depthM in metres, from 0
      */
     public Water shrunk(double depthM) {
-        return new Water(plane, noGo.buffer(-depthM), outside.buffer(-depthM), forbidden.buffer(-depthM), error);
+        return new Water(
+                plane,
+                core(noGo, depthM),
+                outside.buffer(-depthM),
+                union(List.of(core(noGo, depthM), outside.buffer(-depthM))),
+                error);
+    }
+
+    private static Geometry core(Geometry areas, double depthM) {
+        if (areas.isEmpty() || depthM == 0) {
+            return areas;
+        }
+        List<Geometry> parts = new ArrayList<>(List.of(areas.buffer(-depthM)));
+        BufferParameters sharp = new BufferParameters();
+        sharp.setJoinStyle(BufferParameters.JOIN_MITRE);
+        Geometry narrow = areas.difference(BufferOp.bufferOp(parts.get(0), depthM * GROWN_AGAIN, sharp));
+        for (int i = 0; i < narrow.getNumGeometries(); i++) {
+            Geometry piece = narrow.getGeometryN(i);
+            if (piece instanceof Polygon && piece.getArea() > 0) {
+                double halfM =
+                        MaximumInscribedCircle.getRadiusLine(piece, ROUNDING_M).getLength();
+                parts.add(piece.buffer(-MIDDLE * halfM));
+            }
+        }
+        return union(parts);
     }
 
     /** The plane of all geometries here. */
