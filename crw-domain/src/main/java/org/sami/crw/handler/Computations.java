@@ -10,6 +10,8 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.sami.crw.operator.MessageSink;
 import org.sami.crw.operator.OperatorMessage;
 import org.sami.spn.engine.EngineView;
@@ -110,6 +112,22 @@ final class Computations implements HostListener {
         } catch (RejectedExecutionException closed) {
             running.remove(activation.id());
             task.gone();
+        }
+    }
+
+    /** Computes something for which no activation waits, beside the fleet's thread where there are threads; and goes on there with what was found. */
+    <A> void aside(Supplier<A> work, Consumer<A> then) {
+        if (threads.isEmpty()) {
+            then.accept(work.get());
+            return;
+        }
+        try {
+            threads.get().start(() -> {
+                A found = work.get();
+                fleet.execute(() -> then.accept(found));
+            });
+        } catch (RejectedExecutionException closed) {
+            return; // nobody is told any more
         }
     }
 

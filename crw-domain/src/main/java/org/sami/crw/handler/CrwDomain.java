@@ -59,7 +59,9 @@ public final class CrwDomain implements AutoCloseable {
         MeasurementHandler measurements = new MeasurementHandler(messages, fleet);
         BoatQuestions questions = new BoatQuestions(host, boats, fleet);
         BatterySubscriptions batteries = new BatterySubscriptions(boats, fleet);
+        ExploredAreas explored = new ExploredAreas(messages, computations, errors, fleet);
         events.passTo(new BoatListeners(
+                explored,
                 motion,
                 settings,
                 questions,
@@ -89,7 +91,8 @@ public final class CrwDomain implements AutoCloseable {
                         messages,
                         computations,
                         errors,
-                        boat -> rangeM(boats, boat)));
+                        boat -> rangeM(boats, boat),
+                        explored));
         Withdrawals withdrawals = new Withdrawals(handlers.keySet(), motion, computations, fleet);
         handlers.put(AreaSubscriptions.TYPE, areas);
         handlers.put(MeasurementHandler.TYPE, measurements);
@@ -125,6 +128,7 @@ public final class CrwDomain implements AutoCloseable {
         handlers.forEach((type, handler) -> registrations.add(host.register(type, handler, fleet)));
         registrations.add(host.addListener(withdrawals));
         registrations.add(host.addListener(computations));
+        registrations.add(host.addListener(explored));
         registrations.add(computations::close);
         registrations.add(host.addListener(questions));
         registrations.add(host.addListener(ways));

@@ -14,6 +14,7 @@ import java.util.function.Function;
 import org.sami.crw.operator.MessageSink;
 import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.service.BoatPositions;
+import org.sami.crw.service.coverage.AreaCoverage;
 import org.sami.crw.service.coverage.Coverage;
 import org.sami.crw.service.coverage.CoverageAlgorithm;
 import org.sami.crw.service.coverage.CoverageProblem;
@@ -51,6 +52,7 @@ final class ExploreAreaHandler implements ActivationHandler {
     private final Computations computations;
     private final BoatErrors errors;
     private final Function<String, OptionalDouble> rangesM;
+    private final ExploredAreas explored;
     /** What waits until an area is divided, by mission and area. */
     private final Map<String, List<Consumer<Map<String, GeoPath>>>> underWay = new HashMap<>();
 
@@ -61,8 +63,10 @@ final class ExploreAreaHandler implements ActivationHandler {
             MessageSink messages,
             Computations computations,
             BoatErrors errors,
-            Function<String, OptionalDouble> rangesM) {
+            Function<String, OptionalDouble> rangesM,
+            ExploredAreas explored) {
         this.rangesM = rangesM;
+        this.explored = explored;
         this.algorithm = algorithm;
         this.positions = positions;
         this.motion = motion;
@@ -130,6 +134,9 @@ final class ExploreAreaHandler implements ActivationHandler {
         Activation activation = one.activation;
         HandlerContext context = one.context;
         context.post(ExplorationShares.remember(activation.mission(), one.key, shares));
+        if (!shares.isEmpty()) {
+            explored.explore(one.name(), activation, context, one.area, one.spacingM, shares);
+        }
         List<Move> moves = new ArrayList<>();
         for (Addressee addressee : Addressee.of(activation, context)) {
             if (noWay.containsKey(addressee.boat())) {
@@ -197,11 +204,20 @@ final class ExploreAreaHandler implements ActivationHandler {
             return algorithm.cover(problem);
         }
 
+        private String likelyMissed() {
+            return AreaCoverage.of(problem.area(), problem.spacingM(), problem.avoid(), problem.within())
+                    .likelyMissed(problem.error().positionM());
+        }
+
         @Override
         public void found(Coverage coverage) {
             Map<String, GeoPath> shares = new LinkedHashMap<>();
             coverage.shares().forEach((boat, share) -> shares.put(boat, share.path()));
-            tell(one.activation, one.context, "Exploring " + coverage.words(), List.copyOf(shares.keySet()));
+            tell(
+                    one.activation,
+                    one.context,
+                    "Exploring " + coverage.words() + likelyMissed(),
+                    List.copyOf(shares.keySet()));
             Optional<String> doubt = coverage.doubt();
             doubt.ifPresent(words ->
                     one.context.post(new Input.Remember(one.activation.mission(), one.doubt(), new TextValue(words))));

@@ -11,8 +11,10 @@ import org.junit.jupiter.api.Test;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.service.Geodesy;
+import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.EnumValue;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
@@ -48,6 +50,71 @@ class ExploreAreaTest {
                 .containsExactlyInAnyOrder(List.of("west"), List.of("east"));
         assertThat(shares().keySet()).containsExactlyInAnyOrder("west", "east");
         assertThat(messages()).anyMatch(text -> text.startsWith("Exploring 1600 m² in ") && text.contains("uncovered"));
+    }
+
+    @Test
+    void operatorIsToldOnceWhatWasCoveredWhenTheLastShareIsDriven() {
+        world.happens(engine, asking(7).of("west", "east").effect());
+        runUntilCompleted(1);
+        List<String> before = messages();
+        runUntilCompleted(2);
+        world.happens(engine, new Effect.MissionEnded(1, Outcome.COMPLETED));
+        world.run(1);
+
+        assertThat(before).noneMatch(text -> text.startsWith("Explored"));
+        assertThat(messages())
+                .filteredOn(text -> text.startsWith("Explored"))
+                .singleElement()
+                .satisfies(
+                        text -> assertThat(text)
+                                .matches(
+                                        "Explored (9[5-9]\\.\\d\\d|100\\.00) % of 1600 m² by the positions that boats reported "
+                                                + "\\(planned (99\\.\\d\\d|100\\.00) %\\)(; \\d+ m² are left, most near [0-9.,]+)?"));
+    }
+
+    @Test
+    void operatorIsToldWhatWasCoveredWhenTheMissionEndsBeforeThat() {
+        world.happens(engine, asking(7).of("west", "east").effect());
+        world.run(80);
+
+        world.happens(engine, new Effect.MissionEnded(1, Outcome.ABORTED));
+        world.run(300);
+
+        assertThat(messages())
+                .filteredOn(text -> text.startsWith("Explored"))
+                .singleElement()
+                .satisfies(text -> {
+                    assertThat(text)
+                            .contains(" % of 1600 m² when the mission ended by the positions that boats reported");
+                    assertThat(percentIn(text)).isBetween(10.0, 80.0);
+                });
+    }
+
+    /** Nobody saw where boats drove for an earlier base. */
+    @Test
+    void forABaseThatGoesOnWhatWasVisitedBeforeCountsAsPlanned() {
+        world.happens(engine, asking(7).of("west", "east").effect());
+        world.run(60);
+        TestWorld next = new TestWorld(engine);
+        next.addBoat("west", -20, 0);
+        next.addBoat("east", 20, 0);
+        next.run(1);
+
+        next.happens(engine, asking(7).of("west", "east").effect());
+        next.run(400);
+
+        assertThat(next.operator.messages().messages())
+                .extracting(OperatorMessage::text)
+                .filteredOn(text -> text.startsWith("Explored"))
+                .singleElement()
+                .satisfies(text -> {
+                    assertThat(text).endsWith("; what was driven before this base began counts as planned");
+                    assertThat(percentIn(text)).isGreaterThan(85);
+                });
+    }
+
+    private static double percentIn(String text) {
+        return Double.parseDouble(text.substring("Explored ".length(), text.indexOf(" %")));
     }
 
     /** As after an interrupt: the boat was away, and its place asks again. */

@@ -1,6 +1,7 @@
 package org.sami.crw.service.coverage;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
@@ -70,6 +71,32 @@ public final class AreaCoverage {
     /** What is to be covered, in square metres. */
     public double areaM2() {
         return region.getArea();
+    }
+
+    /** The part of it in percent that is covered where so many square metres are left. */
+    public double percent(double leftM2) {
+        return 100 * (1 - leftM2 / Math.max(1e-9, areaM2()));
+    }
+
+    /**
+     * What boats likely miss between lanes without anybody seeing it, in words to go on with; empty where next to nothing is.
+     *
+     * @param positionM deviation of the position that boats know, in metres
+     */
+    public String likelyMissed(double positionM) {
+        double widthM = new MinimumDiameter(region).getLength(); // lanes lie across it, evenly
+        return MissedBetweenLanes.words(positionM, widthM / Math.ceil(widthM / spacingM), spacingM);
+    }
+
+    /** A track with fewer points, of which it covers nearly the same. */
+    public List<GeoPoint> thinned(List<GeoPoint> track, int most) {
+        LineString line = FACTORY.createLineString(
+                track.stream().map(point -> Areas.coordinate(point, plane)).toArray(Coordinate[]::new));
+        Coordinate[] kept = line.getCoordinates();
+        for (double offM = FLAT * spacingM; kept.length > most; offM *= 2) {
+            kept = DouglasPeuckerSimplifier.simplify(line, offM).getCoordinates();
+        }
+        return Arrays.stream(kept).map(place -> Areas.point(place, plane)).toList();
     }
 
     /** What tracks leave of it; a track of less than two points covers nothing. */

@@ -1,12 +1,17 @@
 package org.sami.crw.sim.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.util.Map;
 import java.util.OptionalLong;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.report.Exploration;
 import org.sami.crw.sim.report.ReportJson;
@@ -16,6 +21,9 @@ import org.sami.crw.sim.report.RunReport;
 
 /** What a report says of an area that was explored: by the plan, by reported positions, and truly. */
 class ExploredAreaRunTest {
+    private static final Pattern TOLD = Pattern.compile("Explored ([0-9.]+) % of .*; as positions err by [0-9.]+ m, "
+            + "about (\\d+) % are likely missed between the lanes unseen");
+
     @Test
     void whatIsCoveredInCalmWaterIsWhatWasPlanned() {
         Exploration explored = explored(run(Conditions.CALM, 10));
@@ -49,6 +57,29 @@ class ExploredAreaRunTest {
         assertThat(json.get("trueUncoveredM2")).isEqualTo(json.get("uncoveredM2"));
         assertThat(json.get("reportedUncoveredM2").asDouble()).isLessThan(trueM2);
         assertThat(json.get("plannedUncoveredM2").asDouble()).isLessThan(reportedM2);
+    }
+
+    /** What the operator hears is what the report says of reported positions, and what is likely missed is foreseen. */
+    @ParameterizedTest
+    @CsvSource({"field, 10", "rough, 20"})
+    void operatorHearsWhatWasReportedAndWhatIsLikelyMissedUnseen(String name, double spacingM) {
+        Conditions conditions = name.equals("field") ? Conditions.FIELD : Conditions.ROUGH;
+
+        RunReport report = run(conditions, spacingM);
+
+        Exploration explored = explored(report);
+        double reported = explored.percent(explored.left().reportedM2().orElseThrow());
+        double unseen = reported - explored.percent(explored.left().trueM2().orElseThrow());
+        Matcher told = report.notes().stream()
+                .map(note -> TOLD.matcher(note.message()))
+                .filter(Matcher::matches)
+                .findFirst()
+                .orElseThrow();
+        assertThat(Double.parseDouble(told.group(1))).isCloseTo(reported, within(0.5));
+        assertThat(Double.parseDouble(told.group(2))).isCloseTo(unseen, within(4.0));
+        assertThat(report.notes())
+                .filteredOn(note -> note.message().startsWith("Exploring"))
+                .allSatisfy(note -> assertThat(note.message()).contains("likely missed between the lanes unseen"));
     }
 
     private static Exploration explored(RunReport report) {
