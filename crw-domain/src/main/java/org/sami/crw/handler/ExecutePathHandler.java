@@ -56,13 +56,25 @@ final class ExecutePathHandler implements ActivationHandler {
         String key = PathProgress.key(addressee.boat(), path);
         int visited = PathProgress.visited(
                 context, activation.mission(), key, path.points().size());
+        return move(activation, context, addressee, path, visited, block);
+    }
+
+    /** The same from the point on after the first so many, whatever the mission knows to be visited. */
+    static Move move(
+            Activation activation,
+            HandlerContext context,
+            Addressee addressee,
+            GeoPath path,
+            int behind,
+            boolean block) {
+        String key = PathProgress.key(addressee.boat(), path);
         FollowPath command = new FollowPath(
                 Move.commandId(activation, addressee),
                 activation.mission(),
                 activation.id(),
                 path.points(),
                 OptionalDouble.empty(),
-                visited,
+                behind,
                 activation.priority(),
                 block && Move.mayBlock(activation, context));
         return new Move(addressee, command, Optional.of(new PathProgress.Along(key, 0)), Reply.WAY);

@@ -143,7 +143,8 @@ final class ExploreAreaHandler implements ActivationHandler {
                 motion.refuse(activation, context, addressee, noWay.get(addressee.boat()));
             } else if (!computations.areElsewhere() || addressee.stands(activation, context)) {
                 GeoPath path = shares.getOrDefault(addressee.boat(), new GeoPath(List.of()));
-                Move move = ExecutePathHandler.move(activation, context, addressee, path, false);
+                int behind = behind(addressee.boat(), path, activation, context);
+                Move move = ExecutePathHandler.move(activation, context, addressee, path, behind, false);
                 moves.add(doubt.map(words -> move.doubted(new WayDoubt(WayDoubt.Kind.CHARGE, words)))
                         .orElse(move));
             }
@@ -276,9 +277,15 @@ final class ExploreAreaHandler implements ActivationHandler {
     }
 
     private static List<GeoPoint> left(String boat, GeoPath path, Activation activation, HandlerContext context) {
+        return path.points()
+                .subList(behind(boat, path, activation, context), path.points().size());
+    }
+
+    /** How many points nobody has to drive to again: a lane that was begun and not ended is driven from its beginning. */
+    private static int behind(String boat, GeoPath path, Activation activation, HandlerContext context) {
         int size = path.points().size();
         int visited = PathProgress.visited(context, activation.mission(), PathProgress.key(boat, path), size);
-        return path.points().subList(visited, size);
+        return visited == size ? size : Math.max(0, visited - 1);
     }
 
     private void tell(Activation activation, HandlerContext context, String text, List<String> boats) {

@@ -146,7 +146,7 @@ class ExploreAreaTest {
         world.addBoat("third", 0, -60);
         world.run(1);
         world.happens(engine, asking(7).of("west", "east").effect());
-        world.run(60);
+        world.run(90);
         int whole = shares().get("east").points().size();
 
         world.happens(engine, asking(9).of("west", "third").effect());

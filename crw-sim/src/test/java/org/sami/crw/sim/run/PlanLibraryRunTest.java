@@ -14,6 +14,7 @@ import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
+import org.sami.crw.sim.report.Exploration;
 import org.sami.crw.sim.report.FiringResult;
 import org.sami.crw.sim.report.InterruptResult;
 import org.sami.crw.sim.report.RunOutcome;
@@ -174,6 +175,20 @@ class PlanLibraryRunTest {
 
         assertThat(seconds.get(1)).isLessThan(0.7 * seconds.get(0));
         assertThat(missions.get(1)).isLessThan(missions.get(0));
+    }
+
+    /** Boats that are called to safety in the middle of a lane drive that lane again. */
+    @Test
+    void nothingStaysUnexploredAfterAnInterrupt() {
+        RunReport report = Run.of("explore-generic", 3, 1, 200)
+                .pressing("hazard@120")
+                .answering("""
+                        {"event": "RedefineVariables", "answer": {"values": {"@safePlace": {"lat": 45.7, "lon": 10.72}}}}""")
+                .report();
+
+        assertThat(report.map().explorations()).hasSize(1);
+        Exploration explored = report.map().explorations().get(0);
+        assertThat(explored.percent(explored.uncoveredM2())).isGreaterThan(99.5);
     }
 
     private static double atSeconds(RunReport report, String transition) {
