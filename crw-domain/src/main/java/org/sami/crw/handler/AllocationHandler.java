@@ -13,8 +13,10 @@ import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.allocation.AllocationProblem;
 import org.sami.crw.service.allocation.AllocationService;
+import org.sami.crw.service.allocation.Candidate;
 import org.sami.crw.service.allocation.Division;
 import org.sami.crw.service.allocation.Unallocated;
+import org.sami.crw.service.water.Water;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
@@ -27,7 +29,8 @@ import org.sami.spn.value.Value;
 
 /**
  * Allocation Request: divides locations or tasks among boats by the algorithm that serves the markup Optimize best, in as many ways
- * as the markup Selection Options asks for, no path longer than its boat's charge lasts where that can be. What nobody can do is named in the answer and told to the operator; a boat whose
+ * as the markup Selection Options asks for, no path longer than its boat's charge lasts where that can be. Distances are
+ * those of ways around what the plan avoids. What nobody can do is named in the answer and told to the operator; a boat whose
  * position is not known yet gets nothing, and the operator is told.
  */
 final class AllocationHandler implements ActivationHandler {
@@ -38,6 +41,7 @@ final class AllocationHandler implements ActivationHandler {
     private final Function<String, OptionalDouble> rangesM;
     private final MessageSink messages;
     private final Computations computations;
+    private final BoatErrors errors;
 
     /**
      * A handler.
@@ -49,12 +53,14 @@ final class AllocationHandler implements ActivationHandler {
             BoatPositions positions,
             Function<String, OptionalDouble> rangesM,
             MessageSink messages,
-            Computations computations) {
+            Computations computations,
+            BoatErrors errors) {
         this.service = service;
         this.positions = positions;
         this.rangesM = rangesM;
         this.messages = messages;
         this.computations = computations;
+        this.errors = errors;
     }
 
     @Override
@@ -70,6 +76,9 @@ final class AllocationHandler implements ActivationHandler {
                     question.unknown());
         }
         AllocationProblem problem = question.problem();
+        Candidate first = problem.boats().get(0);
+        List<String> boats = problem.boats().stream().map(Candidate::boat).toList();
+        Water water = context.query(view -> PlanAreas.water(activation, view, first.at(), errors.of(boats)));
         computations.compute(activation, context, new Computations.Task<AllocationService.Options>() {
             @Override
             public String what() {
@@ -78,7 +87,8 @@ final class AllocationHandler implements ActivationHandler {
 
             @Override
             public AllocationService.Options compute() {
-                return service.solve(problem, Markups.criterion(activation), Markups.optionsWanted(activation));
+                return service.solve(
+                        problem.in(water), Markups.criterion(activation), Markups.optionsWanted(activation));
             }
 
             @Override

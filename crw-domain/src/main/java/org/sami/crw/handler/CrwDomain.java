@@ -105,7 +105,7 @@ public final class CrwDomain implements AutoCloseable {
         handlers.put(
                 AllocationHandler.TYPE,
                 new AllocationHandler(
-                        services.allocation(), positions, boat -> rangeM(boats, boat), messages, computations));
+                        services.allocation(), positions, boat -> rangeM(boats, boat), messages, computations, errors));
         handlers.put(PathHandler.TYPE, new PathHandler(services.paths(), positions, messages, computations, errors));
         handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions, errors));
         handlers.put(

@@ -26,7 +26,8 @@ import org.sami.spn.value.ListValue;
 
 /**
  * Distribute Locations Request: a list of locations for each boat, in the order in which it visits them; each location is in one
- * list. The locations are those of the activation, or spread over its area at a spacing. Divided as the markup Optimize asks.
+ * list. The locations are those of the activation, or spread over its area at a spacing. Divided as the markup Optimize asks, by ways around
+ * what the plan avoids; a location that no boat can get to is in no list, and the operator is told.
  * A boat whose position is not known yet gets none.
  */
 final class DistributeHandler implements ActivationHandler {
@@ -63,6 +64,8 @@ final class DistributeHandler implements ActivationHandler {
             throw new IllegalStateException("There is no boat whose position is known, of " + boats);
         }
         CrossTrackError error = errors.of(boats);
+        Water water = context.query(view ->
+                PlanAreas.water(activation, view, from.values().iterator().next(), error));
         computations.compute(activation, context, new Computations.Task<AllocationService.Options>() {
             @Override
             public String what() {
@@ -72,7 +75,8 @@ final class DistributeHandler implements ActivationHandler {
             @Override
             public AllocationService.Options compute() {
                 return service.solve(
-                        AllocationProblem.ofVisits(from, locations(activation, error)),
+                        AllocationProblem.ofVisits(from, locations(activation, error))
+                                .in(water),
                         Markups.criterion(activation),
                         1);
             }
@@ -95,6 +99,9 @@ final class DistributeHandler implements ActivationHandler {
         options.best()
                 .shortfall()
                 .ifPresent(words -> tell(activation, context, Priority.HIGH, "Distribution: " + words));
+        options.best()
+                .unallocated()
+                .forEach(one -> tell(activation, context, Priority.HIGH, "Distribution: " + one.words()));
         if (Markups.criterion(activation).isPresent()) {
             tell(activation, context, Priority.LOW, "Distribution: " + options.reason());
         }

@@ -13,6 +13,7 @@ import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.RealValue;
@@ -67,6 +68,36 @@ class RequestTest {
         assertThat(allocation.paths().get("west").points()).containsExactly(left);
         assertThat(allocation.paths().get("east").points()).containsExactly(right);
         assertFitsVocabulary(answer);
+    }
+
+    @Test
+    void aLocationBehindWhatIsAvoidedGoesToTheBoatWithTheShorterWayAndOneInALagoonToNobody() {
+        GeoArea wall = area(-30, -400, -20, 400);
+        GeoArea lagoon = new GeoArea(
+                area(300, 300, 400, 400).outline(),
+                List.of(area(310, 310, 390, 390).outline()));
+        GeoPoint behind = at(-10, 0);
+
+        world.happens(
+                engine,
+                new TestActivations("AllocationRequest")
+                        .with("locations", new ListValue(List.of(behind, at(350, 350))))
+                        .with("avoid", new ListValue(List.of(wall, lagoon)))
+                        .of("west", "east")
+                        .effect());
+
+        Value option = ((ListValue) only("AllocationResponse").values().get("allocations"))
+                .items()
+                .get(0);
+        Allocation allocation = Allocation.of(option);
+        assertThat(allocation.paths().get("west").points()).isEmpty();
+        assertThat(allocation.paths().get("east").points()).containsExactly(behind);
+        assertThat(allocation.longestM()).isBetween(109.9, 110.1);
+        assertThat(messages()).anyMatch(text -> text.startsWith("location 2, at ") && text.contains("no boat"));
+    }
+
+    private static GeoArea area(double west, double south, double east, double north) {
+        return new GeoArea(List.of(at(west, south), at(east, south), at(east, north), at(west, north)), List.of());
     }
 
     @Test

@@ -4,8 +4,12 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.path.WayLengths;
+import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -13,8 +17,14 @@ import org.sami.spn.value.GeoPoint;
  *
  * @param boats their order decides ties, the earlier boat wins
  * @param work what is to be done, without what boats have begun already; names are unique, locations need not be
+ * @param ways how long the ways between all of it are, where something is to be driven around; straight where empty
  */
-public record AllocationProblem(List<Candidate> boats, List<WorkItem> work) {
+public record AllocationProblem(List<Candidate> boats, List<WorkItem> work, Optional<WayLengths> ways) {
+    /** A problem in open water. */
+    public AllocationProblem(List<Candidate> boats, List<WorkItem> work) {
+        this(boats, work, Optional.empty());
+    }
+
     public AllocationProblem {
         boats = List.copyOf(boats);
         work = List.copyOf(work);
@@ -42,10 +52,35 @@ public record AllocationProblem(List<Candidate> boats, List<WorkItem> work) {
         return new AllocationProblem(candidates, visits);
     }
 
+    /** The same in such water: ways go around what is forbidden, and a boat does what it can get to. Measures all ways. */
+    public AllocationProblem in(Water water) {
+        List<GeoPoint> points = new ArrayList<>();
+        for (Candidate boat : boats) {
+            points.add(boat.at());
+            boat.begun().forEach(one -> points.add(one.location()));
+        }
+        work.forEach(one -> points.add(one.location()));
+        return water.isOpen()
+                ? this
+                : new AllocationProblem(boats, work, Optional.of(WayLengths.between(points, water)));
+    }
+
+    /** Whether a boat offers what some work needs and can get to it. */
+    boolean canDo(Candidate boat, WorkItem one) {
+        return boat.canDo(one)
+                && ways.map(lengths -> lengths.lengthM(boat.freeAt(), one.location()) < Double.POSITIVE_INFINITY)
+                        .orElse(true);
+    }
+
+    /** The length of a boat's path along the surface, or around what is in between, in metres. */
+    double lengthM(Candidate boat, List<GeoPoint> path) {
+        return ways.map(lengths -> lengths.lengthM(boat.at(), path)).orElseGet(() -> Geodesy.lengthM(boat.at(), path));
+    }
+
     /** The work that no boat can do, and what is missing for it. */
     public List<Unallocated> impossible() {
         return work.stream()
-                .filter(one -> boats.stream().noneMatch(boat -> boat.canDo(one)))
+                .filter(one -> boats.stream().noneMatch(boat -> canDo(boat, one)))
                 .map(one -> new Unallocated(one, missing(one)))
                 .toList();
     }
@@ -55,11 +90,15 @@ public record AllocationProblem(List<Candidate> boats, List<WorkItem> work) {
         return new AllocationProblem(
                 boats,
                 work.stream()
-                        .filter(one -> boats.stream().anyMatch(boat -> boat.canDo(one)))
-                        .toList());
+                        .filter(one -> boats.stream().anyMatch(boat -> canDo(boat, one)))
+                        .toList(),
+                ways);
     }
 
     private Set<String> missing(WorkItem one) {
+        if (boats.stream().anyMatch(boat -> boat.canDo(one))) {
+            return Set.of();
+        }
         Set<String> offered = new HashSet<>();
         boats.forEach(boat -> offered.addAll(boat.offers()));
         Set<String> missing = new TreeSet<>(one.needs());

@@ -38,6 +38,6 @@ public final class BalancedDivision extends AllocationAlgorithm {
     /** The same with shorter paths of the other boats. */
     private static List<List<Integer>> polished(
             AllocationProblem problem, DistanceTable legs, List<List<Integer>> shares) {
-        return new LocalSearch(problem, legs, Objective.LONGEST, shares).run();
+        return new LocalSearch(legs, Objective.LONGEST, shares).run();
     }
 }

@@ -23,7 +23,7 @@ final class CheapestInsertion {
         int bestBefore = 0;
         for (int boat = 0; boat < shares.size(); boat++) {
             List<Integer> share = shares.get(boat);
-            boolean can = problem.boats().get(boat).canDo(problem.work().get(work));
+            boolean can = legs.canDo(boat, work);
             for (int before = 0; can && before <= share.size(); before++) {
                 int previous = before == 0 ? -1 : share.get(before - 1);
                 double cost = legs.leg(boat, previous, work);

@@ -2,13 +2,13 @@ package org.sami.crw.service.allocation;
 
 import java.util.List;
 import java.util.Optional;
-import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.Interruption;
 import org.sami.crw.service.LocalPlane;
+import org.sami.crw.service.path.WayLengths;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Distances between boats and work on a plane, straight, by their indices in a problem. Counts how many it was asked for: the
+ * Distances between boats and work by their indices in a problem: straight on a plane, or of ways around what is in between. Counts how many it was asked for: the
  * measure of how much an algorithm computes, the same on every machine.
  */
 final class DistanceTable {
@@ -21,26 +21,53 @@ final class DistanceTable {
     private final double[] rangeM;
     private final double[] x;
     private final double[] y;
+    private final AllocationProblem problem;
+    private final double[][] wayM; // as the matrix; empty where distances are straight
     private long measured;
     private Optional<String> shortfall = Optional.empty();
 
     DistanceTable(AllocationProblem problem) {
+        this.problem = problem;
         List<Candidate> boats = problem.boats();
         LocalPlane plane = new LocalPlane(
                 boats.isEmpty() ? GeoPoint.of(0, 0) : boats.get(0).at());
         boatX = boats.stream().mapToDouble(boat -> plane.x(boat.freeAt())).toArray();
         boatY = boats.stream().mapToDouble(boat -> plane.y(boat.freeAt())).toArray();
-        begunM = boats.stream().mapToDouble(DistanceTable::begunM).toArray();
+        begunM = boats.stream()
+                .mapToDouble(boat -> problem.lengthM(
+                        boat, boat.begun().stream().map(WorkItem::location).toList()))
+                .toArray();
         rangeM = boats.stream()
                 .mapToDouble(boat -> boat.rangeM().orElse(Double.POSITIVE_INFINITY))
                 .toArray();
         x = problem.work().stream().mapToDouble(one -> plane.x(one.location())).toArray();
         y = problem.work().stream().mapToDouble(one -> plane.y(one.location())).toArray();
+        wayM = problem.ways()
+                .filter(lengths -> !lengths.isStraight())
+                .map(this::wayM)
+                .orElse(new double[0][]);
+        problem.ways().flatMap(WayLengths::shortfall).ifPresent(this::fallShort);
     }
 
-    private static double begunM(Candidate boat) {
-        return Geodesy.lengthM(
-                boat.at(), boat.begun().stream().map(WorkItem::location).toList());
+    private double[][] wayM(WayLengths lengths) {
+        double[][] metres = new double[x.length + boatX.length][x.length];
+        for (int to = 0; to < x.length; to++) {
+            GeoPoint end = problem.work().get(to).location();
+            for (int from = 0; from < x.length; from++) {
+                metres[from][to] = lengths.lengthM(problem.work().get(from).location(), end);
+            }
+            for (int boat = 0; boat < boatX.length; boat++) {
+                metres[x.length + boat][to] =
+                        lengths.lengthM(problem.boats().get(boat).freeAt(), end);
+            }
+        }
+        return metres;
+    }
+
+    /** Whether a boat offers what some work needs and can get to it. */
+    boolean canDo(int boat, int work) {
+        return problem.boats().get(boat).canDo(problem.work().get(work))
+                && (wayM.length == 0 || wayM[x.length + boat][work] < Double.POSITIVE_INFINITY);
     }
 
     /** Length of what a boat has begun; it counts as part of its path. */
@@ -94,12 +121,12 @@ final class DistanceTable {
     /** From where a boat is free to some work. */
     double first(int boat, int to) {
         count();
-        return distance(boatX[boat], boatY[boat], x[to], y[to]);
+        return wayM.length > 0 ? wayM[x.length + boat][to] : distance(boatX[boat], boatY[boat], x[to], y[to]);
     }
 
     double between(int from, int to) {
         count();
-        return distance(x[from], y[from], x[to], y[to]);
+        return wayM.length > 0 ? wayM[from][to] : distance(x[from], y[from], x[to], y[to]);
     }
 
     /** From a stop of a boat's path; {@code from} below zero is where the boat is free. */

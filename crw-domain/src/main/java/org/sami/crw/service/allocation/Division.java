@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.crw.event.Allocation;
-import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.choice.Criterion;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
@@ -18,7 +17,7 @@ import org.sami.spn.value.GeoPoint;
  * @param problem the problem that it solves
  * @param paths the work of each boat in its order, what it had begun first; every boat is there
  * @param unallocated the work that nobody got
- * @param totalM sum of the lengths of all paths, along the surface
+ * @param totalM sum of the lengths of all paths, along the surface, around what is in between
  * @param longestM the longest of them
  * @param legsMeasured how many distances were computed for it
  * @param method the algorithm's name
@@ -49,8 +48,8 @@ public record Division(
             List<WorkItem> path = new ArrayList<>(boat.begun());
             shares.get(b).forEach(index -> path.add(possible.work().get(index)));
             paths.put(boat.boat(), List.copyOf(path));
-            double length = Geodesy.lengthM(
-                    boat.at(), path.stream().map(WorkItem::location).toList());
+            double length =
+                    whole.lengthM(boat, path.stream().map(WorkItem::location).toList());
             total += length;
             longest = Math.max(longest, length);
         }

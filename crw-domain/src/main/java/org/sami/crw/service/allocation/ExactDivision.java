@@ -53,7 +53,7 @@ final class ExactDivision {
         double[] length = new double[sets * works];
         Arrays.fill(length, Double.POSITIVE_INFINITY);
         for (int last = 0; last < works; last++) {
-            if (problem.boats().get(boat).canDo(problem.work().get(last))) {
+            if (legs.canDo(boat, last)) {
                 length[(1 << last) * works + last] = legs.begun(boat) + legs.first(boat, last);
             }
         }
@@ -61,8 +61,7 @@ final class ExactDivision {
             for (int last = 0; last < works; last++) {
                 double soFar = length[set * works + last];
                 for (int next = 0; next < works && soFar < Double.POSITIVE_INFINITY; next++) {
-                    if ((set & 1 << next) == 0
-                            && problem.boats().get(boat).canDo(problem.work().get(next))) {
+                    if ((set & 1 << next) == 0 && legs.canDo(boat, next)) {
                         int at = (set | 1 << next) * works + next;
                         length[at] = Math.min(length[at], soFar + legs.between(last, next));
                     }

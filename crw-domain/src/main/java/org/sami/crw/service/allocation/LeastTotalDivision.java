@@ -33,7 +33,7 @@ public final class LeastTotalDivision extends AllocationAlgorithm {
 
     private static List<List<Integer>> searched(
             AllocationProblem problem, DistanceTable legs, List<List<Integer>> shares) {
-        return new LocalSearch(problem, legs, Objective.TOTAL, shares).run();
+        return new LocalSearch(legs, Objective.TOTAL, shares).run();
     }
 
     private static List<List<Integer>> cheapestInsertion(AllocationProblem problem, DistanceTable legs) {

@@ -19,14 +19,12 @@ final class LocalSearch {
 
     private static final int LONGEST_PART = 3;
 
-    private final AllocationProblem problem;
     private final DistanceTable legs;
     private final Objective objective;
     private final long until;
     private final List<Path> paths = new ArrayList<>();
 
-    LocalSearch(AllocationProblem problem, DistanceTable legs, Objective objective, List<List<Integer>> shares) {
-        this.problem = problem;
+    LocalSearch(DistanceTable legs, Objective objective, List<List<Integer>> shares) {
         this.legs = legs;
         this.objective = objective;
         until = legs.measured() + BUDGET;
@@ -164,7 +162,7 @@ final class LocalSearch {
 
     private boolean canDo(int boat, Path source, int from, int to) {
         for (int i = from; i < to; i++) {
-            if (!problem.boats().get(boat).canDo(problem.work().get(source.stops[i]))) {
+            if (!legs.canDo(boat, source.stops[i])) {
                 return false;
             }
         }

@@ -57,8 +57,7 @@ public final class OptimalAssignment extends AllocationAlgorithm {
         double[][] costs = new double[problem.work().size()][problem.boats().size()];
         for (int work = 0; work < costs.length; work++) {
             for (int boat = 0; boat < costs[work].length; boat++) {
-                costs[work][boat] =
-                        problem.boats().get(boat).canDo(problem.work().get(work)) ? legs.first(boat, work) : FORBIDDEN;
+                costs[work][boat] = legs.canDo(boat, work) ? legs.first(boat, work) : FORBIDDEN;
             }
         }
         int[] boatOf = LeastSumAssignment.of(costs);

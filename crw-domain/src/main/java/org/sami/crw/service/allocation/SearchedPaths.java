@@ -47,8 +47,7 @@ final class SearchedPaths {
         indexOf = new int[works];
         for (int boat = 0; boat < boats; boat++) {
             for (int work = 0; work < works; work++) {
-                canDo[boat][work] =
-                        problem.boats().get(boat).canDo(problem.work().get(work));
+                canDo[boat][work] = legs.canDo(boat, work);
             }
             for (int work : shares.get(boat)) {
                 stops[boat][size[boat]++] = work;

@@ -40,7 +40,7 @@ public final class SequentialSingleItemAuction extends AllocationAlgorithm {
         int locations = problem.work().size();
         int location = 0;
         while (location < locations && legs.measured() < LIMIT) {
-            auction(location, problem, paths);
+            auction(location, legs, paths);
             location++;
         }
         List<List<Integer>> shares = new ArrayList<>(
@@ -54,11 +54,11 @@ public final class SequentialSingleItemAuction extends AllocationAlgorithm {
         return shares;
     }
 
-    private static void auction(int location, AllocationProblem problem, List<NearestNeighbourPath> paths) {
+    private static void auction(int location, DistanceTable legs, List<NearestNeighbourPath> paths) {
         double best = Double.POSITIVE_INFINITY;
         int winner = -1;
         for (int boat = 0; boat < paths.size(); boat++) {
-            if (problem.boats().get(boat).canDo(problem.work().get(location))) {
+            if (legs.canDo(boat, location)) {
                 double bid = paths.get(boat).lengthWith(location, best);
                 if (winner < 0 || bid < best) {
                     best = bid;

@@ -84,7 +84,7 @@ final class ShortenedPaths {
             double savedM = savedM(from, at);
             int work = shares.get(from).get(at);
             for (int to = 0; savedM > ROUNDING_M && to < lengthM.length; to++) {
-                if (to != from && problem.boats().get(to).canDo(problem.work().get(work))) {
+                if (to != from && legs.canDo(to, work)) {
                     best = cheaper(best, from, at, to, savedM);
                 }
             }

@@ -5,6 +5,7 @@
  * proxies.
  *
  * <p>Work that needs capabilities goes only to boats that offer them; what no boat can do is named as unallocated, with what is
- * missing. Lengths are of straight legs: on a plane while comparing, along the surface where they are reported.
+ * missing. Lengths are of straight legs, on a plane while comparing and along the surface where they are reported; or where areas are to be
+ * avoided of the ways around them.
  */
 package org.sami.crw.service.allocation;

@@ -161,7 +161,31 @@ public final class VisibilityGraph {
         return new Search(from, to).run();
     }
 
-    private boolean sees(Coordinate a, Coordinate b) {
+    /** Where ways turn. */
+    List<Coordinate> corners() {
+        return corners;
+    }
+
+    /** Whether a leg between a corner and some place only touches the corner's ring there; always where it is no corner's number. */
+    boolean isTangent(int corner, Coordinate other) {
+        if (corner >= neighbours.size()) {
+            return true;
+        }
+        Coordinate at = corners.get(corner);
+        Coordinate[] beside = neighbours.get(corner);
+        return side(at, other, beside[0]) * side(at, other, beside[1]) >= 0;
+    }
+
+    /** On which side of a line a place lies; on neither where it is nearer to it than rounding can tell. */
+    private static double side(Coordinate from, Coordinate to, Coordinate place) {
+        double dx = to.x - from.x;
+        double dy = to.y - from.y;
+        double offM = (dx * (place.y - from.y) - dy * (place.x - from.x)) / Math.max(1, Math.hypot(dx, dy));
+        return Math.abs(offM) < SAME_PLACE_M ? 0 : Math.signum(offM);
+    }
+
+    /** Whether nothing that is blocked lies between two places. */
+    boolean sees(Coordinate a, Coordinate b) {
         tested++;
         return a.equals2D(b) || !prepared.intersects(FACTORY.createLineString(new Coordinate[] {a, b}));
     }
@@ -210,28 +234,11 @@ public final class VisibilityGraph {
 
         private void expand(int from, double lengthM) {
             for (int to = 0; to < places.length; to++) {
-                if (!reached[to] && isTangent(from, to) && isTangent(to, from)) {
+                if (!reached[to] && isTangent(from, places[to]) && isTangent(to, places[from])) {
                     double toM = lengthM + places[from].distance(places[to]);
                     open.add(new Leg(from, to, toM, toM + places[to].distance(goal)));
                 }
             }
-        }
-
-        /** Whether a leg only touches the ring of its first end there; always where that is no corner. */
-        private boolean isTangent(int at, int other) {
-            if (at >= neighbours.size()) {
-                return true;
-            }
-            Coordinate[] beside = neighbours.get(at);
-            return side(places[at], places[other], beside[0]) * side(places[at], places[other], beside[1]) >= 0;
-        }
-
-        /** On which side of a line a place lies; on neither where it is nearer to it than rounding can tell. */
-        private double side(Coordinate from, Coordinate to, Coordinate place) {
-            double dx = to.x - from.x;
-            double dy = to.y - from.y;
-            double offM = (dx * (place.y - from.y) - dy * (place.x - from.x)) / Math.max(1, Math.hypot(dx, dy));
-            return Math.abs(offM) < SAME_PLACE_M ? 0 : Math.signum(offM);
         }
 
         private List<Coordinate> way() {

@@ -1,0 +1,120 @@
+package org.sami.crw.service.path;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.locationtech.jts.geom.Coordinate;
+import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.water.Areas;
+import org.sami.crw.service.water.Water;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * How long the ways between some points are, around what is forbidden, all computed at once. As boats then drive: a way keeps its margin unless that costs more
+ * than {@link PathProblem#DETOUR}; an end that lies in what is forbidden is left, or come to, on the shortest way. Immutable.
+ */
+public final class WayLengths {
+    /** For more points lengths are straight. */
+    public static final int MOST_POINTS = 250;
+
+    /** For more corners of what is forbidden lengths are straight. */
+    static final int MOST_CORNERS = 1500;
+
+    private final Map<GeoPoint, Integer> indices;
+    private final double[][] lengthM;
+    private final Optional<String> shortfall;
+
+    private WayLengths(Map<GeoPoint, Integer> indices, double[][] lengthM, Optional<String> shortfall) {
+        this.indices = indices;
+        this.lengthM = lengthM;
+        this.shortfall = shortfall;
+    }
+
+    /** The lengths between points; straight where nothing is forbidden, or where there are too many points or corners. */
+    public static WayLengths between(Collection<GeoPoint> points, Water water) {
+        List<GeoPoint> all = new ArrayList<>(new LinkedHashSet<>(points));
+        if (water.isOpen()) {
+            return straight(Optional.empty());
+        }
+        if (all.size() > MOST_POINTS) {
+            return straight(Optional.of("distances are straight, through what is to be avoided: " + all.size()
+                    + " boats and locations are more than the " + MOST_POINTS + " for which ways around are measured"));
+        }
+        double leastM = water.error().steeringM();
+        double marginM = Math.max(water.error().marginM(), leastM);
+        VisibilityGraph tight = new VisibilityGraph(water.forbidden(), leastM);
+        VisibilityGraph wide = marginM > leastM ? new VisibilityGraph(water.forbidden(), marginM) : tight;
+        int corners = Math.max(tight.corners().size(), wide.corners().size());
+        if (corners > MOST_CORNERS) {
+            return straight(Optional.of("distances are straight, through what is to be avoided: it has " + corners
+                    + " corners, and ways around are measured for " + MOST_CORNERS));
+        }
+        double[][] shortest = lengths(all, water, tight);
+        double[][] kept = wide == tight ? shortest : lengths(all, water, wide);
+        Map<GeoPoint, Integer> indices = new LinkedHashMap<>();
+        for (int i = 0; i < all.size(); i++) {
+            indices.put(all.get(i), i);
+            for (int j = 0; j < all.size(); j++) {
+                if (kept[i][j] <= PathProblem.DETOUR * shortest[i][j]) {
+                    shortest[i][j] = kept[i][j];
+                }
+            }
+        }
+        return new WayLengths(indices, shortest, Optional.empty());
+    }
+
+    private static WayLengths straight(Optional<String> shortfall) {
+        return new WayLengths(Map.of(), new double[0][], shortfall);
+    }
+
+    private static double[][] lengths(List<GeoPoint> points, Water water, VisibilityGraph graph) {
+        List<Coordinate> places = new ArrayList<>();
+        double[] asideM = new double[points.size()];
+        for (GeoPoint point : points) {
+            Coordinate at = Areas.coordinate(point, water.plane());
+            Coordinate free = graph.isBlocked(at) || graph.isBehindCorners(at) ? graph.nearestFree(at) : at;
+            boolean isCut = !free.equals2D(at)
+                    && water.clearanceM(point) > 0
+                    && !water.allows(List.of(point, Areas.point(free, water.plane())));
+            asideM[places.size()] = isCut ? graph.isBlocked(at) ? Double.POSITIVE_INFINITY : 0 : free.distance(at);
+            places.add(isCut ? at : free);
+        }
+        double[][] lengthM = new ShortestWays(graph, places).lengthsM();
+        for (int i = 0; i < lengthM.length; i++) {
+            for (int j = 0; j < lengthM.length; j++) {
+                lengthM[i][j] = i == j ? 0 : lengthM[i][j] + asideM[i] + asideM[j];
+            }
+        }
+        return lengthM;
+    }
+
+    /** Whether lengths are straight. */
+    public boolean isStraight() {
+        return indices.isEmpty();
+    }
+
+    /** Why lengths are straight although something is to be driven around, in words. */
+    public Optional<String> shortfall() {
+        return shortfall;
+    }
+
+    /** The length of the way between two of the points, in metres; infinite where there is none. */
+    public double lengthM(GeoPoint from, GeoPoint to) {
+        return isStraight() ? Geodesy.distanceM(from, to) : lengthM[indices.get(from)][indices.get(to)];
+    }
+
+    /** The length of the way by some of the points, one after another, in metres. */
+    public double lengthM(GeoPoint from, List<GeoPoint> by) {
+        double metres = 0;
+        GeoPoint at = from;
+        for (GeoPoint next : by) {
+            metres += lengthM(at, next);
+            at = next;
+        }
+        return metres;
+    }
+}
