@@ -22,10 +22,10 @@ import java.util.stream.Stream;
 enum SamiModule {
     SPN_CORE("spn-core", 540, List.of("org.sami.spn.."), List.of()),
     BOAT_LINK("boat-link", 55, List.of("org.sami.boat.link.."), List.of()),
-    BOAT_SERVER("boat-server-android/server", 32, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
+    BOAT_SERVER("boat-server-android/server", 42, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
     CRW_DOMAIN(
             "crw-domain",
-            400,
+            440,
             List.of(
                     "org.sami.crw.decision..",
                     "org.sami.crw.event..",

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.sami.boat.link.TrackingError;
-import org.sami.boat.server.Sensor;
-import org.sami.boat.server.Vehicle;
+import org.sami.boat.server.vehicle.Sensor;
+import org.sami.boat.server.vehicle.Vehicle;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoPoint;
 

@@ -1,6 +1,7 @@
 package org.sami.boat.server;
 
 import org.sami.boat.link.BatteryLevel;
+import org.sami.boat.server.vehicle.Vehicle;
 
 /**
  * Finds the class of the charge: by its thresholds, and critical as well where the charge lasts just for the way home from here. Who turned

@@ -31,6 +31,7 @@ import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.Traffic;
 import org.sami.boat.link.Welcome;
+import org.sami.boat.server.vehicle.Vehicle;
 
 /**
  * The boat server: clients command and watch one boat through it (docs/link.md).

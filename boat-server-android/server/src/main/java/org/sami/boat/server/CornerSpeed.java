@@ -1,6 +1,7 @@
 package org.sami.boat.server;
 
 import org.sami.boat.link.Waypoint;
+import org.sami.boat.server.vehicle.LocalFrame;
 
 /**
  * How fast a vehicle may pass a waypoint so that it keeps to the legs that follow: slowly where it turns much, and where soon after it a

@@ -14,6 +14,8 @@ import org.sami.boat.server.traffic.CourseAndSpeed;
 import org.sami.boat.server.traffic.GivingWay;
 import org.sami.boat.server.traffic.StationRoom;
 import org.sami.boat.server.traffic.Surroundings;
+import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.boat.server.vehicle.Vehicle;
 
 /**
  * Decides what the motors do: follows the waypoint track, keeps station, obeys the hand that drives, returns home, rests.

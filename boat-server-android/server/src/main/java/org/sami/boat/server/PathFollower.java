@@ -3,6 +3,8 @@ package org.sami.boat.server;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.traffic.CourseAndSpeed;
 import org.sami.boat.server.traffic.GivingWay;
+import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.boat.server.vehicle.Vehicle;
 
 /**
  * Drives a vehicle along a waypoint track, leg by leg, on the straight lines between the waypoints and not merely towards them. The

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import org.sami.boat.link.SensorReport;
+import org.sami.boat.server.vehicle.Sensor;
+import org.sami.boat.server.vehicle.Vehicle;
 
 /** Reads the sensors of a vehicle, each by its own rate, and says where and when that was. */
 final class SensorWatch {

@@ -2,6 +2,8 @@ package org.sami.boat.server;
 
 import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
+import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.boat.server.vehicle.Vehicle;
 
 /**
  * Steers the vehicle along a heading: heading by one loop, speed by feed-forward and another. Steering goes before

@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.List;
 import org.sami.boat.link.SetWaysHome;
 import org.sami.boat.link.Waypoint;
+import org.sami.boat.server.vehicle.LocalFrame;
 
 /**
  * The ways on which the boat comes home from where it is: those that its base has sent for the leg that it drives or drove last, and what is

@@ -3,7 +3,7 @@
  *
  * <p>{@link org.sami.boat.server.BoatServer} is a state machine without threads, sockets and clock: its host connects
  * sessions, hands it frames and ticks it ten times a second with a clock that never runs back. The hull is a
- * {@link org.sami.boat.server.Vehicle}: the phone's motors and sensors, or a simulated hull.
+ * {@link org.sami.boat.server.vehicle.Vehicle}: the phone's motors and sensors, or a simulated hull.
  *
  * <p>Trigonometry is that of {@code StrictMath}, so that a simulated run is the same on every machine.
  *

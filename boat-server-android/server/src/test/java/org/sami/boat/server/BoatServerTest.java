@@ -35,6 +35,7 @@ import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.server.ServerTestBench.Client;
+import org.sami.boat.server.vehicle.LocalFrame;
 
 class BoatServerTest {
     private static final List<Waypoint> PATH = List.of(new Waypoint(45.001, 10, 1.5), new Waypoint(45.002, 10, 1.6));

@@ -10,6 +10,7 @@ import net.sf.geographiclib.GeodesicData;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.sami.boat.server.vehicle.LocalFrame;
 
 class LocalFrameTest {
 

@@ -12,6 +12,7 @@ import org.sami.boat.link.Role;
 import org.sami.boat.link.SensorReport;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.server.ServerTestBench.Client;
+import org.sami.boat.server.vehicle.Sensor;
 
 /** Readings of the instruments on board. */
 class SensorWatchTest {

@@ -12,6 +12,9 @@ import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.Welcome;
+import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.boat.server.vehicle.Sensor;
+import org.sami.boat.server.vehicle.Vehicle;
 
 /** A boat server on a test bench: a vehicle moved by hand, clients that write down what they get. */
 final class ServerTestBench {

@@ -15,6 +15,7 @@ import org.sami.boat.link.Traffic;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.link.Welcome;
+import org.sami.boat.server.vehicle.LocalFrame;
 
 /** What a boat does with what its base says of others; how it then moves among them is tested on simulated hulls (GivingWayTest of crw-sim). */
 class TrafficTest {

@@ -15,6 +15,7 @@ import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.ServerTestBench.Client;
+import org.sami.boat.server.vehicle.LocalFrame;
 
 /** Which of the ways home that its base has sent are in force on a boat: seen by the charge that they take. */
 class WaysHomeTest {

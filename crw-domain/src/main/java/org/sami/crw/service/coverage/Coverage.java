@@ -84,16 +84,21 @@ public record Coverage(
                                 part.near().latDeg(),
                                 part.near().lonDeg()))
                         .collect(Collectors.joining())
-                + beyondCharge.stream()
-                        .map(stretch -> String.format(
-                                Locale.ROOT,
-                                stretch.recharged()
-                                        ? "; that is up to %.0f m a boat more than its charge is sure to last for: batteries are to be swapped on the way"
-                                        : "; charges do not last for %.0f m of track more, near %.5f,%.5f",
-                                stretch.trackM(),
-                                stretch.near().latDeg(),
-                                stretch.near().lonDeg()))
-                        .collect(Collectors.joining());
+                + beyondCharge.stream().map(Coverage::words).collect(Collectors.joining());
+    }
+
+    private static String words(BeyondCharge stretch) {
+        return stretch.recharged()
+                ? String.format(
+                        Locale.ROOT,
+                        "; that is up to %.0f m a boat more than its charge is sure to last for: batteries are to be swapped on the way",
+                        stretch.trackM())
+                : String.format(
+                        Locale.ROOT,
+                        "; charges do not last for %.0f m of track more, near %.5f,%.5f",
+                        stretch.trackM(),
+                        stretch.near().latDeg(),
+                        stretch.near().lonDeg());
     }
 
     /** What the operator is to be asked before boats begin: charges do not last for all, and nothing is swapped on the way. */

@@ -54,7 +54,7 @@ class TourDivisionTest {
         for (int seed = 0; seed < 100; seed++) {
             int boats = 2 + random.nextInt(4);
             double[] ranges = random.doubles(boats, 50, 900).toArray();
-            double[] at = random.doubles(2 * boats, -100, 200).toArray();
+            double[] at = random.doubles(2L * boats, -100, 200).toArray();
 
             TourDivision.Cuts cuts = cuts(ranges, false, at);
 

@@ -6,7 +6,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.Function;
-import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.TrafficRelay;

@@ -1,7 +1,7 @@
 package org.sami.crw.sim.geotext;
 
 import java.util.List;
-import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 

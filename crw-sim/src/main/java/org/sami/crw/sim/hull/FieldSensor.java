@@ -2,7 +2,7 @@ package org.sami.crw.sim.hull;
 
 import java.util.List;
 import java.util.SplittableRandom;
-import org.sami.boat.server.Sensor;
+import org.sami.boat.server.vehicle.Sensor;
 
 /** A simulated sensor: the value of a field where the hull truly is, and a little noise. */
 final class FieldSensor implements Sensor {

@@ -3,9 +3,9 @@ package org.sami.crw.sim.hull;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import org.sami.boat.server.LocalFrame;
-import org.sami.boat.server.Sensor;
-import org.sami.boat.server.Vehicle;
+import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.boat.server.vehicle.Sensor;
+import org.sami.boat.server.vehicle.Vehicle;
 
 /**
  * A hull as its boat server knows it: through a GPS and a compass whose errors wander, and through its sensors. The truth stays

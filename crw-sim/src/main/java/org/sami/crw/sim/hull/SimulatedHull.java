@@ -2,8 +2,8 @@ package org.sami.crw.sim.hull;
 
 import java.util.Optional;
 import java.util.SplittableRandom;
-import org.sami.boat.server.LocalFrame;
-import org.sami.boat.server.Vehicle;
+import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.boat.server.vehicle.Vehicle;
 
 /**
  * A hull with two motors, moved by kinematics: the sum of the efforts sets the speed, their difference the turn rate, both

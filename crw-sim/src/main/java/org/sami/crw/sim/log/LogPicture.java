@@ -10,7 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
-import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.sim.report.ReportText;
 import org.sami.crw.sim.report.TrackPicture;

@@ -2,7 +2,7 @@ package org.sami.crw.sim.run;
 
 import java.util.Collection;
 import java.util.List;
-import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.protocol.Answer;

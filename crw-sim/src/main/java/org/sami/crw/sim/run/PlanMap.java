@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.ClosestApproach;
 import org.sami.crw.sim.report.LocationResult;

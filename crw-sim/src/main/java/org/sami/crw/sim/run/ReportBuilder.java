@@ -5,7 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
-import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.InterruptResult;
 import org.sami.crw.sim.report.LocationResult;

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.operator.BlockedPlaces;
 import org.sami.crw.operator.BoatSnapshot;
 import org.sami.crw.operator.OperatorModels;

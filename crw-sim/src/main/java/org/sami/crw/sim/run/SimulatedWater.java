@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.function.Function;
-import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.sim.clock.VirtualClock;

@@ -7,7 +7,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
-import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.operator.ClickCount;
 import org.sami.crw.session.FleetHistory;
 import org.sami.crw.session.OperatorLogRows;

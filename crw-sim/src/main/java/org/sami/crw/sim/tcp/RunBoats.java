@@ -2,7 +2,7 @@ package org.sami.crw.sim.tcp;
 
 import java.util.List;
 import java.util.Optional;
-import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.session.FleetHistory;
 import org.sami.crw.sim.report.LinkResult;
 import org.sami.crw.sim.run.BoatState;

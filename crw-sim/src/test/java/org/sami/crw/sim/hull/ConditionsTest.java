@@ -11,8 +11,8 @@ import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.sami.boat.server.LocalFrame;
-import org.sami.boat.server.Sensor;
+import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.boat.server.vehicle.Sensor;
 import org.sami.crw.service.water.CrossTrackError;
 
 class ConditionsTest {

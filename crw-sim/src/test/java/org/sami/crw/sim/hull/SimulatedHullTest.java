@@ -11,7 +11,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import net.sf.geographiclib.Geodesic;
 import org.junit.jupiter.api.Test;
-import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.vehicle.LocalFrame;
 
 class SimulatedHullTest {
     private static final LocalFrame FRAME = new LocalFrame(45.4, 10.9);

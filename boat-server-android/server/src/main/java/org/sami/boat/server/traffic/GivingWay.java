@@ -1,7 +1,7 @@
 package org.sami.boat.server.traffic;
 
 import java.util.List;
-import org.sami.boat.server.Vehicle;
+import org.sami.boat.server.vehicle.Vehicle;
 
 /**
  * Has a boat give way to others. Of some courses and speeds around the one that is wanted it takes the cheapest that is safe, which is the wanted

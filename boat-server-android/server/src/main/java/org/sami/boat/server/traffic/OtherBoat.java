@@ -2,7 +2,7 @@ package org.sami.boat.server.traffic;
 
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.NearbyBoat;
-import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.vehicle.LocalFrame;
 
 /** Another boat as it was seen last, in metres of the plane of {@link Surroundings}. It is taken to go on as it did. */
 final class OtherBoat {

@@ -1,8 +1,8 @@
 package org.sami.boat.server.traffic;
 
 import java.util.Optional;
-import org.sami.boat.server.LocalFrame;
-import org.sami.boat.server.Vehicle;
+import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.boat.server.vehicle.Vehicle;
 
 /**
  * Finds where on its station a boat goes aside, so that another can come to a point on which it lies: it drifts within the same circle

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Objects;
 import org.sami.boat.link.NearbyBoat;
 import org.sami.boat.link.Traffic;
-import org.sami.boat.server.LocalFrame;
+import org.sami.boat.server.vehicle.LocalFrame;
 
 /** The other boats near this one, as its base told of them. What is old is forgotten. For the thread that ticks the server. */
 public final class Surroundings {

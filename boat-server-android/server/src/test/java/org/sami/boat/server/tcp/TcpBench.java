@@ -21,7 +21,7 @@ import org.sami.boat.link.SteadyClock;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
-import org.sami.boat.server.Vehicle;
+import org.sami.boat.server.vehicle.Vehicle;
 
 /** A boat that lies still behind a real port of the loopback address, and clients of it. */
 final class TcpBench implements AutoCloseable {

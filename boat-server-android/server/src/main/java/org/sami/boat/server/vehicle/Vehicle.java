@@ -1,4 +1,4 @@
-package org.sami.boat.server;
+package org.sami.boat.server.vehicle;
 
 import java.util.Collections;
 import java.util.List;

@@ -1,4 +1,4 @@
-package org.sami.boat.server;
+package org.sami.boat.server.vehicle;
 
 import org.sami.boat.link.Waypoint;
 
@@ -51,7 +51,7 @@ public final class LocalFrame {
     }
 
     /** The origin as a waypoint to which a leg of that speed leads. */
-    Waypoint origin(double speedMps) {
+    public Waypoint origin(double speedMps) {
         return new Waypoint(originLatDeg, originLonDeg, speedMps);
     }
 
