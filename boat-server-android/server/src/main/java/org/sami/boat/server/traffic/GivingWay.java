@@ -25,7 +25,6 @@ public final class GivingWay {
      */
     private static final double DEVIATIONS = 1.5;
 
-    private static final double REACH_M = 40;
     private static final double AHEAD_S = 8;
     private static final double SOON_S = 2.5; // so long ahead also who has the right of way looks
     private static final double AT_ONCE_S = 1; // nearer than that safety is looked at, and not cost
@@ -43,6 +42,7 @@ public final class GivingWay {
     private static final double TO_PORT = 0.04;
     private static final double IMPATIENCE_PER_S = 0.1;
     private static final double LONGEST_WAIT_S = 20;
+    private static final double ROUNDING = 1e-9;
 
     private final Surroundings surroundings;
     private final Vehicle vehicle;
@@ -59,6 +59,7 @@ public final class GivingWay {
     private StoppingWay[] stopping = new StoppingWay[0];
     private double[] leastM = new double[0];
     private int count;
+    private boolean allStopApart; // whatever this boat does for a moment
     private double chosenRad = Double.NaN; // while it gives way
     private double waitedS;
 
@@ -94,8 +95,8 @@ public final class GivingWay {
             forget();
             return wanted;
         }
-        look(hasWay, nowMs);
-        if (count == 0 || isFree(wanted)) {
+        look(Math.max(wanted.speedMps(), ASIDE_MPS), hasWay, nowMs);
+        if (count == 0 || isFree(wanted, nowMs)) {
             chosenRad = Double.NaN;
             waitedS = Math.max(0, waitedS - seconds);
             return wanted;
@@ -114,7 +115,12 @@ public final class GivingWay {
 
     // ---- who is there
 
-    private void look(boolean hasWay, long nowMs) {
+    /**
+     * Sees who can come near.
+     *
+     * @param fastestMps the most that this boat goes, whatever it chooses
+     */
+    private void look(double fastestMps, boolean hasWay, long nowMs) {
         eastM = surroundings.plane().eastM(vehicle.latDeg(), vehicle.lonDeg());
         northM = surroundings.plane().northM(vehicle.latDeg(), vehicle.lonDeg());
         headingRad = vehicle.headingRad();
@@ -122,14 +128,16 @@ public final class GivingWay {
         List<OtherBoat> others = surroundings.others();
         makeRoom(others.size());
         count = 0;
-        StoppingWay own = new StoppingWay(eastM, northM, headingRad, speedMps, 0);
+        double gainedMps = Math.max(fastestMps, Math.abs(speedMps) + GAINING_MPS2 * StoppingWay.REACTION_S);
+        double ownM = StoppingWay.lengthM(gainedMps, StoppingWay.REACTION_S);
+        allStopApart = true;
         for (int i = 0; i < others.size(); i++) {
             OtherBoat other = others.get(i);
-            double atEastM = other.eastM(nowMs);
-            double atNorthM = other.northM(nowMs);
-            double awayEastM = atEastM - eastM;
-            double awayNorthM = atNorthM - northM;
-            if (Math.abs(awayEastM) < REACH_M && Math.abs(awayNorthM) < REACH_M) {
+            double awayEastM = other.eastM(nowMs) - eastM;
+            double awayNorthM = other.northM(nowMs) - northM;
+            double awayM = Math.sqrt(awayEastM * awayEastM + awayNorthM * awayNorthM);
+            double spareM = awayM - ownM - other.stopsWithinM() - apartM;
+            if (spareM < 0 || awayM - (fastestMps + Math.abs(other.speedMps())) * AHEAD_S < wideM) {
                 near[count] = other;
                 nearEastM[count] = awayEastM;
                 nearNorthM[count] = awayNorthM;
@@ -138,12 +146,18 @@ public final class GivingWay {
                         && !other.isSlow()
                         && surroundings.ownId().compareTo(other.boatId()) < 0;
                 lookedAheadS[count] = precedes ? SOON_S : AHEAD_S;
-                StoppingWay its = new StoppingWay(
-                        atEastM, atNorthM, other.headingRad(), other.speedMps(), StoppingWay.REACTION_S);
-                stopping[count] = its;
-                leastM[count] = own.distanceM(its, apartM);
+                allStopApart &= spareM >= 0;
                 count++;
             }
+        }
+    }
+
+    /** Sees where the others can stop, before it is asked what is safe. */
+    private void lookWhereOthersStop(long nowMs) {
+        StoppingWay own = StoppingWay.of(eastM, northM, headingRad, speedMps, 0);
+        for (int i = 0; i < count; i++) {
+            stopping[i] = near[i].stoppingAt(near[i].eastM(nowMs), near[i].northM(nowMs));
+            leastM[i] = own.distanceM(stopping[i], apartM);
         }
     }
 
@@ -160,8 +174,13 @@ public final class GivingWay {
 
     // ---- what is safe and what it costs
 
-    private boolean isFree(CourseAndSpeed motion) {
-        return risk(motion.courseRad(), motion.speedMps()) == 0 && isSafe(motion.courseRad(), motion.speedMps());
+    private boolean isFree(CourseAndSpeed motion, long nowMs) {
+        boolean risky = risk(motion.courseRad(), motion.speedMps()) > 0;
+        if (!risky && allStopApart) {
+            return true; // most of the time
+        }
+        lookWhereOthersStop(nowMs);
+        return !risky && isSafe(motion.courseRad(), motion.speedMps());
     }
 
     /** Whether the boat could still stop apart from all others, had it gone so for a moment; where it is nearer already, no nearer. */
@@ -176,8 +195,8 @@ public final class GivingWay {
         double wayM = (speedMps + thenMps) / 2 * StoppingWay.REACTION_S;
         double thenEastM = eastM + wayM * StrictMath.sin(leastRad);
         double thenNorthM = northM + wayM * StrictMath.cos(leastRad);
-        return isClear(new StoppingWay(thenEastM, thenNorthM, leastRad, thenMps, 0))
-                && isClear(new StoppingWay(thenEastM, thenNorthM, mostRad, thenMps, 0));
+        return isClear(StoppingWay.of(thenEastM, thenNorthM, leastRad, thenMps, 0))
+                && isClear(StoppingWay.of(thenEastM, thenNorthM, mostRad, thenMps, 0));
     }
 
     private static double clamped(double value, double most) {
@@ -221,13 +240,13 @@ public final class GivingWay {
     private CourseAndSpeed best(CourseAndSpeed wanted, double besideM, double lineRad) {
         double restRad = Math.abs(speedMps) > 0.3 ? headingRad : wanted.courseRad();
         CourseAndSpeed best = new CourseAndSpeed(restRad, 0);
-        double least = cost(best, wanted, besideM, lineRad);
+        double least = cost(best, wanted, besideM, lineRad, Double.MAX_VALUE);
         double fullMps = Math.max(wanted.speedMps(), ASIDE_MPS);
         for (double offsetDeg : OFFSETS_DEG) {
             for (double part : PARTS) {
                 double mps = part * (Math.abs(offsetDeg) < 30 ? wanted.speedMps() : fullMps);
                 CourseAndSpeed other = new CourseAndSpeed(wanted.courseRad() + Math.toRadians(offsetDeg), mps);
-                double cost = cost(other, wanted, besideM, lineRad) + (offsetDeg < 0 ? TO_PORT : 0);
+                double cost = cost(other, wanted, besideM, lineRad, least) + (offsetDeg < 0 ? TO_PORT : 0);
                 if (cost < least && isSafe(other.courseRad(), mps)) {
                     least = cost;
                     best = other;
@@ -235,31 +254,32 @@ public final class GivingWay {
             }
         }
         CourseAndSpeed astern = new CourseAndSpeed(headingRad, -ASTERN_MPS);
-        return cost(astern, wanted, besideM, lineRad) < least && isSafeAstern() ? astern : best;
+        return cost(astern, wanted, besideM, lineRad, least) < least && isSafeAstern() ? astern : best;
     }
 
     private boolean isSafeAstern() {
-        return isClear(new StoppingWay(eastM, northM, headingRad, -ASTERN_MPS, StoppingWay.REACTION_S));
+        return isClear(StoppingWay.of(eastM, northM, headingRad, -ASTERN_MPS, StoppingWay.REACTION_S));
     }
 
-    private double cost(CourseAndSpeed motion, CourseAndSpeed wanted, double besideM, double lineRad) {
+    /** What a motion costs; of one that costs more than the cheapest anyway, risk is not looked at. */
+    private double cost(
+            CourseAndSpeed motion, CourseAndSpeed wanted, double besideM, double lineRad, double leastCost) {
         double mps = motion.speedMps();
         double onward =
                 mps * StrictMath.cos(motion.courseRad() - wanted.courseRad()) / Math.max(wanted.speedMps(), ASIDE_MPS);
         double thenM = Math.abs(besideM + mps * StrictMath.sin(motion.courseRad() - lineRad) * SOON_S);
         double patience = 1 / (1 + IMPATIENCE_PER_S * waitedS);
-        double cost = (1 - onward) + risk(motion.courseRad(), mps);
-        cost += patience * BESIDE_PER_M * Math.max(0, thenM - 0.5);
-        if (thenM > FARTHEST_M && thenM > Math.abs(besideM)) {
-            cost += thenM - FARTHEST_M;
-        }
-        if (Math.abs(mps) < ASIDE_MPS / 4) {
-            cost += IMPATIENCE_PER_S * waitedS;
-        }
-        if (!Double.isNaN(chosenRad) && mps > 0) {
-            double change = Math.abs(Math.IEEEremainder(motion.courseRad() - chosenRad, 2 * Math.PI));
-            cost += TURNING_BACK * change / (Math.PI / 2);
-        }
-        return cost;
+        double beside = patience * BESIDE_PER_M * Math.max(0, thenM - 0.5);
+        double tooFar = thenM > FARTHEST_M && thenM > Math.abs(besideM) ? thenM - FARTHEST_M : 0;
+        double waiting = Math.abs(mps) < ASIDE_MPS / 4 ? IMPATIENCE_PER_S * waitedS : 0;
+        double turning = Double.isNaN(chosenRad) || mps <= 0
+                ? 0
+                : TURNING_BACK
+                        * Math.abs(Math.IEEEremainder(motion.courseRad() - chosenRad, 2 * Math.PI))
+                        / (Math.PI / 2);
+        double atLeast = 1 - onward + beside + tooFar + waiting + turning;
+        return atLeast > leastCost + ROUNDING
+                ? atLeast
+                : 1 - onward + risk(motion.courseRad(), mps) + beside + tooFar + waiting + turning;
     }
 }

@@ -13,8 +13,10 @@ final class OtherBoat {
     private final BoatMode mode;
     private final double eastM;
     private final double northM;
-    private final double headingRad;
     private final double speedMps;
+    private final double aheadEast; // unit vector of its heading
+    private final double aheadNorth;
+    private final double stopsM; // along it, if it begins to stop now
     private final double eastMps;
     private final double northMps;
     private final long seenMs;
@@ -26,10 +28,12 @@ final class OtherBoat {
         mode = row.mode();
         eastM = plane.eastM(row.latDeg(), row.lonDeg());
         northM = plane.northM(row.latDeg(), row.lonDeg());
-        headingRad = row.headingRad();
         speedMps = row.speedMps();
-        eastMps = speedMps * StrictMath.sin(headingRad);
-        northMps = speedMps * StrictMath.cos(headingRad);
+        aheadEast = StrictMath.sin(row.headingRad());
+        aheadNorth = StrictMath.cos(row.headingRad());
+        eastMps = speedMps * aheadEast;
+        northMps = speedMps * aheadNorth;
+        stopsM = StoppingWay.lengthM(speedMps, StoppingWay.REACTION_S);
         seenMs = nowMs - row.ageMs();
         toEastM = row.isGoing() ? plane.eastM(row.toLatDeg(), row.toLonDeg()) : Double.NaN;
         toNorthM = row.isGoing() ? plane.northM(row.toLatDeg(), row.toLonDeg()) : Double.NaN;
@@ -67,8 +71,14 @@ final class OtherBoat {
         return speedMps;
     }
 
-    double headingRad() {
-        return headingRad;
+    /** How far it goes until it has stopped, in metres. */
+    double stopsWithinM() {
+        return Math.abs(stopsM);
+    }
+
+    /** The way on which it stops, if it is at a place. */
+    StoppingWay stoppingAt(double atEastM, double atNorthM) {
+        return StoppingWay.along(atEastM, atNorthM, stopsM, aheadEast, aheadNorth);
     }
 
     /** Whether it follows its way by itself, so that it gives way as this boat does. */

@@ -16,14 +16,28 @@ final class StoppingWay {
     private final double toNorthM;
     private final double lengthM;
 
-    /** A way that begins here, for a boat of that heading and speed; of a negative speed astern. */
-    StoppingWay(double eastM, double northM, double headingRad, double speedMps, double reactionS) {
-        double alongM = speedMps * reactionS + speedMps * Math.abs(speedMps) / (2 * BRAKING_MPS2);
-        fromEastM = eastM;
-        fromNorthM = northM;
-        toEastM = eastM + alongM * StrictMath.sin(headingRad);
-        toNorthM = northM + alongM * StrictMath.cos(headingRad);
-        lengthM = Math.abs(alongM);
+    private StoppingWay(double fromEastM, double fromNorthM, double toEastM, double toNorthM, double lengthM) {
+        this.fromEastM = fromEastM;
+        this.fromNorthM = fromNorthM;
+        this.toEastM = toEastM;
+        this.toNorthM = toNorthM;
+        this.lengthM = lengthM;
+    }
+
+    /** The way of a boat that is here, with that heading and speed; of a negative speed astern. */
+    static StoppingWay of(double eastM, double northM, double headingRad, double speedMps, double reactionS) {
+        double alongM = lengthM(speedMps, reactionS);
+        return along(eastM, northM, alongM, StrictMath.sin(headingRad), StrictMath.cos(headingRad));
+    }
+
+    /** A way of that length in the direction of a unit vector; of a negative length against it. */
+    static StoppingWay along(double eastM, double northM, double alongM, double east, double north) {
+        return new StoppingWay(eastM, northM, eastM + alongM * east, northM + alongM * north, Math.abs(alongM));
+    }
+
+    /** How long such a way is, in metres; negative astern. */
+    static double lengthM(double speedMps, double reactionS) {
+        return speedMps * reactionS + speedMps * Math.abs(speedMps) / (2 * BRAKING_MPS2);
     }
 
     /**

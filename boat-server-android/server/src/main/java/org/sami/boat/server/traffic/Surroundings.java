@@ -31,21 +31,22 @@ public final class Surroundings {
                     others.clear(); // they are those of another water
                     plane = new LocalFrame(row.latDeg(), row.lonDeg());
                 }
-                take(new OtherBoat(row, plane, nowMs));
+                take(row, nowMs);
             }
         }
     }
 
-    private void take(OtherBoat seen) {
+    private void take(NearbyBoat row, long nowMs) {
+        long seenMs = nowMs - row.ageMs();
         for (int i = 0; i < others.size(); i++) {
-            if (others.get(i).boatId().equals(seen.boatId())) {
-                if (seen.seenMs() >= others.get(i).seenMs()) {
-                    others.set(i, seen);
+            if (others.get(i).boatId().equals(row.boatId())) {
+                if (seenMs >= others.get(i).seenMs()) {
+                    others.set(i, new OtherBoat(row, plane, nowMs));
                 }
                 return;
             }
         }
-        others.add(seen);
+        others.add(new OtherBoat(row, plane, nowMs));
     }
 
     /** Forgets what is old. */
