@@ -117,17 +117,13 @@ final class Computations implements HostListener {
 
     /** Computes something for which no activation waits, beside the fleet's thread where there are threads; and goes on there with what was found. */
     <A> void aside(Supplier<A> work, Consumer<A> then) {
-        if (threads.isEmpty()) {
-            then.accept(work.get());
-            return;
-        }
-        try {
-            threads.get().start(() -> {
+        if (threads.isPresent()) {
+            threads.get().execute(() -> {
                 A found = work.get();
                 fleet.execute(() -> then.accept(found));
             });
-        } catch (RejectedExecutionException closed) {
-            return; // nobody is told any more
+        } else {
+            then.accept(work.get());
         }
     }
 

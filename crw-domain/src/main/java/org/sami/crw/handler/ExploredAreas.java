@@ -167,7 +167,7 @@ final class ExploredAreas implements BoatListener, HostListener {
     private void forget(long mission) {
         areas.values().stream()
                 .filter(one -> one.activation.mission() == mission && !one.tracks.isEmpty())
-                .forEach(one -> tell(one, " when the mission ended"));
+                .forEach(one -> tell(one, " until the mission ended"));
         areas.values().removeIf(one -> one.activation.mission() == mission);
     }
 
@@ -199,7 +199,7 @@ final class ExploredAreas implements BoatListener, HostListener {
                 .areaM2();
         String explored = String.format(
                 Locale.ROOT,
-                "Explored %.2f %% of %.0f m²%s by the positions that boats reported (planned %.2f %%)",
+                "Explored %.2f %% of %.0f m² by the positions that boats reported%s (planned %.2f %%)",
                 one.coverage.percent(left.areaM2()),
                 one.coverage.areaM2(),
                 when,

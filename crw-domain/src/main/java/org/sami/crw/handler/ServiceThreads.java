@@ -3,6 +3,7 @@ package org.sami.crw.handler;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
@@ -38,6 +39,15 @@ public final class ServiceThreads implements AutoCloseable {
 
     Future<?> start(Runnable work) {
         return threads.submit(work);
+    }
+
+    /** Has something computed that nobody gives up; nothing when the threads are closed. What it throws goes to the thread's handler of faults. */
+    void execute(Runnable work) {
+        try {
+            threads.execute(work);
+        } catch (RejectedExecutionException closed) {
+            // nobody wants to know it any more
+        }
     }
 
     /** Has somebody look after a computation: every few seconds, and when its time is over. */

@@ -85,7 +85,8 @@ class ExploreAreaTest {
                 .singleElement()
                 .satisfies(text -> {
                     assertThat(text)
-                            .contains(" % of 1600 m² when the mission ended by the positions that boats reported");
+                            .contains(
+                                    " % of 1600 m² by the positions that boats reported until the mission ended (planned ");
                     assertThat(percentIn(text)).isBetween(10.0, 80.0);
                 });
     }
