@@ -41,6 +41,7 @@ public final class TrafficRelay {
         private final double eastM;
         private final double northM;
         private final List<Seen> near = new ArrayList<>();
+        private NearbyBoat row; // once somebody is to be told of it
         private boolean isConcerned; // somebody is under way, this boat or one near it
         private boolean isClose; // likewise, and so near that it is told often
 
@@ -121,7 +122,10 @@ public final class TrafficRelay {
         }
         List<NearbyBoat> rows = new ArrayList<>(near.size());
         for (Seen other : near) {
-            rows.add(row(other, nowMs));
+            if (other.row == null) {
+                other.row = row(other, nowMs);
+            }
+            rows.add(other.row);
         }
         return rows;
     }
