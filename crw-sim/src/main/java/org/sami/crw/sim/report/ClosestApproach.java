@@ -1,8 +1,11 @@
 package org.sami.crw.sim.report;
 
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.sami.crw.sim.report.PairOfTracks.Track;
 
 /**
@@ -12,30 +15,45 @@ import org.sami.crw.sim.report.PairOfTracks.Track;
  * @param ever the nearest of all; empty for fewer than two boats
  * @param underWay the nearest from the moment on at which both of the two had left where they began, by {@link #LEFT_M}: boats mostly
  *     lie side by side at the start. Empty where no two had
+ * @param near of every two that came nearer than {@link #NEAR_M} where they were nearest, the nearest first
  */
-public record ClosestApproach(Optional<Approach> ever, Optional<Approach> underWay) {
+public record ClosestApproach(Optional<Approach> ever, Optional<Approach> underWay, List<Approach> near) {
+    /** What boats keep from one another in still water, in metres (docs/decisions, 0320). */
+    public static final double NEAR_M = 3;
+
     /** A boat that is so far from its first point has left it, in metres. */
     public static final double LEFT_M = 10;
 
     public ClosestApproach {
         Objects.requireNonNull(ever, "ever");
         Objects.requireNonNull(underWay, "underWay");
+        near = List.copyOf(near);
     }
 
     /** Looks through the tracks of all boats. */
     public static ClosestApproach of(List<BoatResult> boats) {
         Optional<Approach> ever = Optional.empty();
         Optional<Approach> underWay = Optional.empty();
+        List<Approach> near = new ArrayList<>();
         List<Long> left = boats.stream().map(boat -> leftAt(boat.track())).toList();
         List<Track> tracks = boats.stream().map(Track::of).toList();
         for (int i = 0; i < boats.size(); i++) {
             for (int j = i + 1; j < boats.size(); j++) {
                 PairOfTracks pair = new PairOfTracks(tracks.get(i), tracks.get(j));
-                ever = pair.nearer(ever, 0);
+                double nearestM = ever.map(Approach::distanceM).orElse(Double.MAX_VALUE);
+                Optional<Approach> nearest = pair.nearerThan(Math.max(NEAR_M, nearestM), 0);
+                nearest.filter(approach -> approach.distanceM() < NEAR_M).ifPresent(near::add);
+                ever = nearest.filter(approach -> approach.distanceM() < nearestM)
+                        .or(known(ever));
                 underWay = pair.nearer(underWay, Math.max(left.get(i), left.get(j)));
             }
         }
-        return new ClosestApproach(ever, underWay);
+        near.sort(Comparator.comparingDouble(Approach::distanceM));
+        return new ClosestApproach(ever, underWay, near);
+    }
+
+    private static Supplier<Optional<Approach>> known(Optional<Approach> approach) {
+        return () -> approach;
     }
 
     /** When a boat had left its first point; never is the end of all time. */

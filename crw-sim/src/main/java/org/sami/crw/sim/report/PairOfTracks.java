@@ -42,17 +42,22 @@ final class PairOfTracks {
      * together after that time.
      */
     Optional<Approach> nearer(Optional<Approach> known, long fromMillis) {
+        return nearerThan(known.map(Approach::distanceM).orElse(Double.MAX_VALUE), fromMillis)
+                .or(() -> known);
+    }
+
+    /** Where they were nearest, from a time on, if that is nearer than so many metres. */
+    Optional<Approach> nearerThan(double before, long fromMillis) {
         if (one.points.isEmpty() || other.points.isEmpty()) {
-            return known;
+            return Optional.empty();
         }
         Way first = new Way(one.points);
         Way second = new Way(other.points);
         long at = Math.max(fromMillis, Math.max(first.begin(), second.begin()));
         long end = Math.min(first.end(), second.end());
         if (at > end) {
-            return known;
+            return Optional.empty();
         }
-        double before = known.map(Approach::distanceM).orElse(Double.MAX_VALUE);
         double least = before;
         double leastAt = at;
         double closingMPerMs = one.fastestMPerMs + other.fastestMPerMs;
@@ -80,7 +85,7 @@ final class PairOfTracks {
             second.goTo(soonest);
             at = Math.max(next, Math.max(first.legBegin(), second.legBegin()));
         }
-        return least < before ? Optional.of(approach(Math.round(leastAt), least)) : known;
+        return least < before ? Optional.of(approach(Math.round(leastAt), least)) : Optional.empty();
     }
 
     private Approach approach(long atMillis, double distanceM) {

@@ -11,7 +11,7 @@ import java.util.Optional;
 
 /**
  * Writes a report's files into a folder: {@code report.json}, {@code boats.csv}, {@code locations.csv},
- * {@code firings.csv}, {@code tracks.csv}, {@code readings.csv}, {@code decisions.csv}, {@code interrupts.csv}, {@code tasks.csv},
+ * {@code approaches.csv}, {@code firings.csv}, {@code tracks.csv}, {@code readings.csv}, {@code decisions.csv}, {@code interrupts.csv}, {@code tasks.csv},
  * {@code messages.csv}, {@code phases.csv}, {@code operator.csv},
  * {@code run.gpx}, {@code run.kml}, {@code run.geojson} and {@code map.png}. Files of those names are replaced; each appears whole or not at all.
  */
@@ -20,6 +20,7 @@ public final class ReportFolder {
             "report.json",
             "boats.csv",
             "locations.csv",
+            "approaches.csv",
             "firings.csv",
             "tracks.csv",
             "readings.csv",
@@ -69,6 +70,7 @@ public final class ReportFolder {
         text("report.json", ReportJson.text(report));
         text("boats.csv", ReportTables.boats(report).toString());
         text("locations.csv", ReportTables.locations(report).toString());
+        text("approaches.csv", ReportTables.approaches(report).toString());
         text("firings.csv", ReportTables.firings(report).toString());
         text("tracks.csv", ReportTables.tracks(report).toString());
         text("readings.csv", ReportTables.readings(report).toString());

@@ -60,6 +60,8 @@ public final class ReportJson {
         json.set("waitsFor", waits(report));
         json.set("closestApproach", approach(report.map().closest().ever()));
         json.set("closestUnderWay", approach(report.map().closest().underWay()));
+        ArrayNode near = json.putArray("nearApproaches");
+        report.map().closest().near().forEach(pair -> near.add(approach(Optional.of(pair))));
         json.set("explorations", explorations(report));
         json.set("boats", boats(report));
         json.set("locations", locations(report));

@@ -62,6 +62,23 @@ final class ReportTables {
                 : "";
     }
 
+    /** Of every two boats that came too near to one another, where they were nearest. */
+    static CsvTable approaches(RunReport report) {
+        CsvTable table = new CsvTable("boat", "other", "at_s", "distance_m", "lat_deg", "lon_deg", "east_m", "north_m");
+        for (Approach near : report.map().closest().near()) {
+            table.row(
+                    near.boat(),
+                    near.other(),
+                    seconds(near.atMillis()),
+                    fixed(near.distanceM(), 2),
+                    fixed(near.where().latDeg(), 7),
+                    fixed(near.where().lonDeg(), 7),
+                    fixed(near.where().eastM(), 3),
+                    fixed(near.where().northM(), 3));
+        }
+        return table;
+    }
+
     static CsvTable firings(RunReport report) {
         CsvTable table =
                 new CsvTable("firing", "input", "at_s", "mission", "plan", "transition", "input_events", "tokens");

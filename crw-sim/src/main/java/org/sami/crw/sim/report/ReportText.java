@@ -16,6 +16,7 @@ import org.sami.crw.sim.report.LocationResult.Truth;
 
 /** The report as text for a terminal. */
 public final class ReportText {
+    private static final int MOST_PAIRS = 5;
     private static final int NOTES_SHOWN = 10;
     private static final int TASKS_SHOWN = 8;
     private static final String DISCARDED = "discarded";
@@ -79,6 +80,7 @@ public final class ReportText {
                 .underWay()
                 .filter(underWay -> !report.map().closest().ever().equals(Optional.of(underWay)))
                 .ifPresent(underWay -> line(text, "  %-20s%s", "  under way", words(underWay)));
+        near(text, report.map().closest().near());
         report.map().explorations().forEach(explored -> line(text, "  %-20s%s", "explored", words(explored)));
         line(text, "  %-20s%d", "firings", result.firings());
         long answered =
@@ -124,6 +126,19 @@ public final class ReportText {
                 count,
                 farthest,
                 unmeasured);
+    }
+
+    /** The pairs of boats that came too near to one another, the first few of them. */
+    private static void near(StringBuilder text, List<Approach> pairs) {
+        if (pairs.isEmpty()) {
+            return;
+        }
+        String label = String.format(Locale.ROOT, "  under %.0f m", ClosestApproach.NEAR_M);
+        line(text, "  %-20s%d %s of boats", label, pairs.size(), pairs.size() == 1 ? "pair" : "pairs");
+        pairs.stream().limit(MOST_PAIRS).forEach(pair -> line(text, "  %-20s%s", "", words(pair)));
+        if (pairs.size() > MOST_PAIRS) {
+            line(text, "  %-20s%d more in approaches.csv", "", pairs.size() - MOST_PAIRS);
+        }
     }
 
     /** Who came how near, when and where. */

@@ -30,6 +30,22 @@ class ClosestApproachTest {
     }
 
     @Test
+    void everyPairThatComesNearIsNamedWhereItWasNearest() {
+        BoatResult west = boat("west", at(0, 0, 0), at(10_000, 0, 100));
+        BoatResult middle = boat("middle", at(0, 20, 0), at(10_000, 2.5, 100));
+        BoatResult east = boat("east", at(0, 40, 0), at(10_000, 3.5, 100));
+        BoatResult far = boat("far", at(0, 9, 0), at(10_000, 9, 100));
+
+        ClosestApproach closest = ClosestApproach.of(List.of(west, middle, east, far));
+
+        assertThat(closest.near())
+                .extracting(near -> near.boat() + " " + near.other() + " " + near.atMillis())
+                .containsExactly("middle far 6286", "east far 8493", "middle east 10000", "west middle 10000");
+        assertThat(closest.near().get(0)).isEqualTo(closest.ever().orElseThrow());
+        assertThat(closest.near()).allMatch(near -> near.distanceM() < 3);
+    }
+
+    @Test
     void boatsThatUseOnePlaceAtDifferentTimesAreNotNear() {
         BoatResult first = boat("first", at(0, 0, 0), at(10_000, 10, 0), at(20_000, 110, 0));
         BoatResult second = boat("second", at(0, 0, 200), at(10_000, 0, 200), at(20_000, 0, 0));

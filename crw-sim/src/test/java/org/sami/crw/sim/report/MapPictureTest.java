@@ -156,7 +156,7 @@ class MapPictureTest {
     }
 
     private static ClosestApproach nothingNear() {
-        return new ClosestApproach(Optional.empty(), Optional.empty());
+        return new ClosestApproach(Optional.empty(), Optional.empty(), List.of());
     }
 
     private static MapArea area(MapArea.Kind kind, double eastM) {

@@ -30,7 +30,10 @@ class NoGoDepthTest {
         MapArea area =
                 new MapArea(kind, List.of(point(-10, -10), point(10, -10), point(10, 10), point(-10, 10)), List.of());
         RunMap map = new RunMap(
-                List.of(area), List.of(), List.of(), new ClosestApproach(Optional.empty(), Optional.empty()));
+                List.of(area),
+                List.of(),
+                List.of(),
+                new ClosestApproach(Optional.empty(), Optional.empty(), List.of()));
         return new RunReport(
                 sample.header(),
                 sample.result(),

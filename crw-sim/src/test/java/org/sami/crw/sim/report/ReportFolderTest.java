@@ -28,6 +28,7 @@ class ReportFolderTest {
                             "report.json",
                             "boats.csv",
                             "locations.csv",
+                            "approaches.csv",
                             "firings.csv",
                             "tracks.csv",
                             "readings.csv",
