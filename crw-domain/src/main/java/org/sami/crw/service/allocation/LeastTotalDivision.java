@@ -24,15 +24,14 @@ public final class LeastTotalDivision extends AllocationAlgorithm {
 
     @Override
     List<List<Integer>> shares(AllocationProblem problem, DistanceTable legs) {
-        List<List<Integer>> shares = searched(problem, legs, cheapestInsertion(problem, legs));
+        List<List<Integer>> shares = searched(legs, cheapestInsertion(problem, legs));
         if (problem.work().size() <= RuinAndRecreate.MOST_WORK) {
-            shares = searched(problem, legs, new RuinAndRecreate(problem, legs, Objective.TOTAL, shares).run());
+            shares = searched(legs, new RuinAndRecreate(problem, legs, Objective.TOTAL, shares).run());
         }
         return shares;
     }
 
-    private static List<List<Integer>> searched(
-            AllocationProblem problem, DistanceTable legs, List<List<Integer>> shares) {
+    private static List<List<Integer>> searched(DistanceTable legs, List<List<Integer>> shares) {
         return new LocalSearch(legs, Objective.TOTAL, shares).run();
     }
 
