@@ -298,19 +298,27 @@ class AlarmModelTest {
     @Test
     void boatsThatAreAboutToMeetAreOneAlarmUntilTheyPart() {
         see("anna", at(0, 0), EAST, 1.5);
-        see("bert", at(20, 1), -EAST, 1.5);
+        see("bert", at(8, 1), -EAST, 1.5);
         assertThat(models.alarms().snapshot())
                 .singleElement()
                 .satisfies(alarm -> assertThat(alarm.kind()).isEqualTo(Kind.APPROACH))
                 .satisfies(alarm ->
                         assertThat(List.of(alarm.boat(), alarm.other())).containsExactly("anna", "bert"))
                 .satisfies(alarm ->
-                        assertThat(alarm.text()).isEqualTo("bert and anna come within 1 m of each other in 7 s"));
+                        assertThat(alarm.text()).isEqualTo("bert and anna come within 1 m of each other in 3 s"));
 
         later(12);
         see("anna", at(18, 0), EAST, 1.5);
         see("bert", at(2, 1), -EAST, 1.5);
         assertThat(isActive(Kind.APPROACH)).isFalse();
+    }
+
+    @Test
+    void boatsThatHaveTimeToGiveWayAreNoAlarm() {
+        see("anna", at(0, 0), EAST, 1.5);
+        see("bert", at(20, 1), -EAST, 1.5);
+
+        assertThat(alarm(Kind.APPROACH)).isEmpty();
     }
 
     @Test
