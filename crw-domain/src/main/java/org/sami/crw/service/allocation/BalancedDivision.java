@@ -27,17 +27,16 @@ public final class BalancedDivision extends AllocationAlgorithm {
     List<List<Integer>> shares(AllocationProblem problem, DistanceTable legs) {
         int works = problem.work().size();
         if (works <= ExactDivision.MOST_WORK) {
-            return polished(problem, legs, new ExactDivision(problem, legs, Objective.LONGEST).shares());
+            return polished(legs, new ExactDivision(problem, legs, Objective.LONGEST).shares());
         }
         List<List<Integer>> auctioned = auction.shares(problem, legs);
         return works <= RuinAndRecreate.MOST_WORK
-                ? polished(problem, legs, new RuinAndRecreate(problem, legs, Objective.LONGEST, auctioned).run())
-                : polished(problem, legs, auctioned);
+                ? polished(legs, new RuinAndRecreate(problem, legs, Objective.LONGEST, auctioned).run())
+                : polished(legs, auctioned);
     }
 
     /** The same with shorter paths of the other boats. */
-    private static List<List<Integer>> polished(
-            AllocationProblem problem, DistanceTable legs, List<List<Integer>> shares) {
+    private static List<List<Integer>> polished(DistanceTable legs, List<List<Integer>> shares) {
         return new LocalSearch(legs, Objective.LONGEST, shares).run();
     }
 }
