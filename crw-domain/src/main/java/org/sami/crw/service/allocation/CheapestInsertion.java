@@ -13,11 +13,11 @@ final class CheapestInsertion {
      */
     static void insert(int from, AllocationProblem problem, DistanceTable legs, List<List<Integer>> shares) {
         for (int work = from; work < problem.work().size(); work++) {
-            insertOne(work, problem, legs, shares);
+            insertOne(work, legs, shares);
         }
     }
 
-    private static void insertOne(int work, AllocationProblem problem, DistanceTable legs, List<List<Integer>> shares) {
+    private static void insertOne(int work, DistanceTable legs, List<List<Integer>> shares) {
         double least = Double.POSITIVE_INFINITY;
         int bestBoat = -1;
         int bestBefore = 0;
