@@ -141,6 +141,21 @@ class GivingWayTest {
         assertThat(world.hull().eastM()).isCloseTo(0, org.assertj.core.data.Offset.offset(1.0));
     }
 
+    /** Beside the line by so little that a boat which turns aside late stands before the other one. */
+    @ParameterizedTest
+    @ValueSource(doubles = {-2.5, -2, -1.5, -1, -0.5, 0, 0.5, 1, 1.5, 2, 2.5})
+    void stoppedBoatIsPassedHoweverNearTheLineItLies(double besideM) {
+        launch(2);
+        begin("boat2", -38 + besideM, 37 + besideM);
+        world.fleet.boat("boat2").orElseThrow().proxy().abort("for a test");
+
+        drive("boat1", -57, 55);
+        double seconds = watch(180, "boat1");
+
+        assertThat(leastM).isGreaterThanOrEqualTo(APART_M);
+        assertThat(seconds).isLessThan(110);
+    }
+
     @Test
     void boatsThatGoToOnePointBothComeThere() {
         launch(3);

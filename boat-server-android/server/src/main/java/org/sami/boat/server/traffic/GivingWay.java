@@ -42,6 +42,7 @@ public final class GivingWay {
     private static final double TO_PORT = 0.04;
     private static final double IMPATIENCE_PER_S = 0.1;
     private static final double LONGEST_WAIT_S = 20;
+    private static final double HELD_UP_S = 8; // who has waited so long goes nowhere that is blocked a little farther on
     private static final double ROUNDING = 1e-9;
 
     private final Surroundings surroundings;
@@ -237,6 +238,20 @@ public final class GivingWay {
         return risk;
     }
 
+    /** Whether a boat that lies still is on that course, or so near to it that it cannot be passed. */
+    private boolean isBlocked(double courseRad) {
+        double east = StrictMath.sin(courseRad);
+        double north = StrictMath.cos(courseRad);
+        for (int i = 0; i < count; i++) {
+            double aheadM = nearEastM[i] * east + nearNorthM[i] * north;
+            double asideM = Math.abs(nearEastM[i] * north - nearNorthM[i] * east);
+            if (near[i].isSlow() && aheadM > 0 && asideM < apartM) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     private CourseAndSpeed best(CourseAndSpeed wanted, double besideM, double lineRad) {
         double restRad = Math.abs(speedMps) > 0.3 ? headingRad : wanted.courseRad();
         CourseAndSpeed best = new CourseAndSpeed(restRad, 0);
@@ -267,11 +282,15 @@ public final class GivingWay {
         double mps = motion.speedMps();
         double onward =
                 mps * StrictMath.cos(motion.courseRad() - wanted.courseRad()) / Math.max(wanted.speedMps(), ASIDE_MPS);
+        if (onward > 0 && waitedS > HELD_UP_S && isBlocked(motion.courseRad())) {
+            onward = 0;
+        }
         double thenM = Math.abs(besideM + mps * StrictMath.sin(motion.courseRad() - lineRad) * SOON_S);
         double patience = 1 / (1 + IMPATIENCE_PER_S * waitedS);
         double beside = patience * BESIDE_PER_M * Math.max(0, thenM - 0.5);
         double tooFar = thenM > FARTHEST_M && thenM > Math.abs(besideM) ? thenM - FARTHEST_M : 0;
-        double waiting = Math.abs(mps) < ASIDE_MPS / 4 ? IMPATIENCE_PER_S * waitedS : 0;
+        boolean waits = Math.abs(mps) < ASIDE_MPS / 4 || mps < 0 && waitedS > HELD_UP_S; // to and fro is no way on
+        double waiting = waits ? IMPATIENCE_PER_S * waitedS : 0;
         double turning = Double.isNaN(chosenRad) || mps <= 0
                 ? 0
                 : TURNING_BACK
