@@ -13,5 +13,10 @@ public enum BoatMode {
     /** On the way to its home position because the link was lost. */
     RETURN,
     /** Stopped for the whole fleet: motors at zero until released. */
-    FLEET_STOP
+    FLEET_STOP;
+
+    /** Whether a boat that does this has a way to go, though it may wait on it for others to pass. */
+    public boolean isUnderWay() {
+        return this == PATH || this == TELEOPERATION || this == RETURN;
+    }
 }

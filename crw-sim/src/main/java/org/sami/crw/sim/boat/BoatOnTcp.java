@@ -37,6 +37,7 @@ public final class BoatOnTcp implements Closeable {
     private static final long INSTRUMENTS = 0x67707320L;
 
     private final SimulatedHull hull;
+    private final BoatServer boat;
     private final Instruments instruments;
     private final String bootId = UUID.randomUUID().toString();
     private final Optional<CommandLogFile> log;
@@ -55,7 +56,7 @@ public final class BoatOnTcp implements Closeable {
         instruments = new Instruments(hull, settings.conditions(), settings.seed() ^ INSTRUMENTS, settings.fieldSeed());
         hull.setBatteryPercent(settings.batteryPercent());
         hull.setQuay(Quay.atOrigin());
-        BoatServer boat = new BoatServer(settings.server(bootId), instruments, this::answered);
+        boat = new BoatServer(settings.server(bootId), instruments, this::answered);
         log = openLog(settings, boat, listener);
         try {
             server = new TcpBoatServer(
@@ -119,6 +120,7 @@ public final class BoatOnTcp implements Closeable {
         double seconds = Math.min(LONGEST_STEP_S, (nowMs - lastMs) / 1000.0);
         lastMs = nowMs;
         if (seconds > 0) {
+            hull.setUnderWay(boat.mode().isUnderWay());
             hull.step(seconds);
             instruments.step(seconds);
         }

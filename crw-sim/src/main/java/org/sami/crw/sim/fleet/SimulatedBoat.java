@@ -142,6 +142,7 @@ public final class SimulatedBoat {
             keep(track, new TruePosition(nowMs, hull.latDeg(), hull.lonDeg(), hull.eastM(), hull.northM()));
         }
         server.tick(nowMs);
+        hull.setUnderWay(server.mode().isUnderWay());
         hull.step(seconds);
         instruments.step(seconds);
         proxy.tick(nowMs);

@@ -2,7 +2,8 @@ package org.sami.crw.sim.hull;
 
 /**
  * Finds out when a boat has lain at its quay long enough for a full battery. A boat that comes to rest there, in the water or, where
- * current and wind have it drive to keep its place, over ground, is taken hold of, and lies there as long as it does not leave.
+ * current and wind have it drive to keep its place, over ground, is taken hold of, and lies there as long as it does not leave. Nobody takes hold of
+ * a boat that is under way, though it may wait at the quay for others to pass.
  */
 final class BatterySwap {
     private static final double STILL_MPS = 0.3;
@@ -29,15 +30,21 @@ final class BatterySwap {
         isHeld = false;
     }
 
-    /** Lets time pass; true at the moment at which the battery is full. */
-    boolean pass(double seconds, double eastM, double northM, double speedMps) {
+    /**
+     * Lets time pass; true at the moment at which the battery is full.
+     *
+     * @param underWay whether the boat has a way to go now
+     */
+    boolean pass(double seconds, double eastM, double northM, double speedMps, boolean underWay) {
         boolean still = Math.abs(speedMps) < STILL_MPS;
         used |= !still && !isHeld; // who is held and sways has not left
         still |= Math.hypot(eastM - lastEastM, northM - lastNorthM) < STILL_MPS * seconds;
         lastEastM = eastM;
         lastNorthM = northM;
         boolean reached = quay.reaches(eastM, northM);
-        if (isHeld) {
+        if (underWay) {
+            isHeld = false;
+        } else if (isHeld) {
             isHeld = reached && Math.hypot(eastM - heldEastM, northM - heldNorthM) <= HELD_M;
         } else if (reached && still) {
             isHeld = true;

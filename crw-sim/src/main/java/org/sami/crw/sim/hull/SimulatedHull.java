@@ -42,6 +42,7 @@ public final class SimulatedHull implements Vehicle {
     private int recharges;
     private int pictures;
     private Optional<BatterySwap> swap = Optional.empty();
+    private boolean underWay;
 
     /** A hull in calm water, at rest with a full battery, its bow to the north, at a place on the plane of its world. */
     public SimulatedHull(HullConfig config, LocalFrame frame, double eastM, double northM, long seed) {
@@ -150,6 +151,11 @@ public final class SimulatedHull implements Vehicle {
         swap.ifPresent(BatterySwap::use);
     }
 
+    /** Whether the boat has a way to go now: as long as it has, nobody swaps its battery, even where it waits at the quay. */
+    public void setUnderWay(boolean underWay) {
+        this.underWay = underWay;
+    }
+
     /** Somebody swaps or fills the battery. */
     public void recharge() {
         batteryPercent = 100;
@@ -169,7 +175,7 @@ public final class SimulatedHull implements Vehicle {
         if (!(seconds > 0)) {
             throw new IllegalArgumentException("a step of " + seconds + " s");
         }
-        if (swap.isPresent() && swap.get().pass(seconds, eastM, northM, speedMps)) {
+        if (swap.isPresent() && swap.get().pass(seconds, eastM, northM, speedMps, underWay)) {
             recharge();
         }
         drift(seconds);

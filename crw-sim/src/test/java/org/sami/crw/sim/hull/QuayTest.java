@@ -36,6 +36,31 @@ class QuayTest {
     }
 
     @Test
+    void boatThatWaitsAtTheQuayOnItsWayKeepsItsBattery() {
+        hull.putToUse();
+        hull.setUnderWay(true);
+        pass(60, 0);
+        assertThat(hull.recharges()).isZero();
+
+        hull.setUnderWay(false);
+        pass(11, 0);
+        assertThat(hull.recharges()).isEqualTo(1);
+    }
+
+    @Test
+    void boatThatDrivesNearItsQuayGetsNothing() {
+        pass(1, 0);
+        hull.putToUse();
+        hull.setUnderWay(true);
+        for (int i = 0; i < 6; i++) {
+            pass(2, 0.5);
+            pass(2, -0.5);
+        }
+
+        assertThat(hull.recharges()).isZero();
+    }
+
+    @Test
     void boatThatComesBackAndLiesStillHasAFullBattery() {
         pass(15, 1);
         pass(20, -1);

@@ -42,7 +42,8 @@ public final class GivingWay {
     private static final double TO_PORT = 0.04;
     private static final double IMPATIENCE_PER_S = 0.1;
     private static final double LONGEST_WAIT_S = 20;
-    private static final double HELD_UP_S = 8; // who has waited so long goes nowhere that is blocked a little farther on
+    private static final double HELD_UP_S =
+            8; // who has waited so long goes nowhere that is blocked a little farther on
     private static final double ROUNDING = 1e-9;
 
     private final Surroundings surroundings;
