@@ -290,7 +290,7 @@ public final class GivingWay {
         double patience = 1 / (1 + IMPATIENCE_PER_S * waitedS);
         double beside = patience * BESIDE_PER_M * Math.max(0, thenM - 0.5);
         double tooFar = thenM > FARTHEST_M && thenM > Math.abs(besideM) ? thenM - FARTHEST_M : 0;
-        boolean waits = Math.abs(mps) < ASIDE_MPS / 4 || mps < 0 && waitedS > HELD_UP_S; // to and fro is no way on
+        boolean waits = Math.abs(mps) < ASIDE_MPS / 4 || (mps < 0 && waitedS > HELD_UP_S); // to and fro is no way on
         double waiting = waits ? IMPATIENCE_PER_S * waitedS : 0;
         double turning = Double.isNaN(chosenRad) || mps <= 0
                 ? 0
