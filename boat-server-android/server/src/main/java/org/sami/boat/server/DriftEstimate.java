@@ -16,7 +16,7 @@ final class DriftEstimate {
     /**
      * The vehicle was seen at a position.
      *
-     * @param eastM in metres of any frame that stays the same until {@link #lookElsewhere}
+     * @param eastM in metres of any frame that stays the same until {@link #reset}
      */
     void see(double eastM, double northM, double headingRad, double seconds) {
         if (seconds > 0 && !Double.isNaN(lastEastM)) {
@@ -34,7 +34,7 @@ final class DriftEstimate {
     }
 
     /** The next position is one of another frame. */
-    void lookElsewhere() {
+    void reset() {
         lastEastM = Double.NaN;
         lastNorthM = Double.NaN;
     }

@@ -42,7 +42,7 @@ final class PathFollower {
         double fromEastM = end.eastM(fromLatDeg, fromLonDeg);
         double fromNorthM = end.northM(fromLatDeg, fromLonDeg);
         leg = new LegGuidance(fromEastM, fromNorthM, CornerSpeed.atTarget(track, end, fromEastM, fromNorthM));
-        drift.lookElsewhere();
+        drift.reset();
     }
 
     /** Where the vehicle is to come to. */
@@ -67,7 +67,7 @@ final class PathFollower {
         double headingRad = vehicle.headingRad();
         if (Double.isNaN(eastM + northM + headingRad)) {
             steering.rest();
-            drift.lookElsewhere();
+            drift.reset();
             return;
         }
         drift.see(eastM, northM, headingRad, seconds);

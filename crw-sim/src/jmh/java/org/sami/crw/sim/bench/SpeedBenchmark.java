@@ -37,6 +37,7 @@ final class SpeedBenchmark {
     private static final Map<String, String> LANES = Map.of("@spacing", "6"); // in metres
     private static final long LIMIT_MILLIS = 1_500_000;
     private static final int WARM_UP_BOATS = 10;
+    private static final int WARM_UPS = 16; // with fewer the compiler is still at work while ten boats are measured
 
     private final int rounds;
 
@@ -47,7 +48,7 @@ final class SpeedBenchmark {
 
     /** The medians for each number of boats; the last figures are of as many runs side by side as there are cores, taken together. */
     List<Figure> run(int... fleets) throws Exception {
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < WARM_UPS; i++) {
             measured(WARM_UP_BOATS);
         }
         List<Figure> figures = new ArrayList<>();
