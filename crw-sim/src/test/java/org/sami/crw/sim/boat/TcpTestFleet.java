@@ -66,6 +66,12 @@ final class TcpTestFleet implements AutoCloseable {
         return keep(new BoatOnTcp(settings, new SteadyClock(clockMs), TcpServerListener.NONE));
     }
 
+    /** A boat that lies somewhere else. */
+    BoatOnTcp boat(String name, GeoPoint at) throws IOException {
+        BoatSettings settings = BoatSettings.of(name, port(0), at, 1).loggingTo(logs);
+        return keep(new BoatOnTcp(settings, new SteadyClock(clockMs), TcpServerListener.NONE));
+    }
+
     DelayingRelay lateRelay(BoatOnTcp boat) throws IOException {
         return keep(new DelayingRelay(boat.address()));
     }
