@@ -32,7 +32,7 @@ import org.sami.boat.server.testing.Await;
 class InstalledCommandTest {
     private static final Path INSTALLED = CrwProcess.INSTALLED;
     private static final String JAVA = System.getProperty("java.home");
-    private static final long LIMIT_S = 60;
+    private static final long LIMIT_S = 240;
 
     @TempDir
     Path folder;
