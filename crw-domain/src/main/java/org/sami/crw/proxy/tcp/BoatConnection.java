@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.UnknownHostException;
-import java.util.concurrent.atomic.AtomicBoolean;
 import org.sami.boat.link.FramePump;
 import org.sami.boat.link.FrameSink;
+import org.sami.boat.link.FrameThreads;
 import org.sami.boat.link.LinkException;
 
 /**
@@ -33,9 +33,7 @@ final class BoatConnection implements FrameSink {
     private final Owner owner;
     private final Socket socket = new Socket();
     private final FramePump pump;
-    private final AtomicBoolean closed = new AtomicBoolean();
-    private final Thread reader;
-    private final Thread writer;
+    private final FrameThreads threads;
 
     BoatConnection(InetSocketAddress address, TcpBaseConfig config, Owner owner) {
         this.address = address;
@@ -43,19 +41,12 @@ final class BoatConnection implements FrameSink {
         this.owner = owner;
         pump = new FramePump(config.maxQueuedFrames(), config.maxQueuedBytes());
         String name = config.proxy().clientId() + "-to-" + address.getHostString() + ":" + address.getPort();
-        reader = thread(this::read, name + "-reads");
-        writer = thread(this::write, name + "-writes");
-    }
-
-    private static Thread thread(Runnable work, String name) {
-        Thread thread = new Thread(work, name);
-        thread.setDaemon(true);
-        return thread;
+        threads = new FrameThreads(pump, socket, name, this::read, this::write);
     }
 
     /** Begins to connect. */
     void start() {
-        reader.start();
+        threads.startReading();
     }
 
     @Override
@@ -67,22 +58,14 @@ final class BoatConnection implements FrameSink {
 
     /** Closes the socket, which ends both threads. */
     void close(String why) {
-        if (closed.compareAndSet(false, true)) {
-            pump.close();
-            try {
-                socket.close();
-            } catch (IOException e) {
-                // it is closed for us all the same
-            }
-            reader.interrupt(); // it may wait for the base
+        if (threads.close()) {
             owner.closed(this, why);
         }
     }
 
     /** Waits until both threads have ended, after {@link #close}; not for these threads themselves. */
     void join(long millis) throws InterruptedException {
-        reader.join(millis);
-        writer.join(millis);
+        threads.join(millis);
     }
 
     private void read() {
@@ -94,7 +77,7 @@ final class BoatConnection implements FrameSink {
                     : address;
             socket.connect(resolved, config.connectWithinMs());
             owner.opened(this);
-            writer.start();
+            threads.startWriting();
             pump.read(socket.getInputStream(), (frame, done) -> owner.arrived(this, frame, done));
             close("the boat has closed the link");
         } catch (LinkException e) {

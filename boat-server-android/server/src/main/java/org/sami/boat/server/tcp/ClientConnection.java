@@ -3,9 +3,9 @@ package org.sami.boat.server.tcp;
 import java.io.IOException;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
-import java.util.concurrent.atomic.AtomicBoolean;
 import org.sami.boat.link.FramePump;
 import org.sami.boat.link.FrameSink;
+import org.sami.boat.link.FrameThreads;
 import org.sami.boat.link.LinkException;
 
 /**
@@ -29,9 +29,7 @@ final class ClientConnection implements FrameSink {
     private final String name;
     private final long number;
     private final FramePump pump;
-    private final AtomicBoolean closed = new AtomicBoolean();
-    private final Thread reader;
-    private final Thread writer;
+    private final FrameThreads threads;
 
     /** A client's socket; the numbers of connections grow. */
     ClientConnection(Socket socket, long number, TcpServerConfig config, String boatId, Owner owner)
@@ -44,20 +42,13 @@ final class ClientConnection implements FrameSink {
         socket.setSendBufferSize(SEND_BUFFER_BYTES);
         socket.setSoTimeout(config.silentAfterMs());
         pump = new FramePump(config.maxQueuedFrames(), config.maxQueuedBytes());
-        reader = thread(this::read, boatId + "-reads-" + name);
-        writer = thread(this::write, boatId + "-writes-" + name);
-    }
-
-    private static Thread thread(Runnable work, String name) {
-        Thread thread = new Thread(work, name);
-        thread.setDaemon(true);
-        return thread;
+        threads = new FrameThreads(pump, socket, boatId + "-from-" + name, this::read, this::write);
     }
 
     /** Begins to read and write. */
     void start() {
-        reader.start();
-        writer.start();
+        threads.startReading();
+        threads.startWriting();
     }
 
     /** The client's address, for people. */
@@ -79,22 +70,14 @@ final class ClientConnection implements FrameSink {
 
     /** Closes the socket, which ends both threads. */
     void close(String why) {
-        if (closed.compareAndSet(false, true)) {
-            pump.close();
-            try {
-                socket.close();
-            } catch (IOException e) {
-                // it is closed for us all the same
-            }
-            reader.interrupt(); // it may wait for the boat
+        if (threads.close()) {
             owner.closed(this, why);
         }
     }
 
     /** Waits until both threads have ended, after {@link #close}; not for these threads themselves. */
     void join(long millis) throws InterruptedException {
-        reader.join(millis);
-        writer.join(millis);
+        threads.join(millis);
     }
 
     private void read() {

@@ -104,7 +104,8 @@ final class TcpBench implements AutoCloseable {
     long bytesAllocatedByReaders() {
         com.sun.management.ThreadMXBean threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
         return Thread.getAllStackTraces().keySet().stream()
-                .filter(thread -> thread.getName().startsWith(name + "-reads-"))
+                .filter(thread -> thread.getName().startsWith(name + "-from-")
+                        && thread.getName().endsWith("-reads"))
                 .mapToLong(thread -> threads.getThreadAllocatedBytes(thread.getId()))
                 .sum();
     }
