@@ -2,14 +2,11 @@ package org.sami.crw.gui.boat;
 
 import java.awt.BorderLayout;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Function;
 import javax.swing.JPanel;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.BoatSnapshot;
-import org.sami.ui.look.MarkIcon;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
@@ -25,7 +22,11 @@ public final class BoatsPanel extends JPanel {
     private final RowTable<Shown> table;
 
     /** A boat as it is shown; its link's age changes by itself. */
-    private record Shown(BoatSnapshot boat, String link, boolean stale) {}
+    private record Shown(BoatSnapshot boat, String link, boolean stale) {
+        String name() {
+            return boat.boat();
+        }
+    }
 
     /** The boats of the session. */
     public BoatsPanel(OperatorContext context) {
@@ -34,11 +35,9 @@ public final class BoatsPanel extends JPanel {
         table = new RowTable<>(
                 "boats-table",
                 "No boat is known. Connect one (Ctrl+B), or start the plan that connects boats; each appears here with what it does.",
-                shown -> shown.boat().boat(),
+                Shown::name,
                 List.of(
-                        RowColumn.<Shown>words("Boat", 96, shown -> shown.boat().boat())
-                                .withIcon(shown -> Optional.of(new MarkIcon(
-                                        context.marks().of(shown.boat().boat())))),
+                        BoatTables.names(context, Shown::name),
                         RowColumn.<Shown>words("What it does", 0, shown -> BoatWords.brief(shown.boat()))
                                 .colored(shown -> BoatWords.color(BoatWords.trouble(shown.boat()))),
                         number("Battery", 76, shown -> BoatWords.battery(shown.boat()))
@@ -49,13 +48,7 @@ public final class BoatsPanel extends JPanel {
                                 .asSpare(),
                         RowColumn.<Shown>number("Link", 104, Shown::link)
                                 .colored(shown -> shown.stale() ? SemanticColor.CRITICAL : SemanticColor.TEXT)));
-        table.addSelectionListener(() -> context.boats()
-                .select(table.allSelected().stream()
-                        .map(shown -> shown.boat().boat())
-                        .toList()));
-        context.boats()
-                .addListener(
-                        () -> table.selectKeys(new HashSet<>(context.boats().boats())));
+        BoatTables.shareSelection(context, table, Shown::name);
         add(table);
         refresh();
     }

@@ -1,13 +1,12 @@
 package org.sami.crw.gui.notice;
 
 import java.awt.BorderLayout;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import org.sami.crw.gui.boat.BoatTables;
 import org.sami.crw.gui.boat.BoatWords;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.BoatCommunication;
@@ -17,7 +16,6 @@ import org.sami.crw.operator.MissionsSnapshot;
 import org.sami.crw.operator.ProxyStatus;
 import org.sami.crw.proxy.LinkState;
 import org.sami.ui.look.Look;
-import org.sami.ui.look.MarkIcon;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.replay.SessionClock;
@@ -34,7 +32,11 @@ public final class CommunicationPanel extends JPanel {
     private final RowTable<Shown> table;
 
     /** A boat as it is shown; the age of its link changes by itself. */
-    private record Shown(BoatCommunication boat, String said, String link, SemanticColor linkColor) {}
+    private record Shown(BoatCommunication boat, String said, String link, SemanticColor linkColor) {
+        String name() {
+            return boat.boat();
+        }
+    }
 
     /** The boats of the session. */
     public CommunicationPanel(OperatorContext context) {
@@ -43,11 +45,9 @@ public final class CommunicationPanel extends JPanel {
         table = new RowTable<>(
                 "communication-table",
                 "No boat is known. Each stands here as missions see it, such as Monitor Communications, and with its link.",
-                shown -> shown.boat().boat(),
+                Shown::name,
                 List.of(
-                        RowColumn.<Shown>words("Boat", 96, shown -> shown.boat().boat())
-                                .withIcon(shown -> Optional.of(new MarkIcon(
-                                        context.marks().of(shown.boat().boat())))),
+                        BoatTables.names(context, Shown::name),
                         RowColumn.<Shown>words(
                                         "Status",
                                         112,
@@ -55,13 +55,7 @@ public final class CommunicationPanel extends JPanel {
                                 .colored(shown -> color(shown.boat().status())),
                         RowColumn.<Shown>number("Link", 104, Shown::link).colored(Shown::linkColor),
                         RowColumn.words("In missions", 0, Shown::said)));
-        table.addSelectionListener(() -> context.boats()
-                .select(table.allSelected().stream()
-                        .map(shown -> shown.boat().boat())
-                        .toList()));
-        context.boats()
-                .addListener(
-                        () -> table.selectKeys(new HashSet<>(context.boats().boats())));
+        BoatTables.shareSelection(context, table, Shown::name);
         summary.setName("communication-summary");
         int inset = Look.px(Spacing.NORMAL);
         summary.setBorder(BorderFactory.createEmptyBorder(inset, inset, inset, inset));

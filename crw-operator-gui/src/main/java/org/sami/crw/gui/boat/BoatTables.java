@@ -1,0 +1,35 @@
+package org.sami.crw.gui.boat;
+
+import java.util.HashSet;
+import java.util.Optional;
+import java.util.function.Function;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.ui.look.MarkIcon;
+import org.sami.ui.table.RowColumn;
+import org.sami.ui.table.RowTable;
+
+/** What all tables with a row for each boat share: the column of names with their marks, and the session's selection. */
+public final class BoatTables {
+    private static final int NAME_WIDTH = 96;
+
+    private BoatTables() {}
+
+    /**
+     * The column with each boat's mark and name.
+     *
+     * @param boat the boat of a row
+     */
+    public static <R> RowColumn<R> names(OperatorContext context, Function<R, String> boat) {
+        return RowColumn.words("Boat", NAME_WIDTH, boat)
+                .withIcon(row -> Optional.of(new MarkIcon(context.marks().of(boat.apply(row)))));
+    }
+
+    /** Keeps the selected rows of a table and the session's selected boats the same; rows are keyed by their boats. */
+    public static <R> void shareSelection(OperatorContext context, RowTable<R> table, Function<R, String> boat) {
+        table.addSelectionListener(() ->
+                context.boats().select(table.allSelected().stream().map(boat).toList()));
+        context.boats()
+                .addListener(
+                        () -> table.selectKeys(new HashSet<>(context.boats().boats())));
+    }
+}
