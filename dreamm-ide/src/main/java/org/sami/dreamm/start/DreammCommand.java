@@ -1,7 +1,6 @@
 package org.sami.dreamm.start;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Objects;
 import java.util.Optional;
@@ -9,6 +8,7 @@ import java.util.concurrent.Callable;
 import org.sami.dreamm.profile.Profile;
 import org.sami.dreamm.profile.ProfileFile;
 import org.sami.ui.window.LookOptions;
+import org.sami.ui.window.WindowStart;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -29,9 +29,6 @@ import picocli.CommandLine.Spec;
             "  dreamm --domain rovers rovers/plans/look.json"
         })
 public final class DreammCommand implements Callable<Integer> {
-    private static final int USAGE = 2;
-    private static final int BROKEN = 4;
-
     private final Opening opening;
 
     @Spec
@@ -83,23 +80,13 @@ public final class DreammCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        try {
-            DreammOptions options = options();
-            FirstProject first = FirstProject.open(options);
-            opening.open(options, first, AuthorDirectory.open(data == null ? AuthorDirectory.ofUser() : data));
-            return 0;
-        } catch (IllegalArgumentException unfit) {
-            return told(unfit.getMessage(), USAGE);
-        } catch (IOException fault) {
-            return told(fault.getMessage(), BROKEN);
-        }
+        return WindowStart.open(spec, this::open);
     }
 
-    private int told(String why, int code) {
-        PrintWriter err = spec.commandLine().getErr();
-        err.println("dreamm: " + why);
-        err.flush();
-        return code;
+    private void open() throws IOException {
+        DreammOptions options = options();
+        FirstProject first = FirstProject.open(options);
+        opening.open(options, first, AuthorDirectory.open(data == null ? AuthorDirectory.ofUser() : data));
     }
 
     private DreammOptions options() throws IOException {

@@ -1,7 +1,6 @@
 package org.sami.crw.gui.start;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -12,6 +11,7 @@ import java.util.concurrent.Callable;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.ui.window.LookOptions;
+import org.sami.ui.window.WindowStart;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -34,9 +34,6 @@ import picocli.CommandLine.Spec;
             "  crw-operator --replay today.journal --at 90"
         })
 public final class OperatorCommand implements Callable<Integer> {
-    private static final int USAGE = 2;
-    private static final int BROKEN = 4;
-
     private final Opening opening;
 
     @Spec
@@ -109,25 +106,15 @@ public final class OperatorCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        try {
-            StartOptions options = options();
-            Path folder = data == null ? DataDirectory.ofUser() : data;
-            DataDirectory opened =
-                    options.replay().isPresent() ? DataDirectory.openForReplay(folder) : DataDirectory.open(folder);
-            opening.open(options, opened);
-            return 0;
-        } catch (IllegalArgumentException unfit) {
-            return told(unfit.getMessage(), USAGE);
-        } catch (IOException fault) {
-            return told(fault.getMessage(), BROKEN);
-        }
+        return WindowStart.open(spec, this::open);
     }
 
-    private int told(String why, int code) {
-        PrintWriter err = spec.commandLine().getErr();
-        err.println("crw-operator: " + why);
-        err.flush();
-        return code;
+    private void open() throws IOException {
+        StartOptions options = options();
+        Path folder = data == null ? DataDirectory.ofUser() : data;
+        DataDirectory opened =
+                options.replay().isPresent() ? DataDirectory.openForReplay(folder) : DataDirectory.open(folder);
+        opening.open(options, opened);
     }
 
     private StartOptions options() throws IOException {
