@@ -9,6 +9,7 @@ import org.sami.dreamm.help.HelpTopic;
 import org.sami.dreamm.help.HelpTopics;
 import org.sami.dreamm.profile.ProfileIds;
 import org.sami.spn.edit.EdgeEdit;
+import org.sami.spn.edit.Edit;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Match;
@@ -17,15 +18,8 @@ import org.sami.spn.model.TokenKind;
 
 /** The requirements of an edge from a place to a transition: what the transition waits for. */
 final class InRequirementRows extends RequirementRows<InRequirement> {
-    private final transient DreammContext context;
-    private final String plan;
-    private final String edge;
-
     InRequirementRows(DreammContext context, Plan plan, InEdge edge) {
         super(context, plan, edge.id(), edge.requirements());
-        this.context = context;
-        this.plan = plan.id();
-        this.edge = edge.id();
         fill(
                 "The transition waits until here is",
                 InRequirement.of(TokenKind.GENERIC, Match.AT_LEAST, 1),
@@ -103,8 +97,8 @@ final class InRequirementRows extends RequirementRows<InRequirement> {
     }
 
     @Override
-    void set(List<InRequirement> requirements) {
-        context.apply(new EdgeEdit.SetInRequirements(plan, edge, requirements));
+    Edit edit(String plan, String edge, List<InRequirement> requirements) {
+        return new EdgeEdit.SetInRequirements(plan, edge, requirements);
     }
 
     @Override

@@ -9,6 +9,7 @@ import org.sami.dreamm.help.HelpTopic;
 import org.sami.dreamm.help.HelpTopics;
 import org.sami.dreamm.profile.ProfileIds;
 import org.sami.spn.edit.EdgeEdit;
+import org.sami.spn.edit.Edit;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.OutRequirement;
@@ -17,15 +18,8 @@ import org.sami.spn.model.TokenKind;
 
 /** The requirements of an edge from a transition to a place: what a firing does with tokens. */
 final class OutRequirementRows extends RequirementRows<OutRequirement> {
-    private final transient DreammContext context;
-    private final String plan;
-    private final String edge;
-
     OutRequirementRows(DreammContext context, Plan plan, OutEdge edge) {
         super(context, plan, edge.id(), edge.requirements());
-        this.context = context;
-        this.plan = plan.id();
-        this.edge = edge.id();
         fill(
                 "When the transition fires",
                 OutRequirement.of(Action.TAKE, 1, TokenKind.GENERIC),
@@ -100,8 +94,8 @@ final class OutRequirementRows extends RequirementRows<OutRequirement> {
     }
 
     @Override
-    void set(List<OutRequirement> requirements) {
-        context.apply(new EdgeEdit.SetOutRequirements(plan, edge, requirements));
+    Edit edit(String plan, String edge, List<OutRequirement> requirements) {
+        return new EdgeEdit.SetOutRequirements(plan, edge, requirements);
     }
 
     @Override

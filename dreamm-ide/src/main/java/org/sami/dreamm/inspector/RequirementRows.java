@@ -19,6 +19,7 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.help.Explained;
 import org.sami.dreamm.help.HelpTopic;
 import org.sami.dreamm.help.HelpTopics;
+import org.sami.spn.edit.Edit;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.wizard.ComputeRequirements;
@@ -177,7 +178,8 @@ abstract class RequirementRows<R> extends Form {
     /** A requirement to begin with. */
     abstract R fresh(List<R> there);
 
-    abstract void set(List<R> requirements);
+    /** The edit that gives an edge these requirements. */
+    abstract Edit edit(String plan, String edge, List<R> requirements);
 
     abstract List<TokenKind> kinds();
 
@@ -185,6 +187,10 @@ abstract class RequirementRows<R> extends Form {
 
     /** The id by which a profile names a kind of tokens. */
     abstract String profileId(TokenKind kind);
+
+    private void set(List<R> requirements) {
+        context.apply(edit(plan.id(), edge, requirements));
+    }
 
     /** Replaces one; an unconditional one stands alone. */
     final void put(int at, R r) {
