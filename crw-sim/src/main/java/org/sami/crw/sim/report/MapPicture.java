@@ -4,16 +4,12 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
-import java.awt.RenderingHints;
 import java.awt.Shape;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import javax.imageio.ImageIO;
 
 /**
  * The picture of a run: tracks, locations, areas and points of the plan, quay, start and end of each boat, with meridians and
@@ -38,31 +34,14 @@ final class MapPicture {
      * process that is ending already refuses them: the picture of a run that Ctrl-C stops could not be drawn.
      */
     static void prepare() throws IOException {
-        BufferedImage image = new BufferedImage(16, 16, BufferedImage.TYPE_INT_RGB);
-        Graphics2D g = image.createGraphics();
-        try {
+        PngPicture.of(16, 16, g -> {
             g.setFont(font(Font.PLAIN, 12));
             g.drawString("N", 1, 14);
-        } finally {
-            g.dispose();
-        }
-        ImageIO.write(image, "png", new ByteArrayOutputStream());
+        });
     }
 
     byte[] png() throws IOException {
-        BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
-        Graphics2D g = image.createGraphics();
-        try {
-            g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-            g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-            g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-            draw(g);
-        } finally {
-            g.dispose();
-        }
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        ImageIO.write(image, "png", bytes);
-        return bytes.toByteArray();
+        return PngPicture.of(WIDTH, HEIGHT, this::draw);
     }
 
     private void draw(Graphics2D g) {
