@@ -6,7 +6,12 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -15,6 +20,9 @@ import org.junit.jupiter.api.Test;
 /** The documents beside the code: what they point at is there, and every decision names what guards it. */
 class DocumentTest {
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)#\\s]+)(#[^)]*)?\\)");
+    private static final Pattern SECTION_LINK = Pattern.compile("\\]\\(([^)#\\s]*)#([^)\\s]+)\\)");
+    private static final Pattern HEADING = Pattern.compile("(?m)^#+ (.*)$");
+    private static final Pattern TEST_NAME = Pattern.compile("`([A-Z]\\w*Test)(?:\\.(\\w+))?`");
 
     @Test
     void everyLinkLeadsSomewhere() throws IOException {
@@ -36,6 +44,82 @@ class DocumentTest {
 
         assertThat(followed).isGreaterThan(5);
         assertThat(dead).isEmpty();
+    }
+
+    @Test
+    void everyLinkToASectionLeadsToIt() throws IOException {
+        List<String> dead = new ArrayList<>();
+        int followed = 0;
+        for (Path document : documents()) {
+            Matcher links = SECTION_LINK.matcher(Files.readString(document));
+            while (links.find()) {
+                Path target = links.group(1).isEmpty()
+                        ? document
+                        : document.toAbsolutePath()
+                                .resolveSibling(links.group(1))
+                                .normalize();
+                if (target.toString().endsWith(".md") && Files.exists(target)) {
+                    followed++;
+                    if (!anchors(target).contains(links.group(2))) {
+                        dead.add(document + " -> " + links.group(1) + "#" + links.group(2));
+                    }
+                }
+            }
+        }
+
+        assertThat(followed).isGreaterThan(5);
+        assertThat(dead).isEmpty();
+    }
+
+    /** The anchors that a page's headings have where Markdown is shown: lower case, hyphens for spaces, no other signs. */
+    private static Set<String> anchors(Path document) throws IOException {
+        Set<String> anchors = new HashSet<>();
+        Matcher headings = HEADING.matcher(Files.readString(document));
+        while (headings.find()) {
+            anchors.add(headings.group(1)
+                    .strip()
+                    .toLowerCase(Locale.ROOT)
+                    .replaceAll("[^\\p{L}\\p{N}_\\- ]", "")
+                    .replace(' ', '-'));
+        }
+        return anchors;
+    }
+
+    @Test
+    void everyTestThatIsNamedIsThere() throws IOException {
+        Map<String, List<Path>> tests = new HashMap<>();
+        Stream<Path> ofModules = SamiModule.built().flatMap(module -> module.testSources().stream());
+        Stream<Path> ofOthers = Stream.of(Path.of(""), Path.of("domain-config"))
+                .flatMap(folder -> SamiModule.Sources.below(folder.resolve("src/test/java")).stream());
+        Stream.concat(ofModules, ofOthers)
+                .forEach(source -> tests.computeIfAbsent(
+                                source.getFileName().toString().replace(".java", ""), name -> new ArrayList<>())
+                        .add(source));
+        List<String> missing = new ArrayList<>();
+        int found = 0;
+        for (Path document : documents()) {
+            Matcher names = TEST_NAME.matcher(Files.readString(document));
+            while (names.find()) {
+                if (!isThere(tests.getOrDefault(names.group(1), List.of()), names.group(2))) {
+                    missing.add(document + " names " + names.group());
+                } else {
+                    found++;
+                }
+            }
+        }
+
+        assertThat(found).isGreaterThan(100);
+        assertThat(missing).isEmpty();
+    }
+
+    /** Whether one of some classes of a name has a method; {@code null} stands for the class alone. */
+    private static boolean isThere(List<Path> classes, String method) throws IOException {
+        for (Path source : classes) {
+            if (method == null || Files.readString(source).contains(" " + method + "(")) {
+                return true;
+            }
+        }
+        return false;
     }
 
     @Test
