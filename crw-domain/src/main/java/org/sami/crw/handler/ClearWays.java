@@ -8,7 +8,6 @@ import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.FollowPath;
-import org.sami.crw.proxy.KeepStation;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.reach.WayDanger;
 import org.sami.crw.service.water.CrossTrackError;
@@ -51,7 +50,7 @@ final class ClearWays {
             Optional<Water> water =
                     points.isEmpty() ? Optional.empty() : water(from, points, avoid, within, errors.of(boat));
             limited.add(
-                    water.map(limits -> move.with(in(limits, move.command()))).orElse(move));
+                    water.map(limits -> move.with(move.command().in(limits))).orElse(move));
             if (from.isPresent() && water.isPresent()) {
                 tellOfDanger(activation, context, move, from.get(), points, water.get());
             }
@@ -59,18 +58,12 @@ final class ClearWays {
         return limited;
     }
 
+    /** The points of a command that the boat has not visited. */
     private static List<GeoPoint> points(BoatCommand command) {
         if (command instanceof FollowPath path) {
             return path.points().subList(path.startIndex(), path.points().size());
         }
-        return command instanceof KeepStation station ? List.of(station.point()) : List.of();
-    }
-
-    private static BoatCommand in(Water water, BoatCommand command) {
-        if (command instanceof FollowPath path) {
-            return path.in(water);
-        }
-        return command instanceof KeepStation station ? station.in(water) : command;
+        return command.points();
     }
 
     /**

@@ -7,8 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.CommandQueueSnapshot.Entry;
-import org.sami.crw.proxy.FollowPath;
-import org.sami.crw.proxy.KeepStation;
 import org.sami.crw.service.path.Detour;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
@@ -50,7 +48,7 @@ final class GuardedWater {
 
     /** The point to which the boat goes next, where its way there leads through what is forbidden. */
     Optional<GeoPoint> wayThere(Optional<GeoPoint> position, Entry entry) {
-        List<GeoPoint> points = points(entry.command());
+        List<GeoPoint> points = entry.command().points();
         if (position.isEmpty() || entry.visited() >= points.size()) {
             return Optional.empty();
         }
@@ -62,7 +60,7 @@ final class GuardedWater {
 
     /** Where the first segment ahead begins that is forbidden. */
     Optional<GeoPoint> segment(String boat, Entry entry) {
-        List<GeoPoint> points = points(entry.command());
+        List<GeoPoint> points = entry.command().points();
         int[] wrong = breaches.computeIfAbsent(boat, id -> new HashMap<>())
                 .computeIfAbsent(entry.command().commandId(), id -> breaches(points, entry.command()));
         for (int segment : wrong) {
@@ -90,7 +88,7 @@ final class GuardedWater {
     private static boolean leaves(Water allowed, List<GeoPoint> segment, BoatCommand command) {
         return !allowed.allows(segment)
                 && (segment.size() < 2
-                        || water(command)
+                        || command.water()
                                 .flatMap(limits -> Detour.between(segment.get(0), segment.get(1), limits))
                                 .filter(turns -> allowed.allows(joined(segment.get(0), turns, segment.get(1))))
                                 .isEmpty());
@@ -101,19 +99,5 @@ final class GuardedWater {
         way.addAll(turns);
         way.add(to);
         return way;
-    }
-
-    private static Optional<Water> water(BoatCommand command) {
-        if (command instanceof FollowPath path) {
-            return path.water();
-        }
-        return command instanceof KeepStation station ? station.water() : Optional.empty();
-    }
-
-    private static List<GeoPoint> points(BoatCommand command) {
-        if (command instanceof FollowPath path) {
-            return path.points();
-        }
-        return command instanceof KeepStation station ? List.of(station.point()) : List.of();
     }
 }

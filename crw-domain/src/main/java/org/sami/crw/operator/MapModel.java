@@ -29,8 +29,6 @@ import org.sami.crw.proxy.BatteryState;
 import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.CommandQueueSnapshot;
-import org.sami.crw.proxy.FollowPath;
-import org.sami.crw.proxy.KeepStation;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.GeoPoint;
@@ -312,9 +310,7 @@ public final class MapModel extends Model<MapSnapshot> {
 
     private void add(String boat, CommandQueueSnapshot.Entry entry, boolean current, List<ShownPath> paths) {
         BoatCommand command = entry.command();
-        List<GeoPoint> points = command instanceof FollowPath path
-                ? path.points()
-                : command instanceof KeepStation station ? List.of(station.point()) : List.of();
+        List<GeoPoint> points = command.points();
         if (!points.isEmpty() && isShown(command.mission())) {
             paths.add(new ShownPath(boat, command.mission(), command.commandId(), points, entry.visited(), current));
         }

@@ -1,6 +1,10 @@
 package org.sami.crw.proxy;
 
+import java.util.List;
+import java.util.Optional;
+import org.sami.crw.service.water.Water;
 import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
 
 /** What a mission wants one boat to do. */
 public sealed interface BoatCommand permits FollowPath, KeepStation, Panorama, Stop {
@@ -25,4 +29,19 @@ public sealed interface BoatCommand permits FollowPath, KeepStation, Panorama, S
      * missions then wait, but for critical ones.
      */
     boolean block();
+
+    /** The points to which it sends the boat, in driving order; none where it sends it nowhere. */
+    default List<GeoPoint> points() {
+        return List.of();
+    }
+
+    /** Where the boat may go meanwhile; empty = everywhere. */
+    default Optional<Water> water() {
+        return Optional.empty();
+    }
+
+    /** The same command for a boat that may not go everywhere; unchanged where it sends the boat nowhere. */
+    default BoatCommand in(Water limits) {
+        return this;
+    }
 }

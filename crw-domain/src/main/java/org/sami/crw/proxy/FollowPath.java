@@ -87,7 +87,7 @@ public record FollowPath(
         return new FollowPath(commandId, mission, activation, points, speedMps, startIndex, priority, true, water);
     }
 
-    /** The same path for a boat that may not go everywhere. */
+    @Override
     public FollowPath in(Water limits) {
         return new FollowPath(
                 commandId, mission, activation, points, speedMps, startIndex, priority, block, Optional.of(limits));

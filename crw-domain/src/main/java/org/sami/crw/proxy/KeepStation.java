@@ -1,5 +1,6 @@
 package org.sami.crw.proxy;
 
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.crw.service.water.Water;
@@ -46,7 +47,12 @@ public record KeepStation(
         this(commandId, mission, activation, point, radiusM, priority, block, Optional.empty());
     }
 
-    /** The same station for a boat that may not go everywhere. */
+    @Override
+    public List<GeoPoint> points() {
+        return List.of(point);
+    }
+
+    @Override
     public KeepStation in(Water limits) {
         return new KeepStation(commandId, mission, activation, point, radiusM, priority, block, Optional.of(limits));
     }
