@@ -16,7 +16,7 @@ enum Objective {
 
         @Override
         double value(SearchedPaths paths) {
-            return paths.totalM();
+            return paths.totalCostM();
         }
 
         @Override
@@ -46,7 +46,7 @@ enum Objective {
 
         @Override
         double value(SearchedPaths paths) {
-            return paths.longestM();
+            return paths.greatestCostM();
         }
 
         @Override

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * The paths of all boats while a search takes work out of them and puts it back, and what they weigh: the cost of each, raised to a power of two.
- * What changed since a mark can be taken back.
+ * The paths of all boats while a search takes work out of them and puts it back, and what they weighByPower: the cost of each, raised to a power of two.
+ * What changed since a checkpoint can be taken back.
  */
 final class SearchedPaths {
     private static final int NOBODY = -1;
@@ -16,7 +16,7 @@ final class SearchedPaths {
     private final double[][] legM;
 
     private final boolean[][] canDo;
-    private final int works;
+    private final int workCount;
     private final int[][] stops;
     private final int[] size;
     private final int[] boatOf;
@@ -26,27 +26,27 @@ final class SearchedPaths {
     private final double unitM;
     private int doublings;
 
-    private final int[][] markedStops;
-    private final int[] markedSize;
+    private final int[][] keptStops;
+    private final int[] keptSize;
     private final boolean[] changed;
 
     SearchedPaths(AllocationProblem problem, DistanceTable legs, List<List<Integer>> shares) {
         this.legs = legs;
         legM = legs.matrix();
-        works = problem.work().size();
+        workCount = problem.work().size();
         int boats = shares.size();
-        canDo = new boolean[boats][works];
-        stops = new int[boats][works];
-        markedStops = new int[boats][works];
+        canDo = new boolean[boats][workCount];
+        stops = new int[boats][workCount];
+        keptStops = new int[boats][workCount];
         size = new int[boats];
-        markedSize = new int[boats];
+        keptSize = new int[boats];
         changed = new boolean[boats];
         lengthM = new double[boats];
         weight = new double[boats];
-        boatOf = new int[works];
-        indexOf = new int[works];
+        boatOf = new int[workCount];
+        indexOf = new int[workCount];
         for (int boat = 0; boat < boats; boat++) {
-            for (int work = 0; work < works; work++) {
+            for (int work = 0; work < workCount; work++) {
                 canDo[boat][work] = legs.canDo(boat, work);
             }
             for (int work : shares.get(boat)) {
@@ -54,12 +54,12 @@ final class SearchedPaths {
             }
             measure(boat);
         }
-        unitM = Math.max(1, longestM());
-        weigh(0);
+        unitM = Math.max(1, greatestCostM());
+        weighByPower(0);
     }
 
-    /** Weighs all costs with a power of two from now on. */
-    void weigh(int exponentOfTwo) {
+    /** From now on the weight of a path is its cost, squared so many times. */
+    void weighByPower(int exponentOfTwo) {
         doublings = exponentOfTwo;
         for (int boat = 0; boat < weight.length; boat++) {
             weight[boat] = weightOf(boat, lengthM[boat]);
@@ -75,7 +75,7 @@ final class SearchedPaths {
     }
 
     /** Sum of the weights of all paths. */
-    double weight() {
+    double totalWeight() {
         double sum = 0;
         for (double one : weight) {
             sum += one;
@@ -84,7 +84,7 @@ final class SearchedPaths {
     }
 
     /** The greatest cost of a path. */
-    double longestM() {
+    double greatestCostM() {
         double longest = 0;
         for (int boat = 0; boat < lengthM.length; boat++) {
             longest = Math.max(longest, legs.cost(boat, lengthM[boat]));
@@ -93,7 +93,7 @@ final class SearchedPaths {
     }
 
     /** The cost of all paths. */
-    double totalM() {
+    double totalCostM() {
         double total = 0;
         for (int boat = 0; boat < lengthM.length; boat++) {
             total += legs.cost(boat, lengthM[boat]);
@@ -110,11 +110,11 @@ final class SearchedPaths {
         return heaviest;
     }
 
-    int works() {
-        return works;
+    int workCount() {
+        return workCount;
     }
 
-    int boats() {
+    int boatCount() {
         return size.length;
     }
 
@@ -126,7 +126,7 @@ final class SearchedPaths {
         return stops[boat][index];
     }
 
-    /** Whose path some work is on; below zero where it was taken out. */
+    /** The boat on whose path some work is; below zero where it was removed. */
     int boatOf(int work) {
         return boatOf[work];
     }
@@ -143,38 +143,43 @@ final class SearchedPaths {
         return changed[boat];
     }
 
-    /** Keeps the paths as they are now. */
-    void mark() {
+    /** Makes the paths as they are now those to which {@link #rollBack} leads. */
+    void checkpoint() {
         Arrays.fill(changed, false);
     }
 
-    /** Takes back all changes since the mark. */
-    void takeBack() {
+    /** Takes back all changes since the checkpoint. */
+    void rollBack() {
         for (int boat = 0; boat < changed.length; boat++) {
             if (changed[boat]) {
-                size[boat] = markedSize[boat];
-                System.arraycopy(markedStops[boat], 0, stops[boat], 0, size[boat]);
+                size[boat] = keptSize[boat];
+                System.arraycopy(keptStops[boat], 0, stops[boat], 0, size[boat]);
                 measure(boat);
             }
         }
     }
 
-    private void changing(int boat) {
+    private void keepForRollBack(int boat) {
         if (!changed[boat]) {
             changed[boat] = true;
-            markedSize[boat] = size[boat];
-            System.arraycopy(stops[boat], 0, markedStops[boat], 0, size[boat]);
+            keptSize[boat] = size[boat];
+            System.arraycopy(stops[boat], 0, keptStops[boat], 0, size[boat]);
         }
     }
 
     /**
-     * Takes some stops in a row out of a path.
+     * Removes successive stops of a path.
      *
-     * @param keptFrom stops from this index on, as many as {@code kept}, stay although they lie in between
-     * @param into gets the work; returns how much is in it then
+     * @param from index of the first of them
+     * @param until index after the last
+     * @param keptFrom index of the first stop among them that stays
+     * @param kept how many stay from there on; may be 0
+     * @param into gets the work that is removed
+     * @param count how much is in it already
+     * @return how much is in it then
      */
-    int takeOut(int boat, int from, int until, int keptFrom, int kept, int[] into, int count) {
-        changing(boat);
+    int remove(int boat, int from, int until, int keptFrom, int kept, int[] into, int count) {
+        keepForRollBack(boat);
         int out = count;
         int[] path = stops[boat];
         int left = from;
@@ -192,7 +197,7 @@ final class SearchedPaths {
     }
 
     void insert(int boat, int before, int work) {
-        changing(boat);
+        keepForRollBack(boat);
         int[] path = stops[boat];
         System.arraycopy(path, before, path, before + 1, size[boat] - before);
         path[before] = work;
@@ -202,7 +207,7 @@ final class SearchedPaths {
 
     private void measure(int boat) {
         double length = legs.begun(boat);
-        int from = works + boat;
+        int from = workCount + boat;
         for (int i = 0; i < size[boat]; i++) {
             int work = stops[boat][i];
             boatOf[work] = boat;
@@ -221,7 +226,7 @@ final class SearchedPaths {
     /** How much longer a path gets with some work before a stop. */
     double addedM(int boat, int before, int work) {
         int[] path = stops[boat];
-        double[] previous = legM[before == 0 ? works + boat : path[before - 1]];
+        double[] previous = legM[before == 0 ? workCount + boat : path[before - 1]];
         return before == size[boat]
                 ? previous[work]
                 : previous[work] + legM[work][path[before]] - previous[path[before]];
