@@ -18,9 +18,9 @@ import org.locationtech.jts.geom.Geometry;
 public final class LawnMower implements CoverageAlgorithm {
     @Override
     public Coverage cover(CoverageProblem problem) {
-        CoverageRegion lawn = new CoverageRegion(problem);
+        CoverageRegion region = new CoverageRegion(problem);
         Map<String, String> noWay = new LinkedHashMap<>();
-        List<CoveragePart> parts = lawn.parts();
+        List<CoveragePart> parts = region.parts();
         Map<String, CoveragePart> partOf = BoatsOfParts.of(problem, parts, noWay);
         Map<String, CoverageShare> found = new LinkedHashMap<>();
         List<Coverage.Unreached> unreached = new ArrayList<>();
@@ -31,7 +31,7 @@ public final class LawnMower implements CoverageAlgorithm {
                     .toList();
             TrackShares.Divided divided = boats.isEmpty()
                     ? TrackShares.Divided.NOTHING
-                    : TrackShares.of(problem.withBoats(boats), part.tour(), lawn.water(), noWay);
+                    : TrackShares.of(problem.withBoats(boats), part.tour(), region.water(), noWay);
             divided.beyond().ifPresent(beyond::add);
             if (divided.shares().isEmpty() && divided.beyond().isEmpty()) {
                 unreached.add(new Coverage.Unreached(part.place(), part.areaM2()));
@@ -40,13 +40,13 @@ public final class LawnMower implements CoverageAlgorithm {
         }
         Map<String, CoverageShare> shares = new LinkedHashMap<>();
         problem.boats().keySet().stream().filter(found::containsKey).forEach(boat -> shares.put(boat, found.get(boat)));
-        Geometry rest = lawn.rest(List.copyOf(shares.values()));
+        Geometry rest = region.rest(List.copyOf(shares.values()));
         return new Coverage(
                 shares,
                 noWay,
-                lawn.areaM2(),
+                region.areaM2(),
                 rest.getArea(),
-                UncoveredArea.areas(rest, lawn.plane()),
+                UncoveredArea.areas(rest, region.plane()),
                 unreached,
                 beyond);
     }

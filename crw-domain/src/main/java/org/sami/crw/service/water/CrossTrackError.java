@@ -1,12 +1,13 @@
 package org.sami.crw.service.water;
 
 /**
- * How far a boat may truly be beside the straight line that it is to follow. Planners keep paths off what is not to be entered by it
+ * How far a boat may truly be beside the straight line that it is to follow. Planners keep paths that far off what is not to be entered
  * (docs/decisions, 0301).
  *
- * @param steeringM in still water with exact instruments, at corners too: what no path is ever planned nearer to what is forbidden
+ * @param steeringM how far it is beside its line in still water with exact instruments, at corners too, in metres: the least that any path keeps
+ *     off what is forbidden
  * @param positionM standard deviation of the position that the boat knows, along each axis, in metres
- * @param driftMps how fast current and wind carry a boat that does not steer against them
+ * @param driftMps how fast current and wind carry a boat that does not steer against them, in m/s
  */
 public record CrossTrackError(double steeringM, double positionM, double driftMps) {
     /** What the boat server's navigator keeps in still water; measured up to 0.4 m at 1.5 and at 3 m/s. */
@@ -18,10 +19,10 @@ public record CrossTrackError(double steeringM, double positionM, double driftMp
     /** Ways are planned on one plane, told in degrees, and measured on another. */
     private static final double ROUNDING_M = 0.01;
 
-    private static final double KEPT_DEVIATIONS = 3; // once in some hours
-    private static final double MOST_DEVIATIONS = 5; // once in some years
+    private static final double KEPT_DEVIATIONS = 3; // exceeded once in some hours
+    private static final double MOST_DEVIATIONS = 5; // exceeded once in some years
 
-    /** Nothing is off: for geometry alone. */
+    /** No error at all: for geometry alone. */
     public static final CrossTrackError NONE = new CrossTrackError(0, 0, 0);
 
     /** Still water, exact instruments. */
@@ -40,12 +41,12 @@ public record CrossTrackError(double steeringM, double positionM, double driftMp
         }
     }
 
-    /** That of boats whose position errs so much, and which drift so fast. */
+    /** The error of boats with this deviation of the position, in metres, and this drift, in m/s. */
     public static CrossTrackError of(double positionM, double driftMps) {
         return new CrossTrackError(STEERING_M, positionM, driftMps);
     }
 
-    /** What neither this nor another exceeds. */
+    /** The larger of this and another, each part by itself. */
     public CrossTrackError atLeast(CrossTrackError other) {
         return new CrossTrackError(
                 Math.max(steeringM, other.steeringM),
@@ -53,12 +54,12 @@ public record CrossTrackError(double steeringM, double positionM, double driftMp
                 Math.max(driftMps, other.driftMps));
     }
 
-    /** What paths keep from what is forbidden where there is room, in metres. */
+    /** How far paths keep off what is forbidden where there is room, in metres. */
     public double marginM() {
         return steeringM + KEPT_DEVIATIONS * positionM + TURN_S * driftMps;
     }
 
-    /** What a boat is never farther beside its path, as far as can be told, in metres. */
+    /** The most that a boat is ever taken to be beside its path, in metres. */
     public double mostM() {
         return steeringM + MOST_DEVIATIONS * positionM + 2 * TURN_S * driftMps;
     }

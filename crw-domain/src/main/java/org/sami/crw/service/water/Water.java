@@ -23,13 +23,13 @@ import org.sami.spn.value.GeoPoint;
  * Immutable.
  */
 public final class Water {
-    /** How far the world goes on around an area to stay in, which is all round it; nothing out there is allowed. */
+    /** How far what is forbidden reaches around an area to stay in: once around the world. */
     private static final double RIM_M = 40_000_000;
 
-    /** What is shrunk and grown again by a little more lacks only what is narrow. */
+    /** Factor between shrinking and growing again: what then lacks is only what was narrow. */
     private static final double GROWN_AGAIN = 1.05;
 
-    /** So much of half its width is taken from both sides of what is narrow. */
+    /** The part of half its width that is taken from both sides of what is narrow. */
     private static final double MIDDLE = 0.9;
 
     private static final double ROUNDING_M = 0.01;
@@ -48,22 +48,6 @@ public final class Water {
         this.outside = outside;
         this.forbidden = forbidden;
         this.error = error;
-    }
-
-    /** The same water, for boats that are so far beside their ways. */
-    public Water drivenWith(CrossTrackError other) {
-        return new Water(plane, noGo, outside, forbidden, other);
-    }
-
-    /** The same water for a boat that is to go to a point: one outside of the area to stay in is not kept in. */
-    public Water leaving(GeoPoint to) {
-        boolean leaves = !outside.isEmpty() && outside.distance(FACTORY.createPoint(coordinate(to))) == 0;
-        return leaves ? new Water(plane, noGo, FACTORY.createPolygon(), noGo, error) : this;
-    }
-
-    /** How far boats here may be beside their ways; nothing unless it was said. */
-    public CrossTrackError error() {
-        return error;
     }
 
     /** Water without anything in it. */
@@ -112,11 +96,27 @@ public final class Water {
         return union == null ? FACTORY.createPolygon() : union;
     }
 
+    /** The same water, for boats that are so far beside their ways. */
+    public Water drivenWith(CrossTrackError other) {
+        return new Water(plane, noGo, outside, forbidden, other);
+    }
+
+    /** The same water for a boat that is to go to a point: one outside of the area to stay in is not kept in. */
+    public Water leaving(GeoPoint to) {
+        boolean leaves = !outside.isEmpty() && outside.distance(FACTORY.createPoint(coordinate(to))) == 0;
+        return leaves ? new Water(plane, noGo, FACTORY.createPolygon(), noGo, error) : this;
+    }
+
+    /** How far boats here may be beside their ways; nothing unless it was said. */
+    public CrossTrackError error() {
+        return error;
+    }
+
     /**
-     * Water in which so much at the rim of what is forbidden is allowed. Of what is narrower than twice that the middle stays forbidden, a tenth of its
-     * width.
+     * The same water with what is forbidden shrunk at its rim. Where it is narrower than twice the depth, a tenth of its width stays forbidden in
+     * the middle.
      *
-     * @param depthM in metres, from 0
+     * @param depthM how much is taken off the rim, in metres, from 0
      */
     public Water shrunk(double depthM) {
         return new Water(
@@ -192,7 +192,7 @@ public final class Water {
         return Areas.point(DistanceOp.nearestPoints(FACTORY.createLineString(stops), forbidden)[0], plane);
     }
 
-    /** Distance of all water between some points, as the string around them encloses it, likewise. */
+    /** Distance of the convex hull of some points to what is forbidden, likewise. */
     public double clearanceBetweenM(List<GeoPoint> points) {
         if (isOpen() || points.isEmpty()) {
             return Double.POSITIVE_INFINITY;
