@@ -2,8 +2,10 @@ package org.sami.crw.handler;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.sami.crw.event.Numbers;
 import org.sami.spn.protocol.Activation;
+import org.sami.spn.value.BooleanValue;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.TextValue;
@@ -33,6 +35,16 @@ final class ActivationFields {
 
     static double number(Activation activation, String field) {
         return Numbers.real(required(activation, field));
+    }
+
+    /** A field that may be left out. */
+    static Optional<Boolean> flag(Activation activation, String field) {
+        return activation.value(field).map(value -> {
+            if (value instanceof BooleanValue flag) {
+                return flag.value();
+            }
+            throw new IllegalArgumentException("\"" + field + "\" is neither true nor false: " + value);
+        });
     }
 
     static GeoPoint point(Activation activation, String field) {

@@ -23,13 +23,14 @@ import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
 /**
  * Allocation Request: divides locations or tasks among boats by the algorithm that serves the markup Optimize best, in as many ways
- * as the markup Selection Options asks for, no path longer than its boat's charge lasts where that can be. Distances are
+ * as the markup Selection Options asks for, no path longer than its boat's charge lasts where that can be, with the way home if possible. Distances are
  * those of ways around what the plan avoids. What nobody can do is named in the answer and told to the operator; a boat whose
  * position is not known yet gets nothing, and the operator is told.
  */
@@ -39,6 +40,7 @@ final class AllocationHandler implements ActivationHandler {
     private final AllocationService service;
     private final BoatPositions positions;
     private final Function<String, OptionalDouble> rangesM;
+    private final Function<String, Optional<GeoPoint>> homes;
     private final MessageSink messages;
     private final Computations computations;
     private final BoatErrors errors;
@@ -47,17 +49,20 @@ final class AllocationHandler implements ActivationHandler {
      * A handler.
      *
      * @param rangesM how far the charge of each boat is sure to take it, in metres; empty for one that has not said
+     * @param homes where each boat returns to, if that is known
      */
     AllocationHandler(
             AllocationService service,
             BoatPositions positions,
             Function<String, OptionalDouble> rangesM,
+            Function<String, Optional<GeoPoint>> homes,
             MessageSink messages,
             Computations computations,
             BoatErrors errors) {
         this.service = service;
         this.positions = positions;
         this.rangesM = rangesM;
+        this.homes = homes;
         this.messages = messages;
         this.computations = computations;
         this.errors = errors;
@@ -65,7 +70,12 @@ final class AllocationHandler implements ActivationHandler {
 
     @Override
     public void handle(Activation activation, HandlerContext context) throws Exception {
-        AllocationQuestion question = AllocationQuestion.of(activation, context, positions, rangesM);
+        AllocationQuestion question = AllocationQuestion.of(
+                activation,
+                context,
+                positions,
+                rangesM,
+                PlannedSwaps.keepWaysHome(activation, context) ? homes : boat -> Optional.empty());
         if (!question.unknown().isEmpty()) {
             tell(
                     activation,

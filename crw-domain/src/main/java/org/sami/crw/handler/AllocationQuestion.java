@@ -46,12 +46,14 @@ record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, 
      * tasks. The boats are those that entered, or where only tasks did those of the mission.
      *
      * @param rangesM how far the charge of each boat is sure to take it, in metres; empty for one that has not said
+     * @param homes where boats return to for which their charges are to last as well
      */
     static AllocationQuestion of(
             Activation activation,
             HandlerContext context,
             BoatPositions positions,
-            Function<String, OptionalDouble> rangesM) {
+            Function<String, OptionalDouble> rangesM,
+            Function<String, Optional<GeoPoint>> homes) {
         Optional<Allocation> previous = activation.value(PREVIOUS).map(Allocation::of);
         Map<String, TaskId> tasks =
                 previous.isPresent() || activation.value(LOCATIONS).isPresent() ? Map.of() : tasks(activation);
@@ -66,8 +68,8 @@ record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, 
             positions
                     .positionOf(boat)
                     .ifPresentOrElse(
-                            at -> candidates.add(
-                                    new Candidate(boat, at, offers(boat, activation), begun, rangesM.apply(boat))),
+                            at -> candidates.add(new Candidate(
+                                    boat, at, offers(boat, activation), begun, rangesM.apply(boat), homes.apply(boat))),
                             () -> unknown.add(boat));
         }
         if (candidates.isEmpty()) {

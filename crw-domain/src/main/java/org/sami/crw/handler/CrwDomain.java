@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Executor;
+import java.util.function.Function;
 import org.sami.crw.fleet.FleetEvents;
 import org.sami.crw.operator.MessageSink;
 import org.sami.crw.proxy.BatteryState;
@@ -15,6 +16,7 @@ import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatListeners;
 import org.sami.crw.proxy.BoatPose;
+import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.reach.Range;
@@ -23,6 +25,7 @@ import org.sami.crw.task.TaskQueues;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.Registration;
+import org.sami.spn.value.GeoPoint;
 
 /**
  * The boats domain on a host: every handler registered, withdrawals passed on to the boats, what boats report posted as inputs. The
@@ -59,6 +62,7 @@ public final class CrwDomain implements AutoCloseable {
         MeasurementHandler measurements = new MeasurementHandler(messages, fleet);
         BoatQuestions questions = new BoatQuestions(host, boats, fleet);
         BatterySubscriptions batteries = new BatterySubscriptions(boats, fleet);
+        Function<String, Optional<GeoPoint>> homes = boat -> boats.find(boat).flatMap(BoatProxy::home);
         ExploredAreas explored = new ExploredAreas(messages, computations, errors, fleet);
         events.passTo(new BoatListeners(
                 explored,
@@ -92,6 +96,7 @@ public final class CrwDomain implements AutoCloseable {
                         computations,
                         errors,
                         boat -> rangeM(boats, boat),
+                        homes,
                         explored));
         Withdrawals withdrawals = new Withdrawals(handlers.keySet(), motion, computations, fleet);
         handlers.put(AreaSubscriptions.TYPE, areas);
@@ -105,7 +110,13 @@ public final class CrwDomain implements AutoCloseable {
         handlers.put(
                 AllocationHandler.TYPE,
                 new AllocationHandler(
-                        services.allocation(), positions, boat -> rangeM(boats, boat), messages, computations, errors));
+                        services.allocation(),
+                        positions,
+                        boat -> rangeM(boats, boat),
+                        homes,
+                        messages,
+                        computations,
+                        errors));
         handlers.put(PathHandler.TYPE, new PathHandler(services.paths(), positions, messages, computations, errors));
         handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions, errors));
         handlers.put(

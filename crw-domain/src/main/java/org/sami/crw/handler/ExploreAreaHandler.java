@@ -52,6 +52,7 @@ final class ExploreAreaHandler implements ActivationHandler {
     private final Computations computations;
     private final BoatErrors errors;
     private final Function<String, OptionalDouble> rangesM;
+    private final Function<String, Optional<GeoPoint>> homes;
     private final ExploredAreas explored;
     /** What waits until an area is divided, by mission and area. */
     private final Map<String, List<Consumer<Map<String, GeoPath>>>> underWay = new HashMap<>();
@@ -64,8 +65,10 @@ final class ExploreAreaHandler implements ActivationHandler {
             Computations computations,
             BoatErrors errors,
             Function<String, OptionalDouble> rangesM,
+            Function<String, Optional<GeoPoint>> homes,
             ExploredAreas explored) {
         this.rangesM = rangesM;
+        this.homes = homes;
         this.explored = explored;
         this.algorithm = algorithm;
         this.positions = positions;
@@ -178,7 +181,14 @@ final class ExploreAreaHandler implements ActivationHandler {
     private Ranges ranges(List<Addressee> boats, Exploration one) {
         Map<String, Double> metres = new LinkedHashMap<>();
         boats.forEach(boat -> rangesM.apply(boat.boat()).ifPresent(range -> metres.put(boat.boat(), range)));
-        return new Ranges(metres, one.context.query(view -> PlannedSwaps.areOf(one.activation.mission(), view)));
+        if (!PlannedSwaps.keepWaysHome(one.activation, one.context)) {
+            return Ranges.out(metres, one.context.query(view -> PlannedSwaps.areOf(one.activation.mission(), view)));
+        }
+        Map<String, GeoPoint> home = new LinkedHashMap<>();
+        boats.forEach(boat -> homes.apply(boat.boat()).ifPresent(at -> home.put(boat.boat(), at)));
+        boolean keepHome =
+                ActivationFields.flag(one.activation, PlannedSwaps.KEEP_HOME).orElse(false);
+        return new Ranges(metres, home, false, keepHome);
     }
 
     private final class Dividing implements Computations.Task<Coverage> {

@@ -5,7 +5,9 @@ import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.MissionView;
+import org.sami.spn.host.HandlerContext;
 import org.sami.spn.model.Plan;
+import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Ids;
 
 /**
@@ -17,6 +19,15 @@ final class PlannedSwaps {
     private static final Set<String> NEWS = Set.of(EventNames.BATTERY_LOW, EventNames.BATTERY_CRITICAL);
 
     private PlannedSwaps() {}
+
+    /** The field with which a plan says whether charges are to last for ways home. */
+    static final String KEEP_HOME = "keepHome";
+
+    /** Whether charges are to last for the ways home of what an activation asks: unless its plan says otherwise, or has batteries swapped. */
+    static boolean keepWaysHome(Activation activation, HandlerContext context) {
+        return ActivationFields.flag(activation, KEEP_HOME).orElse(true)
+                && !context.query(view -> areOf(activation.mission(), view));
+    }
 
     /** Whether the plans of a mission do. */
     static boolean areOf(long mission, EngineView view) {

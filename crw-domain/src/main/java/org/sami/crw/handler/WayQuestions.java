@@ -45,6 +45,8 @@ import org.sami.spn.value.GeoPoint;
  * that goes on does not ask again. For the fleet's thread; what it hears of the engine it brings there.
  */
 final class WayQuestions implements HostListener {
+    private static final Set<String> WITH_WAY_HOME =
+            Set.of(ExecutePathHandler.TYPE, ExecutePathHandler.BLOCKING_TYPE, ExploreAreaHandler.TYPE);
     private static final int NAMED = 3;
 
     private final ProxyRegistry boats;
@@ -88,9 +90,14 @@ final class WayQuestions implements HostListener {
         for (Move move : moves) {
             Optional<Way> way = way(move, avoid);
             Optional<WayDoubt> doubt = move.doubt().or(() -> way.flatMap(WayCheck::doubt));
+            Optional<WayBack> back = doubt.isPresent() ? Optional.empty() : way.flatMap(this::wayBack);
+            if (back.isPresent() && !back.get().isSure() && asksForWayHome(activation, context, move)) {
+                doubt = Optional.of(
+                        new WayDoubt(WayDoubt.Kind.CHARGE, back.get().words()));
+            }
             if (doubt.isEmpty()) {
                 clear.add(move);
-                way.ifPresent(one -> tellOfWayBack(activation, context, one));
+                back.ifPresent(one -> tellOfWayBack(activation, context, move, one));
             } else {
                 doubted.computeIfAbsent(
                                 question(doubt.get()),
@@ -103,18 +110,30 @@ final class WayQuestions implements HostListener {
         return clear;
     }
 
-    private void tellOfWayBack(Activation activation, HandlerContext context, Way way) {
-        boats.find(way.boat())
-                .flatMap(BoatProxy::home)
-                .flatMap(home -> WayBack.words(way, home))
-                .ifPresent(words -> messages.tell(new OperatorMessage(
-                        context.nowMillis(),
-                        activation.mission(),
-                        OperatorMessage.Source.DOMAIN,
-                        Priority.LOW,
-                        words,
-                        List.of(way.boat()),
-                        "")));
+    private Optional<WayBack> wayBack(Way way) {
+        return boats.find(way.boat()).flatMap(BoatProxy::home).flatMap(home -> WayBack.of(way, home));
+    }
+
+    /**
+     * Whether the operator is asked where a charge does not last for the way home: of paths and explorations that begin, unless the plan says
+     * otherwise, or has batteries swapped on the way.
+     */
+    private static boolean asksForWayHome(Activation activation, HandlerContext context, Move move) {
+        return WITH_WAY_HOME.contains(activation.type())
+                && move.command() instanceof FollowPath path
+                && path.startIndex() == 0
+                && PlannedSwaps.keepWaysHome(activation, context);
+    }
+
+    private void tellOfWayBack(Activation activation, HandlerContext context, Move move, WayBack back) {
+        messages.tell(new OperatorMessage(
+                context.nowMillis(),
+                activation.mission(),
+                OperatorMessage.Source.DOMAIN,
+                Priority.LOW,
+                back.words(),
+                List.of(move.addressee().boat()),
+                ""));
     }
 
     /** The areas that the activation avoids, and its mission. */

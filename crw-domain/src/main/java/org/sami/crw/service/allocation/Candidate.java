@@ -2,6 +2,7 @@ package org.sami.crw.service.allocation;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeSet;
@@ -14,24 +15,37 @@ import org.sami.spn.value.GeoPoint;
  * @param offers its capabilities; in the order of the alphabet
  * @param begun the work that it has begun and keeps, in its order: it does that first, and what it gets comes after
  * @param rangeM how far its charge is sure to take it, in metres; empty where that is not known
+ * @param home where it returns to, if its charge is to last for the way there as well
  */
-public record Candidate(String boat, GeoPoint at, Set<String> offers, List<WorkItem> begun, OptionalDouble rangeM) {
+public record Candidate(
+        String boat,
+        GeoPoint at,
+        Set<String> offers,
+        List<WorkItem> begun,
+        OptionalDouble rangeM,
+        Optional<GeoPoint> home) {
     public Candidate {
         Objects.requireNonNull(boat, "boat");
         Objects.requireNonNull(at, "at");
         offers = java.util.Collections.unmodifiableSet(new TreeSet<>(offers));
         begun = List.copyOf(begun);
         Objects.requireNonNull(rangeM, "rangeM");
+        Objects.requireNonNull(home, "home");
     }
 
     /** A boat of whose charge nothing is known. */
     public Candidate(String boat, GeoPoint at, Set<String> offers, List<WorkItem> begun) {
-        this(boat, at, offers, begun, OptionalDouble.empty());
+        this(boat, at, offers, begun, OptionalDouble.empty(), Optional.empty());
     }
 
     /** The same boat with a charge that is sure to take it so far, in metres. */
     public Candidate within(double metres) {
-        return new Candidate(boat, at, offers, begun, OptionalDouble.of(metres));
+        return new Candidate(boat, at, offers, begun, OptionalDouble.of(metres), home);
+    }
+
+    /** The same boat, which is to come home as well. */
+    public Candidate returning(GeoPoint to) {
+        return new Candidate(boat, at, offers, begun, rangeM, Optional.of(to));
     }
 
     /** A boat that has begun nothing and offers nothing in particular. */

@@ -17,6 +17,8 @@ final class DistanceTable {
 
     private final double[] boatX;
     private final double[] boatY;
+    private final double[] homeX; // no number where the way home does not count
+    private final double[] homeY;
     private final double[] begunM;
     private final double[] rangeM;
     private final double[] x;
@@ -33,6 +35,12 @@ final class DistanceTable {
                 boats.isEmpty() ? GeoPoint.of(0, 0) : boats.get(0).at());
         boatX = boats.stream().mapToDouble(boat -> plane.x(boat.freeAt())).toArray();
         boatY = boats.stream().mapToDouble(boat -> plane.y(boat.freeAt())).toArray();
+        homeX = boats.stream()
+                .mapToDouble(boat -> boat.home().map(plane::x).orElse(Double.NaN))
+                .toArray();
+        homeY = boats.stream()
+                .mapToDouble(boat -> boat.home().map(plane::y).orElse(Double.NaN))
+                .toArray();
         begunM = boats.stream()
                 .mapToDouble(boat -> problem.lengthM(
                         boat, boat.begun().stream().map(WorkItem::location).toList()))
@@ -132,6 +140,17 @@ final class DistanceTable {
     /** From a stop of a boat's path; {@code from} below zero is where the boat is free. */
     double leg(int boat, int from, int to) {
         return from < 0 ? first(boat, to) : between(from, to);
+    }
+
+    /** From a stop of a boat's path straight home; 0 where that does not count. */
+    double home(int boat, int from) {
+        count();
+        if (Double.isNaN(homeX[boat])) {
+            return 0;
+        }
+        return from < 0
+                ? distance(boatX[boat], boatY[boat], homeX[boat], homeY[boat])
+                : distance(x[from], y[from], homeX[boat], homeY[boat]);
     }
 
     long measured() {

@@ -9,7 +9,8 @@ import java.util.stream.IntStream;
 
 /**
  * Takes work from boats whose paths are longer than their charges last and gives it to boats that have charge left for it, one after another, each time
- * what makes all paths together least longer. Where that does not help everybody the rest stays where it is, and the division says so.
+ * what makes all paths together least longer. The ways home count where boats are to come home and charges last for all of it so. Where it does not
+ * help everybody the rest stays where it is, and the division says so.
  */
 final class ShortenedPaths {
     /** So many distances may be measured for it: less than a second's worth. */
@@ -19,22 +20,22 @@ final class ShortenedPaths {
 
     private final AllocationProblem problem;
     private final DistanceTable legs;
+    private final boolean home;
     private final List<List<Integer>> shares = new ArrayList<>();
     private final double[] lengthM;
 
     /** Work that changes its boat. */
     private record Move(int from, int at, int to, int before, double costM) {}
 
-    private ShortenedPaths(AllocationProblem problem, DistanceTable legs, List<List<Integer>> given) {
+    /** Paths as they were given; with {@code home} their lengths are those with the ways home. */
+    private ShortenedPaths(AllocationProblem problem, DistanceTable legs, List<List<Integer>> given, boolean home) {
         this.problem = problem;
         this.legs = legs;
+        this.home = home;
         given.forEach(share -> shares.add(new ArrayList<>(share)));
         lengthM = new double[given.size()];
         for (int boat = 0; boat < lengthM.length; boat++) {
-            lengthM[boat] = legs.begun(boat);
-            for (int i = 0; i < shares.get(boat).size(); i++) {
-                lengthM[boat] += legs.leg(boat, stop(boat, i - 1), stop(boat, i));
-            }
+            lengthM[boat] = lengthOf(boat);
         }
     }
 
@@ -43,12 +44,28 @@ final class ShortenedPaths {
         if (problem.boats().stream().map(Candidate::rangeM).allMatch(OptionalDouble::isEmpty)) {
             return given;
         }
-        ShortenedPaths paths = new ShortenedPaths(problem, legs, given);
-        for (int boat = 0; boat < given.size(); boat++) {
-            paths.shorten(boat);
+        if (problem.boats().stream().anyMatch(boat -> boat.home().isPresent())) {
+            ShortenedPaths withWaysHome = new ShortenedPaths(problem, legs, given, true);
+            withWaysHome.shorten();
+            if (!withWaysHome.isAnyTooLong()) {
+                return withWaysHome.shares;
+            }
         }
+        ShortenedPaths paths = new ShortenedPaths(problem, legs, given, false);
+        paths.shorten();
         paths.sayWhatIsTooLong();
         return paths.shares;
+    }
+
+    private void shorten() {
+        for (int boat = 0; boat < lengthM.length; boat++) {
+            shorten(boat);
+        }
+    }
+
+    private boolean isAnyTooLong() {
+        return IntStream.range(0, lengthM.length)
+                .anyMatch(boat -> !shares.get(boat).isEmpty() && leftM(boat) < 0);
     }
 
     private double leftM(int boat) {
@@ -74,7 +91,11 @@ final class ShortenedPaths {
         for (int i = 0; i < shares.get(boat).size(); i++) {
             metres += legs.leg(boat, stop(boat, i - 1), stop(boat, i));
         }
-        return metres;
+        return metres + homeM(boat, stop(boat, shares.get(boat).size() - 1));
+    }
+
+    private double homeM(int boat, int from) {
+        return home ? legs.home(boat, from) : 0;
     }
 
     /** The work of a boat that others can do at the least cost, in metres of all paths together; null where nobody can. */
@@ -109,8 +130,9 @@ final class ShortenedPaths {
         if (at + 1 < shares.get(boat).size()) {
             metres += legs.between(stop(boat, at), stop(boat, at + 1))
                     - legs.leg(boat, stop(boat, at - 1), stop(boat, at + 1));
+            return metres;
         }
-        return metres;
+        return metres + homeM(boat, stop(boat, at)) - homeM(boat, stop(boat, at - 1));
     }
 
     private double addedM(int boat, int before, int work) {
@@ -118,8 +140,9 @@ final class ShortenedPaths {
         if (before < shares.get(boat).size()) {
             metres +=
                     legs.between(work, stop(boat, before)) - legs.leg(boat, stop(boat, before - 1), stop(boat, before));
+            return metres;
         }
-        return metres;
+        return metres + homeM(boat, work) - homeM(boat, stop(boat, before - 1));
     }
 
     /** Below zero where the boat is free. */

@@ -42,8 +42,9 @@ public record Coverage(
      *
      * @param near a point of it
      * @param recharged whether boats drive it nevertheless, as their batteries are swapped on the way: each so much; else nobody drives it
+     * @param home whether it is so because charges are to last for the ways home too
      */
-    public record BeyondCharge(GeoPoint near, double trackM, boolean recharged) {}
+    public record BeyondCharge(GeoPoint near, double trackM, boolean recharged, boolean home) {}
 
     public Coverage {
         shares = Collections.unmodifiableMap(new LinkedHashMap<>(shares));
@@ -95,8 +96,9 @@ public record Coverage(
                         stretch.trackM())
                 : String.format(
                         Locale.ROOT,
-                        "; charges do not last for %.0f m of track more, near %.5f,%.5f",
+                        "; charges do not last for %.0f m of track more%s, near %.5f,%.5f",
                         stretch.trackM(),
+                        stretch.home() ? " and the ways home" : "",
                         stretch.near().latDeg(),
                         stretch.near().lonDeg());
     }
@@ -108,8 +110,9 @@ public record Coverage(
                 .max(Comparator.comparingDouble(BeyondCharge::trackM))
                 .map(stretch -> String.format(
                         Locale.ROOT,
-                        "charges are sure to last for %.0f %% of the area: %.0f m² stay unexplored, most near %.5f,%.5f",
+                        "charges are sure to last for %.0f %% of the area%s: %.0f m² stay unexplored, most near %.5f,%.5f",
                         100 * (1 - uncoveredM2 / areaM2),
+                        stretch.home() ? " and the ways home" : "",
                         uncoveredM2,
                         stretch.near().latDeg(),
                         stretch.near().lonDeg()));

@@ -5,7 +5,7 @@ import org.locationtech.jts.geom.Coordinate;
 import org.sami.crw.service.Interruption;
 
 /**
- * Divides a tour among boats so that each piece, with the way to it, is as long as its boat's charge is sure to last for at most, and otherwise
+ * Divides a tour among boats so that each piece, with the ways to it and from it, is as long as its boat's charge is sure to last for at most, and otherwise
  * all are equally long. Where all charges together do not last for the tour, its end is left; or, where boats recharge on the way, each exceeds
  * its charge by up to the same.
  */
@@ -19,13 +19,13 @@ final class TourDivision {
     private final TourPlaces tour;
     private final double[] rangeM;
     private final boolean recharges;
-    private final Approach approach;
-    private int ways;
+    private final Ways ways;
+    private int measured;
 
-    /** Measures the way of a boat to a place, in metres. */
+    /** Measures the way of a boat to a piece between two ends, and its way home where that counts, from whichever end is better; in metres. */
     @FunctionalInterface
-    interface Approach {
-        double metres(int boat, Coordinate place);
+    interface Ways {
+        double metres(int boat, Coordinate end, Coordinate otherEnd);
     }
 
     /** Where the pieces lie. */
@@ -77,11 +77,11 @@ final class TourDivision {
      *
      * @param rangeM how far each boat's charge is sure to last, in metres; infinite where that is not known
      */
-    TourDivision(TourPlaces tour, double[] rangeM, boolean recharges, Approach approach) {
+    TourDivision(TourPlaces tour, double[] rangeM, boolean recharges, Ways ways) {
         this.tour = tour;
         this.rangeM = rangeM.clone();
         this.recharges = recharges;
-        this.approach = approach;
+        this.ways = ways;
     }
 
     /** The best that exchanging boats two by two leads to, from an order of their pieces. */
@@ -92,7 +92,7 @@ final class TourDivision {
         while (isBetter) {
             isBetter = false;
             for (int i = 0; i < order.length; i++) {
-                for (int j = i + 1; j < order.length && ways < MOST_WAYS; j++) {
+                for (int j = i + 1; j < order.length && measured < MOST_WAYS; j++) {
                     Interruption.check();
                     exchange(order, i, j);
                     Cuts other = cuts(order);
@@ -140,21 +140,18 @@ final class TourDivision {
         return new Cuts(order.clone(), fromM, beyondM, longestM);
     }
 
-    /** A piece is driven from either of its ends; the farther one lies, the longer it is with the way to that. */
+    /** The farther the ends of a piece lie, the longer it is with its ways. */
     private double lengthM(int boat, double fromM, double limitM, double beyondM) {
         double mostM = Math.min(limitM, tour.lengthM() - fromM);
         double roomM = rangeM[boat] + beyondM;
-        double beginningM = roomM - wayM(boat, fromM);
-        if (beginningM >= mostM || mostM + wayM(boat, fromM + mostM) <= roomM) {
-            return mostM;
-        }
-        double endM = least(0, mostM, length -> length + wayM(boat, fromM + length) > roomM) - EXACT_M;
-        return Math.max(0, Math.max(beginningM, endM));
+        return drivenM(boat, fromM, mostM) <= roomM
+                ? mostM
+                : Math.max(0, least(0, mostM, length -> drivenM(boat, fromM, length) > roomM) - EXACT_M);
     }
 
-    private double wayM(int boat, double alongM) {
-        ways++;
-        return approach.metres(boat, tour.at(alongM));
+    private double drivenM(int boat, double fromM, double lengthM) {
+        measured++;
+        return lengthM + ways.metres(boat, tour.at(fromM), tour.at(fromM + lengthM));
     }
 
     /** The least number that fulfils what greater ones fulfil too, to within 5 cm. */

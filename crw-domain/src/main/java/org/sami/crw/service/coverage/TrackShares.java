@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.locationtech.jts.geom.Coordinate;
+import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.allocation.LeastSumAssignment;
 import org.sami.crw.service.path.PathAnswer;
 import org.sami.crw.service.path.PathProblem;
@@ -27,6 +28,7 @@ final class TrackShares {
     private final Water water;
     private final List<String> names;
     private final List<Optional<Coordinate>> places;
+    private final List<Optional<Coordinate>> homes;
 
     /**
      * What boats get of a track.
@@ -45,11 +47,14 @@ final class TrackShares {
         places = problem.boats().values().stream()
                 .map(boat -> boat.map(at -> Areas.coordinate(at, water.plane())))
                 .toList();
+        homes = names.stream()
+                .map(boat -> problem.ranges().home(boat).map(at -> Areas.coordinate(at, water.plane())))
+                .toList();
     }
 
     /**
      * The shares of boats: pieces of equal length, the boats' ways to them least in sum, each driven from its nearer end. Where a charge does not
-     * last for such a piece, pieces are as long as charges allow.
+     * last for such a piece, pieces are as long as charges allow: with the ways home where charges last for all of it so, else without them.
      *
      * @param noWay gets the boats that cannot get to their piece, and why; the others divide the track among them
      */
@@ -65,9 +70,30 @@ final class TrackShares {
                     ? Divided.NOTHING
                     : of(problem.without(without.get()), tour, water, noWay);
         }
-        return shares.allLast(equal)
+        if (shares.allLast(equal, true)) {
+            return new Divided(equal, Optional.empty());
+        }
+        Optional<Divided> withWaysHome = shares.withWaysHome(pieceOf, equal, noWay);
+        if (withWaysHome.isPresent()) {
+            return withWaysHome.get();
+        }
+        return shares.allLast(equal, false)
                 ? new Divided(equal, Optional.empty())
-                : shares.asFarAsChargesLast(pieceOf, equal, noWay);
+                : shares.asFarAsChargesLast(pieceOf, equal, noWay, false);
+    }
+
+    /** All boats get something, and come home from it; empty where charges do not last for that and the ways home need not be kept. */
+    private Optional<Divided> withWaysHome(int[] pieceOf, Map<String, CoverageShare> equal, Map<String, String> noWay) {
+        if (problem.ranges().homes().isEmpty()) {
+            return Optional.empty();
+        }
+        Map<String, String> without = new LinkedHashMap<>();
+        Divided divided = asFarAsChargesLast(pieceOf, equal, without, true);
+        if (!problem.ranges().keepHome() && (divided.beyond().isPresent() || !without.isEmpty())) {
+            return Optional.empty();
+        }
+        noWay.putAll(without);
+        return Optional.of(divided);
     }
 
     /** The share of each boat that has a way to its piece, up to the first that has none. */
@@ -81,7 +107,7 @@ final class TrackShares {
         }
         int[] pieceOf = LeastSumAssignment.of(costs);
         for (int boat = 0; boat < names.size(); boat++) {
-            if (!give(boat, pieces.get(pieceOf[boat]), shares, noWay)) {
+            if (!give(boat, pieces.get(pieceOf[boat]), false, shares, noWay)) {
                 break;
             }
         }
@@ -89,8 +115,12 @@ final class TrackShares {
     }
 
     private boolean give(
-            int boat, List<Coordinate> piece, Map<String, CoverageShare> shares, Map<String, String> noWay) {
-        List<GeoPoint> track = driven(boat, piece);
+            int boat,
+            List<Coordinate> piece,
+            boolean home,
+            Map<String, CoverageShare> shares,
+            Map<String, String> noWay) {
+        List<GeoPoint> track = driven(boat, piece, home);
         PathAnswer approach = approach(boat, track.get(0));
         if (approach instanceof PathAnswer.NoWay none) {
             noWay.put(names.get(boat), none.reason());
@@ -107,34 +137,51 @@ final class TrackShares {
         return true;
     }
 
-    private boolean allLast(Map<String, CoverageShare> shares) {
+    private boolean allLast(Map<String, CoverageShare> shares, boolean home) {
         return shares.entrySet().stream()
-                .allMatch(
-                        share -> share.getValue().drivenM() <= problem.ranges().of(share.getKey()));
+                .allMatch(share -> share.getValue().drivenM() + (home ? homeM(share.getKey(), share.getValue()) : 0)
+                        <= problem.ranges().of(share.getKey()));
+    }
+
+    /** The length of a boat's way home from the end of its share, straight where there is no way around; 0 where that does not count. */
+    private double homeM(String boat, CoverageShare share) {
+        Optional<GeoPoint> home = problem.ranges().home(boat);
+        if (home.isEmpty()) {
+            return 0;
+        }
+        GeoPoint end = share.track().get(share.track().size() - 1);
+        PathAnswer way = new ShortestPath().find(new PathProblem(end, home.get(), water.leaving(home.get()), 1));
+        return way instanceof PathAnswer.Way found ? found.lengthM() : Geodesy.distanceM(end, home.get());
     }
 
     /** A boat whose charge is too low for any of it is left out, and the others divide the track among them. */
-    private Divided asFarAsChargesLast(int[] pieceOf, Map<String, CoverageShare> equal, Map<String, String> noWay) {
+    private Divided asFarAsChargesLast(
+            int[] pieceOf, Map<String, CoverageShare> equal, Map<String, String> noWay, boolean home) {
         double[] rangeM = names.stream().mapToDouble(problem.ranges()::of).toArray();
         double[] detour = IntStream.range(0, names.size())
                 .mapToDouble(boat -> detour(boat, equal.get(names.get(boat))))
                 .toArray();
-        TourDivision.Approach approach = (boat, place) -> detour[boat] * straightM(boat, place);
+        double[] homeDetour = IntStream.range(0, names.size())
+                .mapToDouble(boat -> home ? homeDetour(boat, equal.get(names.get(boat))) : 0)
+                .toArray();
+        TourDivision.Ways ways = (boat, end, other) -> Math.min(
+                detour[boat] * straightM(boat, end) + homeDetour[boat] * straightHomeM(boat, other),
+                detour[boat] * straightM(boat, other) + homeDetour[boat] * straightHomeM(boat, end));
         TourPlaces line = new TourPlaces(tour);
         TourDivision.Cuts cuts =
-                new TourDivision(line, rangeM, problem.ranges().recharged(), approach).from(inverse(pieceOf));
+                new TourDivision(line, rangeM, problem.ranges().recharged(), ways).from(inverse(pieceOf));
         Map<String, CoverageShare> given = new LinkedHashMap<>();
         for (int piece = 0; piece < names.size(); piece++) {
             int boat = cuts.boat(piece);
             if (cuts.lengthM(piece) < LEAST_M) {
-                noWay.put(names.get(boat), tooLittle(names.get(boat)));
+                noWay.put(names.get(boat), tooLittle(names.get(boat), home));
             } else {
-                give(boat, line.between(cuts.fromM(piece), cuts.fromM(piece + 1)), given, noWay);
+                give(boat, line.between(cuts.fromM(piece), cuts.fromM(piece + 1)), home, given, noWay);
             }
         }
         Map<String, CoverageShare> shares = new LinkedHashMap<>();
         names.stream().filter(given::containsKey).forEach(boat -> shares.put(boat, given.get(boat)));
-        return new Divided(shares, beyond(cuts, line));
+        return new Divided(shares, beyond(cuts, line, home));
     }
 
     private static int[] inverse(int[] pieceOf) {
@@ -151,23 +198,31 @@ final class TrackShares {
         return straightM > LEAST_M ? Math.max(1, share.approachM() / straightM) : 1;
     }
 
-    private String tooLittle(String boat) {
-        return String.format(
-                Locale.ROOT,
-                "%s has charge for %.0f m, and its way to the area is longer",
-                boat,
-                problem.ranges().of(boat));
+    /** Likewise, for the way home from it. */
+    private double homeDetour(int boat, CoverageShare share) {
+        List<GeoPoint> track = share.track();
+        double straightM = straightHomeM(boat, Areas.coordinate(track.get(track.size() - 1), water.plane()));
+        return straightM > LEAST_M ? Math.max(1, homeM(names.get(boat), share) / straightM) : 1;
     }
 
-    private Optional<Coverage.BeyondCharge> beyond(TourDivision.Cuts cuts, TourPlaces line) {
+    private String tooLittle(String boat, boolean home) {
+        return String.format(
+                Locale.ROOT,
+                "%s has charge for %.0f m, and its way to the area%s is longer",
+                boat,
+                problem.ranges().of(boat),
+                home ? " and home" : "");
+    }
+
+    private Optional<Coverage.BeyondCharge> beyond(TourDivision.Cuts cuts, TourPlaces line, boolean home) {
         double leftM = line.lengthM() - cuts.endM();
         if (leftM >= LEAST_M) {
             Coordinate middle = line.at(cuts.endM() + leftM / 2);
-            return Optional.of(new Coverage.BeyondCharge(Areas.point(middle, water.plane()), leftM, false));
+            return Optional.of(new Coverage.BeyondCharge(Areas.point(middle, water.plane()), leftM, false, home));
         }
         return cuts.beyondM() >= LEAST_M
                 ? Optional.of(new Coverage.BeyondCharge(
-                        Areas.point(line.at(line.lengthM() / 2), water.plane()), cuts.beyondM(), true))
+                        Areas.point(line.at(line.lengthM() / 2), water.plane()), cuts.beyondM(), true, home))
                 : Optional.empty();
     }
 
@@ -175,14 +230,23 @@ final class TrackShares {
         return places.get(boat).map(place::distance).orElse(0.0);
     }
 
+    private double straightHomeM(int boat, Coordinate place) {
+        return homes.get(boat).map(place::distance).orElse(0.0);
+    }
+
     private double approachM(int boat, List<Coordinate> piece) {
         return Math.min(straightM(boat, piece.get(0)), straightM(boat, piece.get(piece.size() - 1)));
     }
 
-    private List<GeoPoint> driven(int boat, List<Coordinate> piece) {
+    /** From the nearer end, or from where it is shorter with the way home. */
+    private List<GeoPoint> driven(int boat, List<Coordinate> piece, boolean home) {
         List<GeoPoint> track = new ArrayList<>();
         piece.forEach(place -> track.add(Areas.point(place, water.plane())));
-        if (straightM(boat, piece.get(piece.size() - 1)) < straightM(boat, piece.get(0))) {
+        Coordinate first = piece.get(0);
+        Coordinate last = piece.get(piece.size() - 1);
+        double forwardM = straightM(boat, first) + (home ? straightHomeM(boat, last) : 0);
+        double backwardM = straightM(boat, last) + (home ? straightHomeM(boat, first) : 0);
+        if (backwardM < forwardM) {
             Collections.reverse(track);
         }
         return track;

@@ -2,26 +2,34 @@ package org.sami.crw.service.reach;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.path.Detour;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
 
-/** With how much charge a boat comes home from the end of its way. Pure functions. */
-public final class WayBack {
+/**
+ * With how much charge a boat comes home from the end of its way, where that is little.
+ *
+ * @param words a sentence without its full stop
+ * @param isSure whether the charge is sure to last for the way and the way home
+ */
+public record WayBack(String words, boolean isSure) {
     /** What a boat brings home that need not be spoken of, in percent. */
     private static final double PLENTY_PERCENT = 30;
 
-    private WayBack() {}
+    public WayBack {
+        Objects.requireNonNull(words, "words");
+    }
 
     /**
-     * What the operator should know, as a sentence without its full stop; empty for a boat that brings plenty home, and for one of which position or
-     * charge are not known. A boat whose charge is not sure to last for the way itself is another matter ({@link WayCheck}).
+     * Looks at a way; empty for a boat that brings plenty home, and for one of which position or charge are not known. A boat whose charge is not sure
+     * to last for the way itself is another matter ({@link WayCheck}).
      *
      * @param home where the boat returns to
      */
-    public static Optional<String> words(Way way, GeoPoint home) {
+    public static Optional<WayBack> of(Way way, GeoPoint home) {
         if (way.from().isEmpty()
                 || way.batteryPercent().isEmpty()
                 || way.points().isEmpty()) {
@@ -34,24 +42,28 @@ public final class WayBack {
         double homeM = Geodesy.lengthM(end, Detour.along(end, List.of(home), around));
         double percent = way.batteryPercent().getAsDouble();
         double left = percent - (outM + homeM) / WayCheck.METRES_PER_PERCENT;
-        if (left >= PLENTY_PERCENT || outM > Range.sureM(percent)) {
+        double sureM = Range.sureM(percent);
+        if (left >= PLENTY_PERCENT || outM > sureM) {
             return Optional.empty();
         }
-        double sureM = Range.sureM(percent);
         return Optional.of(
                 outM + homeM <= sureM
-                        ? String.format(
-                                Locale.ROOT,
-                                "%s comes home from its way with about %.0f %% of charge",
-                                way.boat(),
-                                left)
-                        : String.format(
-                                Locale.ROOT,
-                                "%s may not come home from the end of its way: %.0f m there and %.0f m back, and its charge of %.0f %% is sure to last for %.0f m",
-                                way.boat(),
-                                outM,
-                                homeM,
-                                percent,
-                                sureM));
+                        ? new WayBack(
+                                String.format(
+                                        Locale.ROOT,
+                                        "%s comes home from its way with about %.0f %% of charge",
+                                        way.boat(),
+                                        left),
+                                true)
+                        : new WayBack(
+                                String.format(
+                                        Locale.ROOT,
+                                        "%s may not come home from the end of its way: %.0f m there and %.0f m back, and its charge of %.0f %% is sure to last for %.0f m",
+                                        way.boat(),
+                                        outM,
+                                        homeM,
+                                        percent,
+                                        sureM),
+                                false));
     }
 }

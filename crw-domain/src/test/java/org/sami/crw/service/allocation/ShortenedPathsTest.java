@@ -73,6 +73,35 @@ class ShortenedPathsTest {
                         .contains("swapped on the way"));
     }
 
+    /** 400 m out and 400 m home: 500 m last for the one, and not for both. */
+    @Test
+    void boatGetsNoPathFromWhichItDoesNotComeHomeWhereAnotherDoes() {
+        List<WorkItem> far = List.of(WorkItem.visit("far", at(0, 400)));
+        Candidate weak = boat("weak", 0).within(500);
+        Candidate full = boat("full", 30).within(3000);
+
+        Division out = new SequentialSingleItemAuction().divide(new AllocationProblem(List.of(weak, full), far));
+        Division home = new SequentialSingleItemAuction()
+                .divide(new AllocationProblem(List.of(weak.returning(weak.at()), full.returning(full.at())), far));
+
+        assertThat(out.boatOf()).containsEntry("far", "weak");
+        assertThat(home.boatOf()).containsEntry("far", "full");
+        assertThat(home.shortfall()).isEmpty();
+    }
+
+    @Test
+    void pathsAreAsWithoutWaysHomeWhereChargesDoNotLastForThose() {
+        List<WorkItem> far = List.of(WorkItem.visit("far", at(0, 400)));
+        Candidate weak = boat("weak", 0).within(500);
+        Candidate other = boat("other", 30).within(600);
+
+        Division home = new SequentialSingleItemAuction()
+                .divide(new AllocationProblem(List.of(weak.returning(weak.at()), other.returning(other.at())), far));
+
+        assertThat(home.boatOf()).containsEntry("far", "weak");
+        assertThat(home.shortfall()).isEmpty();
+    }
+
     @Test
     void workStaysWithABoatThatAloneCanDoIt() {
         Candidate weak = new Candidate("weak", at(0, 0), Set.of("camera"), List.of()).within(100);

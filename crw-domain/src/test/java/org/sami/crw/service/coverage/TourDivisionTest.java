@@ -81,11 +81,10 @@ class TourDivisionTest {
     }
 
     private static TourDivision.Cuts cuts(double[] ranges, boolean swapped, double... at) {
-        return new TourDivision(
-                        TOUR,
-                        ranges,
-                        swapped,
-                        (boat, place) -> place.distance(new Coordinate(at[2 * boat], at[2 * boat + 1])))
+        return new TourDivision(TOUR, ranges, swapped, (boat, end, other) -> {
+                    Coordinate place = new Coordinate(at[2 * boat], at[2 * boat + 1]);
+                    return Math.min(place.distance(end), place.distance(other));
+                })
                 .from(IntStream.range(0, ranges.length).toArray());
     }
 

@@ -20,10 +20,14 @@ class WayBackTest {
         return Geodesy.offset(HOME, eastM, northM);
     }
 
-    private static Optional<String> words(double percent, Optional<Water> water, GeoPoint... points) {
-        return WayBack.words(
+    private static Optional<WayBack> back(double percent, Optional<Water> water, GeoPoint... points) {
+        return WayBack.of(
                 new Way("anna", Optional.of(HOME), OptionalDouble.of(percent), List.of(points), List.of(), water),
                 HOME);
+    }
+
+    private static Optional<String> words(double percent, Optional<Water> water, GeoPoint... points) {
+        return back(percent, water, points).map(WayBack::words);
     }
 
     @Test
@@ -35,6 +39,8 @@ class WayBackTest {
     void littleThatIsBroughtHomeIsTold() {
         assertThat(words(32, Optional.empty(), at(350, 0)))
                 .contains("anna comes home from its way with about 12 % of charge");
+        assertThat(back(32, Optional.empty(), at(350, 0)).orElseThrow().isSure())
+                .isTrue();
     }
 
     @Test
@@ -42,6 +48,8 @@ class WayBackTest {
         assertThat(words(15, Optional.empty(), at(350, 0)))
                 .contains(
                         "anna may not come home from the end of its way: 350 m there and 350 m back, and its charge of 15 % is sure to last for 477 m");
+        assertThat(back(15, Optional.empty(), at(350, 0)).orElseThrow().isSure())
+                .isFalse();
     }
 
     @Test

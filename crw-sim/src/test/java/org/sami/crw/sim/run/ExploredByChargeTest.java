@@ -10,12 +10,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.crw.service.reach.Range;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.report.DecisionResult;
 import org.sami.crw.sim.report.Exploration;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.TrackPoint;
+import org.sami.spn.json.ProjectReader;
+import org.sami.spn.json.ProjectWriter;
+import org.sami.spn.model.Project;
 
 /** Areas are divided by how far charges last, so that no boat stops dead in its share: judged by true batteries and true tracks. */
 class ExploredByChargeTest {
@@ -30,15 +35,50 @@ class ExploredByChargeTest {
 
         assertThat(report.decisions()).extracting(DecisionResult::type).doesNotContain("LongWay");
         assertAllIsExplored(report, 99);
+        assertAllMayComeHome(report);
     }
 
+    /** Three full charges last for lanes of 50 m in 600 m, and not for the ways home. */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5})
-    void soItIsInTheFieldWithStandardSettings(long seed) {
+    void operatorIsAskedWhereChargesLastForTheAreaAndNotForTheWaysHome(long seed) {
         RunReport report = run("explore-area", 600, 50, "100,100,100", Conditions.FIELD, seed);
 
-        assertThat(report.decisions()).extracting(DecisionResult::type).doesNotContain("LongWay");
+        assertThat(report.decisions())
+                .filteredOn(decision -> decision.type().equals("LongWay"))
+                .singleElement()
+                .satisfies(question -> {
+                    assertThat(question.prompt())
+                            .matches(
+                                    "boat1 may not come home from the end of its way: \\d+ m there and \\d+ m back, "
+                                            + "and its charge of 100 % is sure to last for 3182 m; boat2 .*; boat3 .*\\. Send them\\?");
+                    assertThat(question.openedAtMillis()).isLessThan(15_000);
+                });
         assertAllIsExplored(report, 97.5);
+    }
+
+    @Test
+    void planThatKeepsWaysHomeLeavesWhatChargesDoNotLastForWithThem() {
+        RunReport report = run(keepingHome(true), 600, 50, "100,100,100", Conditions.CALM, 1);
+
+        assertThat(report.decisions())
+                .filteredOn(decision -> decision.type().equals("LongWay"))
+                .singleElement()
+                .satisfies(question -> assertThat(question.prompt())
+                        .matches(
+                                "charges are sure to last for \\d\\d % of the area and the ways home: \\d+ m² stay unexplored, most near "
+                                        + "[0-9.,]+\\. Send them\\?"));
+        Exploration explored = report.map().explorations().get(0);
+        assertThat(explored.percent(explored.left().trueM2().orElseThrow())).isBetween(80.0, 95.0);
+        assertAllMayComeHome(report);
+    }
+
+    @Test
+    void planThatDoesNotKeepWaysHomeAsksNothing() {
+        RunReport report = run(keepingHome(false), 600, 50, "100,100,100", Conditions.CALM, 1);
+
+        assertThat(report.decisions()).extracting(DecisionResult::type).doesNotContain("LongWay");
+        assertAllIsExplored(report, 99);
     }
 
     /** Lanes of 20 m take twice what three batteries last for. */
@@ -92,9 +132,38 @@ class ExploredByChargeTest {
                         boat -> assertThat(boat.batteryPercent()).as(boat.id()).isPositive());
     }
 
+    /** What is left of each charge is sure to last straight to where its boat began. */
+    private static void assertAllMayComeHome(RunReport report) {
+        assertThat(report.boats()).allSatisfy(boat -> {
+            TrackPoint home = boat.track().get(0);
+            TrackPoint end = boat.track().get(boat.track().size() - 1);
+            double homeM = Math.hypot(end.eastM() - home.eastM(), end.northM() - home.northM());
+            assertThat(Range.sureM(boat.batteryPercent())).as(boat.id()).isGreaterThanOrEqualTo(homeM);
+        });
+    }
+
     private static RunReport run(
             String planId, double areaM, double spacingM, String charges, Conditions conditions, long seed) {
-        RunPlan plan = TestRuns.plan(planId);
+        return run(TestRuns.plan(planId), areaM, spacingM, charges, conditions, seed);
+    }
+
+    /** The plan that explores an area, which says whether charges are to last for the ways home. */
+    private static RunPlan keepingHome(boolean keep) {
+        Project project = TestRuns.LIBRARY.projectOf("explore-area").orElseThrow();
+        String spacing = "\"spacing\": {\"variable\": \"@spacing\"}";
+        String text = new ProjectWriter(TestRuns.LIBRARY.vocabulary())
+                .text(project)
+                .replace(spacing, spacing + ", \"keepHome\": {\"value\": " + keep + "}");
+        Project changed =
+                new ProjectReader(TestRuns.LIBRARY.vocabulary()).read(text).orThrow();
+        return new RunPlan(
+                TestRuns.LIBRARY.vocabulary(),
+                changed,
+                changed.plan("explore-area").orElseThrow());
+    }
+
+    private static RunReport run(
+            RunPlan plan, double areaM, double spacingM, String charges, Conditions conditions, long seed) {
         return TestRuns.run(
                 plan,
                 new RunSettings(

@@ -81,7 +81,9 @@ class InterruptRunTest {
     @Test
     void runInWhichAllWentRightTellsOfNothingThatWasDiscarded() {
         for (String plan : List.of("clv", "station-keep", "measure", "explore-area")) {
-            RunReport report = run(plan);
+            RunPlan runPlan = TestRuns.plan(plan);
+            RunReport report = TestRuns.run(
+                    runPlan, TestRuns.settings(runPlan, 3, 6, 7).withFleet(new RunSettings.Fleet(3, 6, 400, 7)));
             assertThat(ReportText.text(report)).as(plan).contains("ended").doesNotContain("discarded");
             assertThat(report.exitCode()).as(plan).isZero();
             assertThat(report.decisions())

@@ -48,9 +48,6 @@ class RangeRunTest {
                 .singleElement()
                 .satisfies(question ->
                         assertThat(question.prompt()).startsWith("charges are sure to last for 82 % of the area: "));
-        assertThat(run("explore-area", "100,100,100", 1).decisions())
-                .extracting(DecisionResult::type)
-                .doesNotContain("LongWay");
     }
 
     private static RunReport run(String charges, long seed) {
