@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.sami.crw.sim.report.ReportFolder;
-import org.sami.crw.sim.report.ReportJson;
 import org.sami.crw.sim.report.ReportText;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.file.ReportFolder;
+import org.sami.crw.sim.report.file.ReportJson;
 import picocli.CommandLine.Option;
 
 /** How a run is told of. */

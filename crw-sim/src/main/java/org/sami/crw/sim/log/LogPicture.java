@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.sim.report.ReportText;
-import org.sami.crw.sim.report.TrackPicture;
+import org.sami.crw.sim.report.picture.TrackPicture;
 import org.sami.spn.value.GeoPoint;
 
 /**

@@ -10,7 +10,7 @@ import java.nio.file.StandardCopyOption;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalInt;
-import org.sami.crw.sim.report.CsvRow;
+import org.sami.crw.sim.report.file.CsvRow;
 import org.sami.spn.value.GeoPoint;
 
 /** The tables of a log, written while it is read; they take their names when {@link #keep} says that all went well. */

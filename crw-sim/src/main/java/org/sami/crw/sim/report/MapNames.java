@@ -4,11 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** What the things on a run's map are called in the files that other programs draw. */
-final class MapNames {
+/** What the things on a run's map are called, in its legend and in the files that other programs draw. */
+public final class MapNames {
     private MapNames() {}
 
-    static String run(RunReport report) {
+    /** The plan, its seed and how the run ended. */
+    public static String run(RunReport report) {
         return String.format(
                 Locale.ROOT,
                 "plan %s, seed %d, %s after %s",
@@ -18,7 +19,8 @@ final class MapNames {
                 ReportText.duration(report.result().simulatedMillis()));
     }
 
-    static String of(LocationResult location) {
+    /** By whom a location was visited and when; by how much it was truly missed. */
+    public static String of(LocationResult location) {
         if (location.visited()) {
             return "visited by " + words(location.visit().orElseThrow());
         }
@@ -36,20 +38,23 @@ final class MapNames {
         return String.format(Locale.ROOT, "%s at %.1f s", visit.boat(), visit.atMillis() / 1000.0);
     }
 
-    static String of(MapSpot spot) {
+    /** What a spot is, and of which boat. */
+    public static String of(MapSpot spot) {
         return spot.kind().words() + (spot.boat().isEmpty() ? "" : " of " + spot.boat());
     }
 
-    static String of(BoatResult boat) {
+    /** How far a boat drove, and what charge it had at the end. */
+    public static String of(BoatResult boat) {
         return String.format(Locale.ROOT, "%.0f m, battery %.0f %%", boat.distanceM(), boat.batteryPercent());
     }
 
-    static MapPoint point(LocationResult location) {
+    /** Where a location is. */
+    public static MapPoint point(LocationResult location) {
         return new MapPoint(location.latDeg(), location.lonDeg(), location.eastM(), location.northM());
     }
 
     /** The areas of the plan, and then what was left uncovered. */
-    static List<MapArea> areas(RunReport report) {
+    public static List<MapArea> areas(RunReport report) {
         List<MapArea> areas = new ArrayList<>(report.map().areas());
         report.map().explorations().forEach(exploration -> areas.addAll(exploration.uncovered()));
         return areas;

@@ -17,7 +17,7 @@ public record ReadingSummary(
         String sensor, String channel, String unit, int count, double least, double mean, double most) {
 
     /** The channels in the order in which they were first heard of. */
-    static List<ReadingSummary> of(List<ReadingResult> readings) {
+    public static List<ReadingSummary> of(List<ReadingResult> readings) {
         Map<List<String>, List<ReadingResult>> channels = new LinkedHashMap<>();
         for (ReadingResult reading : readings) {
             channels.computeIfAbsent(

@@ -179,7 +179,7 @@ public final class ReportText {
     }
 
     /** When a run began, in UTC and, where that is another time, in the time zone of its machine. */
-    static String moment(RunOrigin origin) {
+    public static String moment(RunOrigin origin) {
         DateTimeFormatter form = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm:ss", Locale.ROOT);
         ZonedDateTime utc = origin.startedAt().atZone(ZoneOffset.UTC);
         ZonedDateTime there = origin.startedAt().atZone(origin.zone());

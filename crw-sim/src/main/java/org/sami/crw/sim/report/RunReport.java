@@ -166,7 +166,7 @@ public record RunReport(
     }
 
     /** How many of the locations a boat was the first to visit, counted as {@link #locationsVisited} does. */
-    long visitsBy(String boat) {
+    public long visitsBy(String boat) {
         return locations.stream()
                 .filter(location -> location.visit()
                         .filter(visit -> visit.boat().equals(boat))

@@ -7,7 +7,7 @@ import java.util.OptionalLong;
 import java.util.Random;
 
 /** A made-up report in which every kind of row occurs. */
-final class SampleReport {
+public final class SampleReport {
     private static final LinkResult LINK =
             new LinkResult("in-process", "boot1", 0, 0, new LinkResult.Uploads(3, 3, 2, 1), "it does what it should");
 
@@ -16,7 +16,8 @@ final class SampleReport {
 
     private SampleReport() {}
 
-    static RunReport of(int boats, int locations) {
+    /** A report with so many boats and locations; always the same. */
+    public static RunReport of(int boats, int locations) {
         Random random = new Random(7);
         List<LocationResult> places = new ArrayList<>();
         for (int i = 0; i < locations; i++) {

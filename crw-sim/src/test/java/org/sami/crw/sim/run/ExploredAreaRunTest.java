@@ -14,10 +14,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.report.Exploration;
-import org.sami.crw.sim.report.ReportJson;
 import org.sami.crw.sim.report.ReportText;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.file.ReportJson;
 
 /** What a report says of an area that was explored: by the plan, by reported positions, and truly. */
 class ExploredAreaRunTest {

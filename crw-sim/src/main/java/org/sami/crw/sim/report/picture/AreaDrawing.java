@@ -1,4 +1,4 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.picture;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
@@ -9,6 +9,10 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.util.Comparator;
 import java.util.List;
+import org.sami.crw.sim.report.MapArea;
+import org.sami.crw.sim.report.MapNames;
+import org.sami.crw.sim.report.MapPoint;
+import org.sami.crw.sim.report.RunReport;
 
 /** The areas of the plan on the map: told apart by rim and hatching, not by colour alone. */
 final class AreaDrawing {

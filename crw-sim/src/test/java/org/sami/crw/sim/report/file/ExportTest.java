@@ -1,4 +1,4 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.file;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -13,6 +13,14 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
+import org.sami.crw.sim.report.MapArea;
+import org.sami.crw.sim.report.MapPoint;
+import org.sami.crw.sim.report.MapSpot;
+import org.sami.crw.sim.report.RunMap;
+import org.sami.crw.sim.report.RunOrigin;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.SampleReport;
+import org.sami.crw.sim.report.TrackPoint;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;

@@ -1,4 +1,4 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.file;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -13,6 +13,11 @@ import java.util.Set;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.sim.report.ReadingResult;
+import org.sami.crw.sim.report.ReportText;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.SampleReport;
+import org.sami.crw.sim.report.picture.Palette;
 
 class ReportFolderTest {
     @TempDir

@@ -1,4 +1,4 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.file;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.core.JsonProcessingException;
@@ -12,6 +12,23 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.Optional;
 import org.sami.crw.operator.Wait;
+import org.sami.crw.sim.report.Approach;
+import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.sim.report.DecisionResult;
+import org.sami.crw.sim.report.Exploration;
+import org.sami.crw.sim.report.InterruptResult;
+import org.sami.crw.sim.report.LinkResult;
+import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.sim.report.MapPoint;
+import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.sim.report.OperatorAction;
+import org.sami.crw.sim.report.PhaseResult;
+import org.sami.crw.sim.report.ReadingSummary;
+import org.sami.crw.sim.report.RunHeader;
+import org.sami.crw.sim.report.RunOrigin;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.RunResult;
+import org.sami.crw.sim.report.TaskResult;
 
 /** The report as one JSON object. Its members are described in docs/command-line.md; programs rely on them. */
 public final class ReportJson {

@@ -1,4 +1,4 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.file;
 
 import java.awt.Color;
 import java.util.List;
@@ -6,6 +6,16 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.sim.report.MapArea;
+import org.sami.crw.sim.report.MapNames;
+import org.sami.crw.sim.report.MapPoint;
+import org.sami.crw.sim.report.MapSpot;
+import org.sami.crw.sim.report.RunOrigin;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.TrackPoint;
+import org.sami.crw.sim.report.picture.Palette;
 
 /**
  * A run as KML 2.2, with Google's extension for tracks with times: boats, locations, areas and points in folders. Positions are

@@ -1,4 +1,4 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.file;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;

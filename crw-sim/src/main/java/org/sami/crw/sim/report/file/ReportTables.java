@@ -1,9 +1,22 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.file;
 
-import static org.sami.crw.sim.report.CsvTable.fixed;
-import static org.sami.crw.sim.report.CsvTable.seconds;
+import static org.sami.crw.sim.report.file.CsvTable.fixed;
+import static org.sami.crw.sim.report.file.CsvTable.seconds;
 
+import org.sami.crw.sim.report.Approach;
+import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.sim.report.DecisionResult;
+import org.sami.crw.sim.report.FiringResult;
+import org.sami.crw.sim.report.InterruptResult;
+import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.LocationResult.Visit;
+import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.sim.report.OperatorAction;
+import org.sami.crw.sim.report.PhaseResult;
+import org.sami.crw.sim.report.ReadingResult;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.TaskResult;
+import org.sami.crw.sim.report.TrackPoint;
 
 /** The report's tables. Times are simulated seconds, lengths metres, angles degrees. */
 final class ReportTables {

@@ -1,8 +1,12 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.picture;
 
 import java.awt.Rectangle;
 import java.awt.geom.Point2D;
 import java.util.stream.Stream;
+import org.sami.crw.sim.report.MapArea;
+import org.sami.crw.sim.report.MapPoint;
+import org.sami.crw.sim.report.MapSpot;
+import org.sami.crw.sim.report.RunReport;
 
 /** From metres east and north of the area's centre to points of the picture; one scale for both axes, north is up. */
 final class MapScale {

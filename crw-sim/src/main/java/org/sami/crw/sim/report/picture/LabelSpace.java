@@ -1,4 +1,4 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.picture;
 
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;

@@ -1,4 +1,4 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.picture;
 
 import java.awt.Font;
 import java.awt.Graphics2D;
@@ -8,6 +8,14 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Locale;
+import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.sim.report.MapArea;
+import org.sami.crw.sim.report.MapNames;
+import org.sami.crw.sim.report.MapSpot;
+import org.sami.crw.sim.report.ReportText;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.RunResult;
 
 /** The panel beside the map: who is who, what the signs mean, how the run came out. */
 final class LegendDrawing {

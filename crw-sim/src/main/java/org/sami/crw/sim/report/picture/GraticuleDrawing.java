@@ -1,4 +1,4 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.picture;
 
 import java.awt.Font;
 import java.awt.FontMetrics;
@@ -7,6 +7,7 @@ import java.awt.Rectangle;
 import java.awt.geom.Line2D;
 import java.util.Locale;
 import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.crw.sim.report.MapPoint;
 
 /** Meridians and parallels over the map, with degrees along its edges. */
 final class GraticuleDrawing {

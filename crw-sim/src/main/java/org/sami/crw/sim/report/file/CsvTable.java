@@ -1,4 +1,4 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.file;
 
 /** A table in the form of RFC 4180, with line feeds: what spreadsheets and statistics programs read. */
 final class CsvTable {

@@ -1,16 +1,17 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.picture;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Stroke;
 import java.util.List;
+import org.sami.crw.sim.report.MapArea;
 
 /**
  * The looks of boats on the map. The seven colours are those of Okabe and Ito ("Color Universal Design"), which people
  * with any of the usual colour blindnesses tell apart; yellow is left out, it vanishes on light water. From the eighth
  * boat on the same colours come back with another dash, so that 28 boats look different.
  */
-final class Palette {
+public final class Palette {
     static final Color INK = new Color(0x1F2933);
     static final Color FAINT_INK = new Color(0x5F6C7B);
     static final Color WATER = new Color(0xEEF5FA);
@@ -29,12 +30,13 @@ final class Palette {
 
     private Palette() {}
 
-    static Color color(int boat) {
+    /** The colour of a boat, by its place in the fleet from 0. */
+    public static Color color(int boat) {
         return COLORS.get(boat % COLORS.size());
     }
 
     /** The rim of an area; its filling is the same, nearly transparent. */
-    static Color area(MapArea.Kind kind) {
+    public static Color area(MapArea.Kind kind) {
         return switch (kind) {
             case EXPLORED -> new Color(0x56B4E9);
             case UNCOVERED -> new Color(0xE69F00);

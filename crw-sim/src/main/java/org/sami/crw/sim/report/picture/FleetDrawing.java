@@ -1,4 +1,4 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.picture;
 
 import java.awt.Color;
 import java.awt.Font;
@@ -13,6 +13,12 @@ import java.awt.geom.Rectangle2D;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.sim.report.MapPoint;
+import org.sami.crw.sim.report.MapSpot;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.TrackPoint;
 
 /** Tracks, locations, points of the plan, starts and ends on the map. */
 final class FleetDrawing {

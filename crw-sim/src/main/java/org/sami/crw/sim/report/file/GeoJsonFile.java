@@ -1,4 +1,4 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.file;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -11,6 +11,14 @@ import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.sim.report.MapArea;
+import org.sami.crw.sim.report.MapNames;
+import org.sami.crw.sim.report.MapPath;
+import org.sami.crw.sim.report.MapPoint;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.picture.Palette;
 
 /**
  * A run as GeoJSON (RFC 7946): a feature for each boat's track, path that a boat was given, location, area and point. Positions are WGS 84, longitude first;

@@ -1,4 +1,4 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.picture;
 
 import java.awt.Color;
 import java.awt.Font;
@@ -10,12 +10,18 @@ import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import org.sami.crw.sim.report.Exploration;
+import org.sami.crw.sim.report.ReportText;
+import org.sami.crw.sim.report.RunHeader;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.RunResult;
 
 /**
  * The picture of a run: tracks, locations, areas and points of the plan, quay, start and end of each boat, with meridians and
  * parallels, scale bar, north arrow and legend, and in words why a run did not end. Drawn in memory; needs no display.
  */
-final class MapPicture {
+public final class MapPicture {
     private static final int WIDTH = 1480;
     private static final int HEIGHT = 1080;
     private static final int LEFT = 104;
@@ -25,7 +31,8 @@ final class MapPicture {
 
     private final RunReport report;
 
-    MapPicture(RunReport report) {
+    /** The map of a run. */
+    public MapPicture(RunReport report) {
         this.report = report;
     }
 
@@ -33,14 +40,15 @@ final class MapPicture {
      * Makes the platform ready to draw. At their first use its fonts and image writers want a word at the end of the process, and a
      * process that is ending already refuses them: the picture of a run that Ctrl-C stops could not be drawn.
      */
-    static void prepare() throws IOException {
+    public static void prepare() throws IOException {
         PngPicture.of(16, 16, g -> {
             g.setFont(font(Font.PLAIN, 12));
             g.drawString("N", 1, 14);
         });
     }
 
-    byte[] png() throws IOException {
+    /** The map as a PNG file's content. */
+    public byte[] png() throws IOException {
         return PngPicture.of(WIDTH, HEIGHT, this::draw);
     }
 

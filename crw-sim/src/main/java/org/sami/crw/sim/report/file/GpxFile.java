@@ -1,6 +1,12 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.file;
 
 import java.util.List;
+import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.sim.report.MapArea;
+import org.sami.crw.sim.report.MapNames;
+import org.sami.crw.sim.report.MapPoint;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.TrackPoint;
 
 /**
  * A run as GPX 1.1: a track for each boat, way points for locations, quay and points of the plan, a closed route for each area (the

@@ -1,4 +1,4 @@
-package org.sami.crw.sim.report;
+package org.sami.crw.sim.report.picture;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -20,6 +20,17 @@ import java.util.Random;
 import java.util.Set;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
+import org.sami.crw.sim.report.ClosestApproach;
+import org.sami.crw.sim.report.Exploration;
+import org.sami.crw.sim.report.LocationResult;
+import org.sami.crw.sim.report.MapArea;
+import org.sami.crw.sim.report.MapPoint;
+import org.sami.crw.sim.report.RunHeader;
+import org.sami.crw.sim.report.RunMap;
+import org.sami.crw.sim.report.RunOutcome;
+import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.report.RunResult;
+import org.sami.crw.sim.report.SampleReport;
 
 class MapPictureTest {
     private static final Rectangle FRAME = new Rectangle(100, 100, 900, 900);
