@@ -25,14 +25,17 @@ public final class DecisionPresenter {
     /** How a decision is to be shown that is open, or was in this step. On the engine's thread. */
     public static DecisionPresentation of(Decision asked, EngineView view) {
         Decision decision = ProposedLocation.in(asked, view.globals());
-        Optional<Activation> asking = view.activation(decision.activation());
+        Optional<AskedActivation> about = view.subject(decision.id()).flatMap(AskedActivation::of);
+        Optional<Activation> asking =
+                view.activation(about.map(AskedActivation::activation).orElse(decision.activation()));
+        long mission = about.map(AskedActivation::mission).orElse(decision.mission());
         MarkupReader markups = new MarkupReader(decision.markups());
         List<String> all = view.proxies();
         List<OfferedOption> choices = OfferedOptions.of(
                 decision, markups, all, boat -> BoatDescriptions.of(view, boat).orElse(""));
         return of(
                 decision,
-                asker(decision, asking, view),
+                asker(mission, asking, view),
                 markups,
                 choices,
                 asking.map(Activation::proxies).orElse(List.of()),
@@ -62,9 +65,9 @@ public final class DecisionPresenter {
                 MapRelevance.of(markups, relevant, all));
     }
 
-    private static Asker asker(Decision decision, Optional<Activation> asking, EngineView view) {
-        Optional<MissionView> mission = view.mission(decision.mission());
-        Optional<Plan> plan = view.planOf(decision.mission());
+    private static Asker asker(long asks, Optional<Activation> asking, EngineView view) {
+        Optional<MissionView> mission = view.mission(asks);
+        Optional<Plan> plan = view.planOf(asks);
         Optional<Place> place = asking.flatMap(a -> plan.flatMap(known -> known.place(a.place())));
         return new Asker(
                 mission.map(MissionView::plan).orElse(""),

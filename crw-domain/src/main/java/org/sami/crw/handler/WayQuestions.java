@@ -12,6 +12,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.stream.Collectors;
+import org.sami.crw.decision.AskedActivation;
 import org.sami.crw.decision.DomainQuestion;
 import org.sami.crw.operator.AvoidedAreas;
 import org.sami.crw.operator.MessageSink;
@@ -68,7 +69,7 @@ final class WayQuestions implements HostListener {
     private record Held(
             DomainQuestion question, Activation activation, HandlerContext context, Sender sender, List<Doubted> all) {
         String about() {
-            return "m" + activation.mission() + "-a" + activation.id();
+            return AskedActivation.of(activation).subject();
         }
 
         String memory() {

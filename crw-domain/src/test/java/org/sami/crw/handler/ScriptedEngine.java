@@ -131,6 +131,11 @@ final class ScriptedEngine implements EngineFunction, EngineView {
     }
 
     @Override
+    public Optional<String> subject(long decision) {
+        return Optional.empty();
+    }
+
+    @Override
     public List<Decision> decisions() {
         return List.of();
     }

@@ -51,6 +51,9 @@ public interface EngineView {
     /** Open decisions, in order of creation. */
     List<Decision> decisions();
 
+    /** What an open question of the domain is about, as {@code Input.AskOperator} named it; empty for any other decision. */
+    Optional<String> subject(long decision);
+
     /** Interrupts that can be pressed now, in order of missions and plans. */
     List<InterruptButton> interrupts();
 

@@ -13,6 +13,7 @@ import org.sami.spn.engine.rule.MissionStart;
 import org.sami.spn.engine.rule.Routing;
 import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.NetState;
+import org.sami.spn.engine.state.OpenDecision;
 import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.PlaceState;
 import org.sami.spn.engine.state.PlacedToken;
@@ -130,6 +131,13 @@ final class StateView implements EngineView {
     @Override
     public List<Decision> decisions() {
         return state.decisions.values().stream().map(d -> d.decision).toList();
+    }
+
+    @Override
+    public Optional<String> subject(long decision) {
+        return Optional.ofNullable(state.decisions.get(decision))
+                .filter(open -> open.purpose == OpenDecision.Purpose.DOMAIN)
+                .map(open -> open.subject);
     }
 
     @Override

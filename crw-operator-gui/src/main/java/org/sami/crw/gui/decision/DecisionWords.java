@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.OptionalLong;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.operator.PendingDecision;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 
 /** What is said of a decision beside its question: who asks, for how long it has waited, what autonomy will do. */
@@ -28,11 +29,15 @@ final class DecisionWords {
 
     /**
      * What is asked, as a heading: where the question is no more than its event's name and its place's, as {@code Operator Create Area (Draw
-     * the area)}, the place says what is to be done.
+     * the area)}, the place says what is to be done. What the system asks about a mission begins with the mission's name.
      */
     static String heading(DecisionPresentation decision) {
         String place = decision.asker().placeName();
+        String mission = decision.asker().mission();
         String title = decision.title();
+        if (decision.decision().mission() == Ids.NONE && !mission.isBlank()) {
+            return mission + ": " + title;
+        }
         return !place.isBlank() && title.endsWith(" (" + place + ")") ? place : title;
     }
 

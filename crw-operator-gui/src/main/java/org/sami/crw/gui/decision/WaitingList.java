@@ -70,7 +70,7 @@ final class WaitingList extends JPanel {
     private void addRow(PendingDecision pending) {
         Priority priority = pending.decision().priority();
         String mark = priority == Priority.CRITICAL ? "▲ " : priority == Priority.HIGH ? "△ " : "";
-        JButton row = new JButton(mark + shortened(pending.presentation().title()));
+        JButton row = new JButton(mark + shortened(DecisionWords.heading(pending.presentation())));
         row.setName("decision-waiting-" + (ages.size() + 1));
         row.setHorizontalAlignment(SwingConstants.LEADING);
         row.putClientProperty("JButton.buttonType", "borderless");

@@ -9,10 +9,13 @@ import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.sami.crw.decision.Asker;
+import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.operator.PendingDecision;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.value.EnumValue;
@@ -52,5 +55,42 @@ class DecisionWordsTest {
         assertThat(DecisionWords.autonomy(running, 19_999)).endsWith(" in 1 s");
         assertThat(DecisionWords.autonomy(pending(all, OptionalLong.empty(), Priority.MEDIUM), 8_000))
                 .isEqualTo("The timer was stopped: only you answer");
+    }
+
+    @Test
+    void whatTheSystemAsksAboutAMissionBeginsWithTheMissionsName() {
+        Asker beach = new Asker("explore", "Explore Area", "the beach", "go", "Explore", "Proxy Explore Area");
+
+        assertThat(DecisionWords.heading(asked(Ids.NONE, beach)))
+                .isEqualTo("the beach: charges are sure to last for 48 % of the area. Send them?");
+        assertThat(DecisionWords.heading(asked(Ids.NONE, Asker.UNKNOWN)))
+                .isEqualTo("charges are sure to last for 48 % of the area. Send them?");
+        assertThat(DecisionWords.heading(asked(1, beach)))
+                .isEqualTo("charges are sure to last for 48 % of the area. Send them?");
+    }
+
+    private static DecisionPresentation asked(long mission, Asker asker) {
+        Decision decision = new Decision(
+                1,
+                mission,
+                Ids.NONE,
+                "LongWay",
+                "charges are sure to last for 48 % of the area. Send them?",
+                new Question.Approve(),
+                Optional.empty(),
+                OptionalLong.empty(),
+                Priority.HIGH,
+                List.of());
+        DecisionPresentation plain = DecisionPresentation.plain(decision);
+        return new DecisionPresentation(
+                decision,
+                asker,
+                plain.description(),
+                plain.options(),
+                plain.format(),
+                plain.autonomy(),
+                plain.attention(),
+                plain.proposedLocation(),
+                plain.map());
     }
 }

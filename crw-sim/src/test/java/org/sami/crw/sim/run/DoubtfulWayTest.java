@@ -2,9 +2,12 @@ package org.sami.crw.sim.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.sami.crw.decision.Asker;
+import org.sami.crw.decision.DecisionPresenter;
 import org.sami.crw.service.reach.WayCheck;
 import org.sami.crw.sim.hull.HullConfig;
 import org.sami.crw.sim.report.DecisionResult;
@@ -100,6 +103,30 @@ class DoubtfulWayTest {
             assertThat(decision.answer()).isEmpty();
         });
         assertThat(report.distanceM()).isZero();
+    }
+
+    @Test
+    void questionIsShownAsThatOfTheMissionAndThePlaceThatSendTheBoat() {
+        InProcessRun run = ProblemRuns.of("goto", Map.of("@there", EXCHANGED), InitialCharges.FULL, "");
+        List<Asker> askers = new ArrayList<>();
+        run.addListener(new HostListener() {
+            @Override
+            public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+                for (Effect effect : effects) {
+                    if (effect instanceof Effect.DecisionOpened opened) {
+                        askers.add(DecisionPresenter.of(opened.decision(), view).asker());
+                    }
+                }
+            }
+        });
+
+        run.run(Pacer.UNPACED, RunObserver.NONE);
+
+        assertThat(askers).singleElement().satisfies(asker -> {
+            assertThat(asker.plan()).isEqualTo("goto");
+            assertThat(asker.mission()).isNotBlank();
+            assertThat(asker.placeName()).isNotBlank();
+        });
     }
 
     @Test
