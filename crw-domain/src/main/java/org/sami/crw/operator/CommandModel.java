@@ -16,6 +16,7 @@ import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.CommandQueueSnapshot;
 import org.sami.crw.proxy.CommandQueueSnapshot.Entry;
 import org.sami.crw.proxy.Upload;
+import org.sami.spn.value.GeoPoint;
 
 /** The command queues of all boats. Follows the fleet's events. */
 public final class CommandModel extends Model<List<BoatCommands>> {
@@ -121,6 +122,14 @@ public final class CommandModel extends Model<List<BoatCommands>> {
     CommandQueueSnapshot queue(String boat) {
         Tracked tracked = boats.get(boat);
         return tracked == null ? CommandQueueSnapshot.EMPTY : tracked.queue;
+    }
+
+    /** What a boat drives along for a command, as it was sent; empty where nothing was, or the command has no path. */
+    Optional<List<GeoPoint>> way(String boat, String commandId) {
+        return Optional.ofNullable(boats.get(boat))
+                .flatMap(tracked -> tracked.upload)
+                .filter(upload -> upload.commandId().equals(commandId) && upload.state() != Upload.State.FAILED)
+                .map(Upload::way);
     }
 
     @Override

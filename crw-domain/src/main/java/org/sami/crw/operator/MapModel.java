@@ -199,10 +199,11 @@ public final class MapModel extends Model<MapSnapshot> {
     }
 
     private List<GeoPoint> positions(Collection<String> named) {
-        return named.stream()
-                .flatMap(boat -> Optional.ofNullable(boats.get(boat)).flatMap(BoatSnapshot::pose).stream())
-                .map(BoatPose::position)
-                .toList();
+        return named.stream().flatMap(boat -> position(boat).stream()).toList();
+    }
+
+    private Optional<GeoPoint> position(String boat) {
+        return Optional.ofNullable(boats.get(boat)).flatMap(BoatSnapshot::pose).map(BoatPose::position);
     }
 
     /** Takes up where boats were, and what they measured, in earlier processes of the session. From any thread, before boats are seen. */
@@ -312,7 +313,9 @@ public final class MapModel extends Model<MapSnapshot> {
         BoatCommand command = entry.command();
         List<GeoPoint> points = command.points();
         if (!points.isEmpty() && isShown(command.mission())) {
-            paths.add(new ShownPath(boat, command.mission(), command.commandId(), points, entry.visited(), current));
+            WayAhead way =
+                    WayAhead.of(points, entry.visited(), commands.way(boat, command.commandId()), position(boat));
+            paths.add(new ShownPath(boat, command.mission(), command.commandId(), way.points(), way.behind(), current));
         }
     }
 

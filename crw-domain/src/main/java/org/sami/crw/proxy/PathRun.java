@@ -200,8 +200,7 @@ final class PathRun extends CommandRun {
     }
 
     private void reach(Upload.State state) {
-        reached.accept(Upload.of(
-                listId, queued().command().commandId(), driven.points().size(), state));
+        reached.accept(Upload.of(listId, queued().command().commandId(), driven.points(), state));
     }
 
     /** Has the boat drive, from where the command is. */

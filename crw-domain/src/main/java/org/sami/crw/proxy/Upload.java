@@ -1,16 +1,18 @@
 package org.sami.crw.proxy;
 
+import java.util.List;
 import java.util.Objects;
+import org.sami.spn.value.GeoPoint;
 
 /**
  * How far a waypoint list has come on its way to the boat.
  *
  * @param listId names the list on the link; never used for another
  * @param commandId the command whose path it is
- * @param waypoints how many it holds
+ * @param way its points in driving order: the path's, and where the boat turns around what is not to be entered
  * @param why in words why it failed; empty in the other states
  */
-public record Upload(String listId, String commandId, int waypoints, State state, String why) {
+public record Upload(String listId, String commandId, List<GeoPoint> way, State state, String why) {
 
     /** How far it has come; one after the other, and failed after either of the first two. */
     public enum State {
@@ -33,18 +35,19 @@ public record Upload(String listId, String commandId, int waypoints, State state
     public Upload {
         Objects.requireNonNull(listId, "listId");
         Objects.requireNonNull(commandId, "commandId");
+        way = List.copyOf(way);
         if (why.isEmpty() == (state == State.FAILED)) {
             throw new IllegalArgumentException("an upload that is " + state + " because of: " + why);
         }
     }
 
     /** One that has gone so far and has not failed. */
-    static Upload of(String listId, String commandId, int waypoints, State state) {
-        return new Upload(listId, commandId, waypoints, state, "");
+    static Upload of(String listId, String commandId, List<GeoPoint> way, State state) {
+        return new Upload(listId, commandId, way, state, "");
     }
 
     /** The same, given up for a reason in words. */
     Upload failed(String reason) {
-        return new Upload(listId, commandId, waypoints, State.FAILED, reason);
+        return new Upload(listId, commandId, way, State.FAILED, reason);
     }
 }

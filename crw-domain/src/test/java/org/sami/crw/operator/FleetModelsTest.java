@@ -23,6 +23,7 @@ import org.sami.crw.operator.Alarm.Kind;
 import org.sami.crw.operator.BoatCommands.Concluded;
 import org.sami.crw.operator.BoatCommands.End;
 import org.sami.crw.operator.BoatSnapshot.Commander;
+import org.sami.crw.operator.map.ShownPath;
 import org.sami.crw.proxy.BatteryState;
 import org.sami.crw.proxy.BoatExplanation;
 import org.sami.crw.proxy.BoatExplanation.Cause;
@@ -30,6 +31,7 @@ import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.LinkState;
+import org.sami.crw.service.water.Water;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
@@ -175,6 +177,30 @@ class FleetModelsTest {
                 .hasSize(20)
                 .extracting(Concluded::why)
                 .doesNotContain("");
+    }
+
+    @Test
+    void theMapShowsTheWayAroundWhatABoatIsToAvoid() {
+        BoatProxy boat = linked("anna");
+        isAt(boat, HOME.latDeg());
+        GeoArea rock = new GeoArea(
+                List.of(
+                        GeoPoint.of(45.0010, 9.9995),
+                        GeoPoint.of(45.0010, 10.0004),
+                        GeoPoint.of(45.0014, 10.0004),
+                        GeoPoint.of(45.0014, 9.9995)),
+                List.of());
+        Water water = Water.of(HOME, List.of(rock), Optional.empty());
+        GeoPoint behindTheRock = GeoPoint.of(45.0024, 10);
+        boat.submit(FollowPath.goTo("c", 1, 1, behindTheRock, Priority.MEDIUM).in(water));
+        world.settle();
+
+        ShownPath shown = models.map().snapshot().paths().get(0);
+
+        List<GeoPoint> driven = new ArrayList<>(List.of(HOME));
+        driven.addAll(shown.ahead());
+        assertThat(driven).hasSizeGreaterThan(2).endsWith(behindTheRock);
+        assertThat(water.allows(driven)).isTrue();
     }
 
     @Test

@@ -39,7 +39,7 @@ class UploadTest {
 
         assertThat(heard).containsExactly("c SENT", "c ACKNOWLEDGED", "c READ_BACK_EQUAL");
         assertThat(boat.proxy.uploads()).isEqualTo(new UploadCount(1, 1, 1, 0));
-        assertThat(boat.proxy.upload().orElseThrow().waypoints()).isEqualTo(2);
+        assertThat(boat.proxy.upload().orElseThrow().way()).isEqualTo(POINTS);
     }
 
     @Test

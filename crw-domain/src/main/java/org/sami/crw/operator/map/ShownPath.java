@@ -9,7 +9,7 @@ import org.sami.spn.value.GeoPoint;
  *
  * @param mission that wants it
  * @param command id of the command
- * @param points in driving order; one point where it is to stay there
+ * @param points in driving order, with the turns around what is not to be entered where they are known; one point where it is to stay there
  * @param visited how many points are behind the boat
  * @param current whether the boat does it now, rather than later
  */
