@@ -115,6 +115,7 @@ class KeyboardWindowTest {
         robot.until(
                 "two boats are under way",
                 () -> boats(window).stream().filter(boat -> boat.points() > 0).count() == 2);
+        robot.untilFocused("decisions"); // nothing waits: the next key is not the fleet stop's
 
         robot.press(VK_8, VK_ALT);
         robot.untilFocused("interrupt-team-avoid-boat");

@@ -2,6 +2,10 @@ package org.sami.ui.table;
 
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -41,6 +45,7 @@ public final class RowTable<R> extends JScrollPane {
     private final List<Runnable> selectionListeners = new ArrayList<>();
     private List<R> rows = List.of();
     private boolean replacing;
+    private boolean revealing;
 
     /**
      * An empty table.
@@ -63,10 +68,17 @@ public final class RowTable<R> extends JScrollPane {
         table.putClientProperty("terminateEditOnFocusLost", true);
         table.getSelectionModel().addListSelectionListener(e -> {
             if (!replacing && !e.getValueIsAdjusting()) {
+                revealing = false;
                 selectionListeners.forEach(Runnable::run);
             }
         });
         setViewportView(table);
+        getViewport().addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                reveal();
+            }
+        });
         setBorder(BorderFactory.createEmptyBorder());
         scale();
     }
@@ -128,6 +140,29 @@ public final class RowTable<R> extends JScrollPane {
         replacing = true;
         select(keys);
         replacing = false;
+    }
+
+    /**
+     * Selects what these keys are about, and keeps the first of it in view until the user selects something else: also while the table is given its
+     * size. Listeners are not told.
+     */
+    public void offer(Set<Object> keys) {
+        selectKeys(keys);
+        revealing = true;
+        reveal();
+    }
+
+    /** Moves the view by hand: the table's own way lays it out, and this is done while it is laid out. */
+    private void reveal() {
+        int row = table.getSelectedRow();
+        if (revealing && row >= 0) {
+            Rectangle cell = table.getCellRect(row, 0, true);
+            Rectangle seen = getViewport().getViewRect();
+            int y = Math.min(cell.y, Math.max(seen.y, cell.y + cell.height - seen.height));
+            if (y != seen.y) {
+                getViewport().setViewPosition(new Point(seen.x, y));
+            }
+        }
     }
 
     /** The selected row, if one is; of several the first. */
@@ -222,6 +257,7 @@ public final class RowTable<R> extends JScrollPane {
             fitColumns(getWidth());
             super.doLayout();
             fitRows();
+            reveal();
             int inset = Look.px(Spacing.WIDE);
             int width = Math.max(1, getWidth() - 2 * inset);
             hint.setVisible(getRowCount() == 0);

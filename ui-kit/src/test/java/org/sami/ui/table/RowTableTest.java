@@ -2,9 +2,11 @@ package org.sami.ui.table;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Point;
 import java.util.Collections;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
@@ -45,6 +47,27 @@ class RowTableTest {
         table.table().setRowSelectionInterval(0, 0);
         assertThat(told[0]).isPositive();
         assertThat(table.table().getValueAt(0, 1)).isEqualTo("1 m");
+    }
+
+    @Test
+    void whatIsOfferedIsInViewWhateverSizeTheTableIsGiven() {
+        table.show(IntStream.range(0, 30).mapToObj(i -> new Row("row " + i, i)).toList());
+        table.offer(Set.of("row 20"));
+
+        Layout.layOut(table, 220, 200);
+        assertThat(inView(20)).isTrue();
+
+        Layout.layOut(table, 400, 110);
+        assertThat(inView(20)).isTrue();
+
+        table.table().setRowSelectionInterval(0, 0);
+        table.getViewport().setViewPosition(new Point());
+        Layout.layOut(table, 300, 120);
+        assertThat(inView(20)).as("the user has selected something else").isFalse();
+    }
+
+    private boolean inView(int row) {
+        return table.getViewport().getViewRect().contains(table.table().getCellRect(row, 0, true));
     }
 
     @Test

@@ -202,7 +202,7 @@ public final class DecisionsPanel extends JPanel {
         body.repaint();
         current.ifPresentOrElse(view -> map.show(view.decision(), view.editor().values()), map::clear);
         if (focused) {
-            current.ifPresent(view -> view.editor().focusTarget().requestFocusInWindow());
+            focusDecision(); // else the focus goes on to what comes next in the window: the fleet stop
         }
     }
 

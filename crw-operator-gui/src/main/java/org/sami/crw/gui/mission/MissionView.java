@@ -177,7 +177,7 @@ final class MissionView extends JPanel {
                         .map(outcome -> outcome.name().toLowerCase(Locale.ROOT) + " at "
                                 + SessionClock.text(now.endedAtMillis().orElse(0)))
                         .orElse("runs since " + SessionClock.text(now.startedAtMillis()))
-                + ", " + now.firings() + " firings";
+                + ", " + now.firings() + (now.firings() == 1 ? " firing" : " firings");
         head.show(said, ended);
         net.show(all);
         places.show(lines(now.details().blocked()));

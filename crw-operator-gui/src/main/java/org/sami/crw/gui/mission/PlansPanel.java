@@ -101,7 +101,7 @@ public final class PlansPanel extends JPanel {
             String offered = loaded.plan(SessionOpener.OFFERED_PLAN).isPresent()
                     ? SessionOpener.OFFERED_PLAN
                     : loaded.plans().get(0).id();
-            table.selectKeys(Set.of(offered));
+            table.offer(Set.of(offered));
             context.commands().refresh();
         }
     }

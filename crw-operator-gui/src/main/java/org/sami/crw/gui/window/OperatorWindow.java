@@ -112,8 +112,7 @@ public final class OperatorWindow {
         panels.close();
         frame.dispose();
         boolean unfinished = !session.models().missions().snapshot().running().isEmpty();
-        Thread farewell = new Thread(() -> leave(unfinished), "farewell");
-        farewell.start();
+        new Thread(() -> leave(unfinished), "closing the session").start();
     }
 
     private void leave(boolean unfinished) {
