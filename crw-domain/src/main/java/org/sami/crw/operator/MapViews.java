@@ -45,6 +45,7 @@ final class MapViews {
     /** A person asks where boats are: what is shown is widened where they are not in it. */
     void pointAt(List<GeoPoint> boats, String why) {
         MapBounds.around(boats)
+                .filter(part -> shown.filter(now -> now.and(part).equals(now)).isEmpty())
                 .ifPresent(part -> go(
                         modified(part, Optional.of(Modification.EXPAND)),
                         view.map(ShownPart::background).orElse(MapType.SATELLITE),

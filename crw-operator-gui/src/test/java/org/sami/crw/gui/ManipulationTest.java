@@ -59,7 +59,7 @@ class ManipulationTest {
 
     @Test
     void messagesAreNotChangedWhileTheFocusIsThereNorJustAfterTheirUse() throws Exception {
-        MessagesPanel panel = laidOut(() -> new MessagesPanel(world.context));
+        MessagesPanel panel = laidOut(() -> new MessagesPanel(world.context, (boats, text) -> {}));
         focus(panel, "messages-table", true);
         world.start("FOCUS_SUPPRESS");
         world.start("free");

@@ -5,25 +5,32 @@ import java.util.List;
 import java.util.Set;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.gui.decision.DecisionMap;
+import org.sami.crw.operator.PlacesInText;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.value.Value;
 import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.map.MapView;
 import org.sami.ui.value.PlacesOnMap;
 
-/** What the shown decision speaks of, on the main map: its boats stand out, and what is chosen or filled in is drawn above all else. */
+/**
+ * What the shown decision speaks of, on the main map: its boats stand out, what is chosen or filled in is drawn above
+ * all else, and the places that the question names are marked.
+ */
 final class DecisionOverlay implements DecisionMap {
     private final MapView view;
     private final PlacesOnMap places;
+    private final NamedPlaces named;
 
     DecisionOverlay(MapView view, IdentityMarks marks) {
         this.view = view;
         places = new PlacesOnMap(view, "decision", marks::of);
+        named = new NamedPlaces(view, "question");
     }
 
     @Override
     public void show(DecisionPresentation decision, List<Value> values) {
         places.show(values);
+        named.show(PlacesInText.of(decision.decision().prompt()));
         Set<String> lit = new HashSet<>(places.ids());
         if (decision.question() instanceof Question.ChooseProxies asked) {
             lit.addAll(asked.proxies());
@@ -35,6 +42,7 @@ final class DecisionOverlay implements DecisionMap {
     @Override
     public void clear() {
         places.show(List.of());
+        named.show(List.of());
         view.highlight(Set.of());
     }
 }

@@ -12,6 +12,7 @@ import org.sami.crw.operator.map.MapSnapshot;
 import org.sami.crw.operator.map.SensorLayer;
 import org.sami.crw.operator.map.ShownBoat;
 import org.sami.crw.operator.map.ShownLayer;
+import org.sami.crw.operator.map.ShownPlace;
 import org.sami.crw.operator.map.ShownTrack;
 import org.sami.crw.service.field.FieldGrid;
 import org.sami.spn.value.GeoPoint;
@@ -70,14 +71,24 @@ final class MapFeed {
                                 : path.points(),
                         !path.current() ? 0 : Math.min(path.points().size(), Math.max(1, path.visited()))))
                 .toList());
-        places.show(map.places().stream()
-                .map(place ->
-                        new PointLayer.MapPoint(place.mission() + "/" + place.name(), place.name(), place.point()))
-                .toList());
+        places.show(points(map.places()));
         boolean some = map.boats().stream().anyMatch(boat -> !boat.highlighted()); // who stands out among none does not
         boats.show(map.boats().stream()
                 .map(boat -> vehicle(boat, some && boat.highlighted()))
                 .toList());
+    }
+
+    /** The points of a list are told apart by their numbers; its first has the name as well. */
+    static List<PointLayer.MapPoint> points(List<ShownPlace> places) {
+        Map<String, Integer> counts = new HashMap<>();
+        List<PointLayer.MapPoint> points = new ArrayList<>();
+        for (ShownPlace place : places) {
+            String variable = place.mission() + "/" + place.name();
+            int number = counts.merge(variable, 1, Integer::sum);
+            points.add(new PointLayer.MapPoint(
+                    variable + "/" + number, number == 1 ? place.name() : String.valueOf(number), place.point()));
+        }
+        return points;
     }
 
     /** The first leg begins at the boat. */

@@ -18,6 +18,7 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.context.UseWatch;
 import org.sami.crw.gui.decision.DecisionMap;
 import org.sami.crw.operator.MapModel;
+import org.sami.crw.operator.PlacesInText;
 import org.sami.crw.operator.map.LayerState;
 import org.sami.crw.operator.map.MapSnapshot;
 import org.sami.crw.operator.map.ShownPart;
@@ -57,6 +58,7 @@ public final class MapPanel extends JPanel {
     private final FirstView firstView = new FirstView(view);
     private final JLabel consequence = new JLabel(" ");
     private final PlacesOnMap preview;
+    private final NamedPlaces named = new NamedPlaces(view, "message");
     private boolean pointing;
     private long partShown;
 
@@ -266,6 +268,19 @@ public final class MapPanel extends JPanel {
         });
         if (!points.stream().allMatch(view.frame()::isShown)) {
             GeoBounds.of(points)
+                    .ifPresent(box -> view.fit(
+                            FirstView.bounds(map().snapshot()).map(box::with).orElse(box)));
+        }
+    }
+
+    /** Points at what a message or an alarm speaks of: its boats stand out, and the places that its text names are marked and in view. */
+    public void pointAt(List<String> boats, String text) {
+        List<GeoPoint> places = PlacesInText.of(text);
+        named.show(places);
+        tellUse();
+        map().pointAt(boats, "");
+        if (!places.stream().allMatch(view.frame()::isShown)) {
+            GeoBounds.of(places)
                     .ifPresent(box -> view.fit(
                             FirstView.bounds(map().snapshot()).map(box::with).orElse(box)));
         }

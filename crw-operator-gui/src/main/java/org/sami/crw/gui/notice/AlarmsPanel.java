@@ -3,6 +3,8 @@ package org.sami.crw.gui.notice;
 import java.awt.BorderLayout;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiConsumer;
+import java.util.stream.Stream;
 import javax.swing.JPanel;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.Alarm;
@@ -24,8 +26,12 @@ public final class AlarmsPanel extends JPanel {
 
     private record Key(Alarm.Kind kind, String boat) {}
 
-    /** The alarms of the session. */
-    public AlarmsPanel(OperatorContext context) {
+    /**
+     * The alarms of the session.
+     *
+     * @param pointing shows on the map what the selected alarm speaks of, by its boats and its text; none and nothing where none is selected
+     */
+    public AlarmsPanel(OperatorContext context, BiConsumer<List<String>, String> pointing) {
         super(new BorderLayout());
         this.context = context;
         table = new RowTable<>(
@@ -49,6 +55,13 @@ public final class AlarmsPanel extends JPanel {
         table.addSelectionListener(() -> {
             acknowledge.refresh();
             mute.refresh();
+            Optional<Alarm> chosen = table.selected();
+            pointing.accept(
+                    chosen.stream()
+                            .flatMap(alarm -> Stream.of(alarm.boat(), alarm.other()))
+                            .filter(boat -> !boat.isEmpty())
+                            .toList(),
+                    chosen.map(Alarm::text).orElse(""));
         });
         add(new TableTools(table, List.of(mute, acknowledge)));
         alarms().addListener(this::show);

@@ -3,12 +3,14 @@ package org.sami.crw.gui.notice;
 import java.awt.BorderLayout;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import java.util.function.LongConsumer;
 import javax.swing.JPanel;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.context.UseWatch;
 import org.sami.crw.operator.MessageEntry;
 import org.sami.crw.operator.MessageList;
+import org.sami.crw.operator.OperatorMessage;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.SemanticColor;
@@ -24,8 +26,12 @@ public final class MessagesPanel extends JPanel {
     private final Command acknowledge;
     private final Optional<Command> moment;
 
-    /** The messages of the session. */
-    public MessagesPanel(OperatorContext context) {
+    /**
+     * The messages of the session.
+     *
+     * @param pointing shows on the map what the selected message speaks of, by its boats and its text; none and nothing where none is selected
+     */
+    public MessagesPanel(OperatorContext context, BiConsumer<List<String>, String> pointing) {
         super(new BorderLayout());
         this.context = context;
         table = new RowTable<>(
@@ -48,6 +54,12 @@ public final class MessagesPanel extends JPanel {
                         .withIcon("check")
                         .unless(this::whyNotAcknowledge));
         table.addSelectionListener(acknowledge::refresh);
+        table.addSelectionListener(() -> {
+            Optional<OperatorMessage> chosen = table.selected().map(MessageEntry::message);
+            pointing.accept(
+                    chosen.map(OperatorMessage::boats).orElse(List.of()),
+                    chosen.map(OperatorMessage::text).orElse(""));
+        });
         moment = context.shown().moments().map(this::moment);
         add(new TableTools(table, moment.map(one -> List.of(acknowledge, one)).orElse(List.of(acknowledge))));
         MessageList messages = context.models().messages();
