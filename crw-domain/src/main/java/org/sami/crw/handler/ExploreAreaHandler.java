@@ -162,7 +162,7 @@ final class ExploreAreaHandler implements ActivationHandler {
                 from,
                 one.area,
                 one.spacingM,
-                Restrictions.avoid(one.activation),
+                one.context.query(view -> PlanAreas.avoided(one.activation, view)),
                 Restrictions.within(one.activation),
                 errors.of(List.copyOf(from.keySet())),
                 ranges(boats, one));

@@ -93,8 +93,11 @@ final class ExploredAreas implements BoatListener, HostListener {
             Map<String, GeoPath> shares) {
         Explored one = areas.get(name);
         if (one == null) {
-            AreaCoverage coverage =
-                    AreaCoverage.of(area, spacingM, Restrictions.avoid(activation), Restrictions.within(activation));
+            AreaCoverage coverage = AreaCoverage.of(
+                    area,
+                    spacingM,
+                    context.query(view -> PlanAreas.avoided(activation, view)),
+                    Restrictions.within(activation));
             one = new Explored(activation, context, coverage, spacingM, shares);
             areas.put(name, one);
             assume(one);

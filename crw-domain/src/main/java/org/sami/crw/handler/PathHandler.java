@@ -15,7 +15,6 @@ import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.path.PathAnswer;
 import org.sami.crw.service.path.PathProblem;
 import org.sami.crw.service.path.PathService;
-import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
@@ -68,10 +67,13 @@ final class PathHandler implements ActivationHandler {
             throw new IllegalArgumentException("No boat entered " + activation.place() + ": nobody to find a way for");
         }
         Map<String, Optional<GeoPoint>> from = new LinkedHashMap<>();
-        Map<String, CrossTrackError> error = new HashMap<>();
+        Map<String, Water> water = new HashMap<>();
         for (Addressee one : addressees) {
             from.put(one.boat(), positions.positionOf(one.boat()));
-            error.put(one.boat(), errors.of(one.boat()));
+            from.get(one.boat())
+                    .ifPresent(at -> water.put(
+                            one.boat(),
+                            context.query(view -> PlanAreas.water(activation, view, at, errors.of(one.boat())))));
         }
         computations.compute(activation, context, new Computations.Task<Map<String, Found>>() {
             @Override
@@ -83,7 +85,7 @@ final class PathHandler implements ActivationHandler {
             public Map<String, Found> compute() {
                 Map<String, Found> options = new LinkedHashMap<>();
                 addressees.forEach(one ->
-                        options.put(one.boat(), find(one, from.get(one.boat()), error.get(one.boat()), activation)));
+                        options.put(one.boat(), find(one, from.get(one.boat()), water.get(one.boat()), activation)));
                 return options;
             }
 
@@ -138,7 +140,7 @@ final class PathHandler implements ActivationHandler {
         }
     }
 
-    private Found find(Addressee addressee, Optional<GeoPoint> from, CrossTrackError error, Activation activation) {
+    private Found find(Addressee addressee, Optional<GeoPoint> from, Water water, Activation activation) {
         Optional<GeoPoint> to = addressee.values(activation, POINTS).stream()
                 .map(byBoat -> ProxyMaps.read(byBoat, GeoPoint.class).get(addressee.boat()))
                 .filter(point -> point != null)
@@ -149,7 +151,6 @@ final class PathHandler implements ActivationHandler {
         if (to.isEmpty()) {
             return Found.none("it was given no location");
         }
-        Water water = Restrictions.water(activation, from.get(), error);
         double detour =
                 activation.value(DETOUR).isPresent() ? ActivationFields.number(activation, DETOUR) : PathProblem.DETOUR;
         PathProblem problem =

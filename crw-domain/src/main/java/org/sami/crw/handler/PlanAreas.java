@@ -24,13 +24,13 @@ import org.sami.spn.value.Value;
  * The areas in which a plan keeps its boats: what its requests for ways and places name as {@code avoid} and {@code within}, as it stands
  * now. Holes of an area that is explored are avoided too.
  */
-final class PlanAreas {
+public final class PlanAreas {
     private static final String AREA = "area";
 
     private PlanAreas() {}
 
     /** What is avoided by the activation itself, by its plan, by the plans that run it as a sub-mission, and by the project (0210); each area once. */
-    static List<GeoArea> avoided(Activation activation, EngineView view) {
+    public static List<GeoArea> avoided(Activation activation, EngineView view) {
         Set<GeoArea> areas = new LinkedHashSet<>(Restrictions.avoid(activation));
         areas.addAll(AvoidedAreas.of(activation.mission(), view));
         areas.addAll(areas(view.globals().get(OperatingArea.NO_GO)));

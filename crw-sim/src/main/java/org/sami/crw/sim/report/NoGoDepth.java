@@ -12,7 +12,7 @@ import org.locationtech.jts.geom.Location;
 import org.locationtech.jts.geom.util.GeometryFixer;
 
 /**
- * How deep boats came into the areas that the plan avoids, by their tracks. An area counts from the start of the run, whenever the plan
+ * How deep boats came into the areas that plan and project avoid, by their tracks. An area counts from the start of the run, whenever the plan
  * came to speak of it.
  */
 public final class NoGoDepth {

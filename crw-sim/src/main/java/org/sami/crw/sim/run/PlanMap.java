@@ -8,6 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.crw.handler.PlanAreas;
+import org.sami.crw.operator.OperatingArea;
 import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.ClosestApproach;
 import org.sami.crw.sim.report.LocationResult;
@@ -31,8 +33,8 @@ import org.sami.spn.value.RealValue;
 import org.sami.spn.value.Value;
 
 /**
- * Takes down the areas and points that the plan's output events speak of, as they do, and where boats were told to gather: what the
- * map of the run shows. A list of places for each boat is what a service made of others, and is left out.
+ * Takes down the areas and points that the plan's output events speak of, as they do, the project's no-go areas, and where boats were told to
+ * gather: what the map of the run shows. A list of places for each boat is what a service made of others, and is left out.
  */
 public final class PlanMap implements HostListener {
     /** A map with more points, or more areas, would show nothing. */
@@ -72,12 +74,13 @@ public final class PlanMap implements HostListener {
         explorations.values().forEach(one -> one.hear(input));
         for (Effect effect : effects) {
             if (effect instanceof Effect.Activated activated) {
-                add(activated.activation(), atMillis);
+                add(activated.activation(), atMillis, view);
             }
         }
     }
 
-    private void add(Activation activation, long atMillis) {
+    private void add(Activation activation, long atMillis, EngineView view) {
+        Optional.ofNullable(view.globals().get(OperatingArea.NO_GO)).ifPresent(noGo -> add(MapArea.Kind.AVOIDED, noGo));
         boolean explores = activation.type().equals(EXPLORE);
         activation.values().values().forEach(value -> addPaths(activation.mission(), value, atMillis));
         activation.values().forEach((field, value) -> add(kind(field, explores), value));
@@ -86,23 +89,19 @@ public final class PlanMap implements HostListener {
                 && activation.values().get(SPACING) instanceof RealValue spacing
                 && !explorations.containsKey(area)
                 && explorations.size() < MOST_EXPLORATIONS) {
-            explorationOf(activation, area, spacing.value(), atMillis).ifPresent(one -> explorations.put(area, one));
+            explorationOf(activation, area, spacing.value(), atMillis, view)
+                    .ifPresent(one -> explorations.put(area, one));
         }
     }
 
     /** Empty for areas that are no simple polygons, which nobody explores: the plan hears why. */
     private static Optional<ExplorationRequest> explorationOf(
-            Activation activation, GeoArea area, double spacingM, long atMillis) {
-        List<GeoArea> avoided = activation.values().get(AVOID) instanceof ListValue list
-                ? list.items().stream()
-                        .filter(GeoArea.class::isInstance)
-                        .map(GeoArea.class::cast)
-                        .toList()
-                : List.of();
+            Activation activation, GeoArea area, double spacingM, long atMillis, EngineView view) {
         Optional<GeoArea> within =
                 activation.value(WITHIN).filter(GeoArea.class::isInstance).map(GeoArea.class::cast);
         try {
-            return Optional.of(new ExplorationRequest(atMillis, spacingM, area, avoided, within));
+            return Optional.of(
+                    new ExplorationRequest(atMillis, spacingM, area, PlanAreas.avoided(activation, view), within));
         } catch (IllegalArgumentException crossed) {
             return Optional.empty();
         }

@@ -4,16 +4,24 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
+import org.sami.crw.service.Geodesy;
 import org.sami.crw.sim.report.Exploration;
 import org.sami.crw.sim.report.MapArea;
 import org.sami.crw.sim.report.MapSpot;
+import org.sami.crw.sim.report.NoGoDepth;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.model.Project;
+import org.sami.spn.model.VariableSpec;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.ValueType;
 
 /** What plans of the library leave on the map of their runs. */
 class PlanMapTest {
@@ -74,6 +82,32 @@ class PlanMapTest {
         assertThat(report.map().explorations().get(0).areaM2()).isCloseTo(200 * 200 - 20 * 20, within(15.0));
     }
 
+    /** In lanes of 20 m: its rock lies across two of them. */
+    @Test
+    void whatTheProjectAvoidsIsOnTheMapAndIsNeitherExploredNorEntered() {
+        RunPlan library = TestRuns.plan("explore-area");
+        Project rocks = library.project()
+                .withGlobals(List.of(new VariableSpec(
+                        "@noGo",
+                        new ValueType.ListOf(ValueType.Simple.AREA),
+                        Optional.of(new ListValue(List.of(
+                                new GeoArea(List.of(at(20, 20), at(40, 20), at(40, 40), at(20, 40)), List.of())))))));
+        RunPlan plan = new RunPlan(
+                library.vocabulary(), rocks, rocks.plan("explore-area").orElseThrow());
+
+        RunReport report = TestRuns.run(plan, settings(plan, 7_200_000));
+
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.map().areas())
+                .extracting(MapArea::kind)
+                .containsExactlyInAnyOrder(MapArea.Kind.EXPLORED, MapArea.Kind.AVOIDED);
+        assertThat(NoGoDepth.of(report)).hasValue(0);
+        Exploration explored = report.map().explorations().get(0);
+        assertThat(explored.areaM2()).isCloseTo(200 * 200 - 20 * 20, within(15.0));
+        assertThat(explored.percent(explored.left().plannedM2().orElseThrow())).isGreaterThan(99.9);
+        assertThat(explored.percent(explored.left().trueM2().orElseThrow())).isGreaterThan(99.5);
+    }
+
     @Test
     void placesWhereBoatsGatherAreOnTheMap() {
         RunPlan plan = TestRuns.plan("station-keep");
@@ -95,6 +129,10 @@ class PlanMapTest {
 
         assertThat(TestRuns.run(plan, TestRuns.settings(plan, 3, 5, 1)).map().spots())
                 .isEmpty();
+    }
+
+    private static GeoPoint at(double eastM, double northM) {
+        return Geodesy.offset(GeoPoint.of(45.7, 10.72), eastM, northM);
     }
 
     private static double areaM2(MapArea area) {
