@@ -34,23 +34,44 @@ public final class TrafficRelay {
     private final Map<String, Long> toldMs = new HashMap<>();
     private long lookedMs = Long.MIN_VALUE / 2;
 
+    /** Metres east and north of where one of the boats is. */
+    private record Plane(Sighting origin, double metresPerDegreeEast) {
+        static Plane at(Sighting origin) {
+            return new Plane(origin, METRES_PER_DEGREE * StrictMath.cos(Math.toRadians(origin.latDeg())));
+        }
+
+        double eastM(Sighting sighting) {
+            double turnDeg = sighting.lonDeg() - origin.lonDeg();
+            return (Math.abs(turnDeg) <= 180 ? turnDeg : Math.IEEEremainder(turnDeg, 360)) * metresPerDegreeEast;
+        }
+
+        double northM(Sighting sighting) {
+            return (sighting.latDeg() - origin.latDeg()) * METRES_PER_DEGREE;
+        }
+    }
+
     /** A boat that was seen lately, on a plane. */
     private static final class Seen {
         private final BoatProxy boat;
         private final Sighting sighting;
         private final double eastM;
         private final double northM;
-        private final List<Seen> near = new ArrayList<>();
+        private final List<Seen> near = new ArrayList<>(0); // most are far from all others
         private NearbyBoat row; // once somebody is to be told of it
         private boolean isConcerned; // somebody is under way, this boat or one near it
         private boolean isClose; // likewise, and so near that it is told often
 
-        Seen(BoatProxy boat, Sighting sighting, Sighting origin) {
+        Seen(BoatProxy boat, Sighting sighting, Plane plane) {
             this.boat = boat;
             this.sighting = sighting;
-            double lonDeg = Math.IEEEremainder(sighting.lonDeg() - origin.lonDeg(), 360);
-            eastM = lonDeg * METRES_PER_DEGREE * StrictMath.cos(Math.toRadians(origin.latDeg()));
-            northM = (sighting.latDeg() - origin.latDeg()) * METRES_PER_DEGREE;
+            eastM = plane.eastM(sighting);
+            northM = plane.northM(sighting);
+        }
+
+        double squareTo(Seen other) {
+            double byEastM = other.eastM - eastM;
+            double byNorthM = other.northM - northM;
+            return byEastM * byEastM + byNorthM * byNorthM;
         }
     }
 
@@ -74,10 +95,12 @@ public final class TrafficRelay {
 
     private static Seen[] seenOf(Collection<BoatProxy> boats, long nowMs) {
         List<Seen> seen = new ArrayList<>(boats.size());
+        Plane plane = null; // of the first one
         for (BoatProxy boat : boats) {
             Optional<Sighting> sighting = boat.sighting();
             if (sighting.isPresent() && nowMs - sighting.get().atMs() <= OLDEST_MS) {
-                seen.add(new Seen(boat, sighting.get(), seen.isEmpty() ? sighting.get() : seen.get(0).sighting));
+                plane = plane == null ? Plane.at(sighting.get()) : plane;
+                seen.add(new Seen(boat, sighting.get(), plane));
             }
         }
         return seen.toArray(Seen[]::new);
@@ -99,12 +122,12 @@ public final class TrafficRelay {
         if (Math.abs(northM) > NEAR_M) {
             return;
         }
-        double distanceM = Math.hypot(other.eastM - one.eastM, northM);
-        if (distanceM <= NEAR_M) {
+        double square = one.squareTo(other);
+        if (square <= NEAR_M * NEAR_M) {
             one.near.add(other);
             other.near.add(one);
             boolean underWay = !one.sighting.isAtRest() || !other.sighting.isAtRest();
-            boolean close = underWay && distanceM <= CLOSE_M;
+            boolean close = underWay && square <= CLOSE_M * CLOSE_M;
             one.isConcerned |= underWay;
             other.isConcerned |= underWay;
             one.isClose |= close;
@@ -116,8 +139,7 @@ public final class TrafficRelay {
     private static List<NearbyBoat> rows(Seen seen, long nowMs) {
         List<Seen> near = seen.near;
         if (near.size() > Traffic.MOST_BOATS) {
-            near.sort(Comparator.comparingDouble(
-                    other -> Math.hypot(other.eastM - seen.eastM, other.northM - seen.northM)));
+            near.sort(Comparator.comparingDouble(seen::squareTo));
             near = near.subList(0, Traffic.MOST_BOATS);
         }
         List<NearbyBoat> rows = new ArrayList<>(near.size());

@@ -2,6 +2,7 @@ package org.sami.boat.server;
 
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.boat.server.vehicle.PlaneMath;
 
 /**
  * How fast a vehicle may pass a waypoint so that it keeps to the legs that follow: slowly where it turns much, and where soon after it a
@@ -49,7 +50,7 @@ final class CornerSpeed {
         double nextNorthM = frame.northM(next.latDeg(), next.lonDeg());
         double legEastM = nextEastM - eastM;
         double legNorthM = nextNorthM - northM;
-        double legM = Math.hypot(legEastM, legNorthM);
+        double legM = PlaneMath.length(legEastM, legNorthM);
         double turningMps = turning(alongEastM, alongNorthM, legEastM, legNorthM);
         if (seenM + legM > SEEN_M) {
             return turningMps;
@@ -62,7 +63,7 @@ final class CornerSpeed {
     private static double turning(double eastM, double northM, double nextEastM, double nextNorthM) {
         double ahead = eastM * nextEastM + northM * nextNorthM;
         double aside = Math.abs(eastM * nextNorthM - northM * nextEastM);
-        double sine = aside / (Math.hypot(eastM, northM) * Math.hypot(nextEastM, nextNorthM));
+        double sine = aside / (PlaneMath.length(eastM, northM) * PlaneMath.length(nextEastM, nextNorthM));
         return ahead > 0 ? Math.min(MOST_MPS, ASIDE_MPS / sine) : ASIDE_MPS;
     }
 }

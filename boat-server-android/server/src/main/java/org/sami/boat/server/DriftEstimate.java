@@ -1,5 +1,7 @@
 package org.sami.boat.server;
 
+import org.sami.boat.server.vehicle.PlaneMath;
+
 /**
  * How current and wind carry a vehicle, as far as it can tell: the part of its way over ground that its heading does not explain,
  * averaged. Only the part across the heading shows, so the whole is known after a turn.
@@ -40,7 +42,7 @@ final class DriftEstimate {
     }
 
     double speedMps() {
-        return Math.hypot(eastMps, northMps);
+        return PlaneMath.length(eastMps, northMps);
     }
 
     /** Heading in radians at which a vehicle of that speed through the water makes good a course; the course where it is too slow. */

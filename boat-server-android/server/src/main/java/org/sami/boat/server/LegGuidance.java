@@ -1,5 +1,7 @@
 package org.sami.boat.server;
 
+import org.sami.boat.server.vehicle.PlaneMath;
+
 /**
  * Guides a vehicle along one leg, the straight line between two waypoints, in line of sight (T. I. Fossen, Handbook of Marine Craft
  * Hydrodynamics and Motion Control, 12.3): it heads for a point of the line that lies ahead of it, against the drift that it sees,
@@ -16,6 +18,7 @@ final class LegGuidance {
 
     private final double alongEast; // unit vector of the leg; zero = straight to its end from wherever it is
     private final double alongNorth;
+    private final double alongRad;
     private final double endMps;
     private boolean passed;
 
@@ -27,10 +30,11 @@ final class LegGuidance {
      * @param endMps how fast the vehicle may be at its end
      */
     LegGuidance(double startEastM, double startNorthM, double endMps) {
-        double lengthM = Math.hypot(startEastM, startNorthM);
+        double lengthM = PlaneMath.length(startEastM, startNorthM);
         boolean directed = lengthM >= LEAST_LEG_M;
         alongEast = directed ? -startEastM / lengthM : 0;
         alongNorth = directed ? -startNorthM / lengthM : 0;
+        alongRad = StrictMath.atan2(alongEast, alongNorth);
         this.endMps = endMps;
     }
 
@@ -40,7 +44,7 @@ final class LegGuidance {
      * @param radiusM how far beside a waypoint a vehicle may pass it
      */
     boolean isDone(double eastM, double northM, double radiusM) {
-        double distanceM = Math.hypot(eastM, northM);
+        double distanceM = PlaneMath.length(eastM, northM);
         passed |= remainingM(eastM, northM) <= 0;
         return distanceM <= REACHED_M || (passed && distanceM <= radiusM);
     }
@@ -53,7 +57,7 @@ final class LegGuidance {
     /** Speed at which the vehicle can still slow down for the corner; of the wanted speed at most. */
     double speedMps(double eastM, double northM, double wantedMps, double driftMps) {
         double atEnd = endMps + driftMps; // what drifts needs way on to be steered
-        double leftM = Math.max(0, Math.hypot(eastM, northM) - REACHED_M);
+        double leftM = Math.max(0, PlaneMath.length(eastM, northM) - REACHED_M);
         return Math.min(wantedMps, Math.sqrt(atEnd * atEnd + 2 * CornerSpeed.BRAKING_MPS2 * leftM));
     }
 
@@ -63,7 +67,7 @@ final class LegGuidance {
             return StrictMath.atan2(-eastM, -northM);
         }
         double lookaheadM = Math.max(LEAST_LOOKAHEAD_M, LOOKAHEAD_S * speedMps);
-        return StrictMath.atan2(alongEast, alongNorth) - StrictMath.atan2(besideM(eastM, northM), lookaheadM);
+        return alongRad - StrictMath.atan2(besideM(eastM, northM), lookaheadM);
     }
 
     /** Metres to starboard of the line; zero where there is none. */
@@ -73,6 +77,6 @@ final class LegGuidance {
 
     /** The course of the line; that straight to its end where there is none. */
     double alongRad(double straightRad) {
-        return alongEast == 0 && alongNorth == 0 ? straightRad : StrictMath.atan2(alongEast, alongNorth);
+        return alongEast == 0 && alongNorth == 0 ? straightRad : alongRad;
     }
 }

@@ -1,6 +1,7 @@
 package org.sami.boat.server;
 
 import org.sami.boat.link.TakePanorama;
+import org.sami.boat.server.vehicle.PlaneMath;
 
 /** A turn all round with pictures at equal turns, the first at once. */
 final class Panorama {
@@ -23,7 +24,7 @@ final class Panorama {
             return false;
         }
         if (!Double.isNaN(lastHeadingRad)) {
-            turnedRad += Math.IEEEremainder(headingRad - lastHeadingRad, 2 * Math.PI);
+            turnedRad += PlaneMath.sameTurn(headingRad - lastHeadingRad);
         }
         lastHeadingRad = headingRad;
         boolean due = !isDone() && turnedRad >= taken * 2 * Math.PI / command.pictures();

@@ -3,6 +3,7 @@ package org.sami.boat.server;
 import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
 import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
@@ -55,7 +56,7 @@ final class SteeringControl {
      * does.
      */
     void steerAlong(double headingRad, double speedMps, double seconds) {
-        double error = turn(headingRad - vehicle.headingRad());
+        double error = PlaneMath.sameTurn(headingRad - vehicle.headingRad());
         if (Double.isNaN(error + vehicle.speedMps())) {
             rest();
             return;
@@ -79,10 +80,5 @@ final class SteeringControl {
         vehicle.setMotors(0, 0);
         heading.reset();
         speed.reset();
-    }
-
-    /** The same turn in -π to π. */
-    private static double turn(double rad) {
-        return Math.IEEEremainder(rad, 2 * Math.PI);
     }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import org.sami.boat.link.SetWaysHome;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.boat.server.vehicle.PlaneMath;
 
 /**
  * The ways on which the boat comes home from where it is: those that its base has sent for the leg that it drives or drove last, and what is
@@ -76,10 +77,10 @@ final class WaysHome {
         for (Waypoint turn : turns) {
             double turnEastM = home.eastM(turn.latDeg(), turn.lonDeg());
             double turnNorthM = home.northM(turn.latDeg(), turn.lonDeg());
-            lengthM += Math.hypot(turnEastM - eastM, turnNorthM - northM);
+            lengthM += PlaneMath.length(turnEastM - eastM, turnNorthM - northM);
             eastM = turnEastM;
             northM = turnNorthM;
         }
-        return lengthM + Math.hypot(eastM, northM);
+        return lengthM + PlaneMath.length(eastM, northM);
     }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Sensor;
 import org.sami.boat.server.vehicle.Vehicle;
 
@@ -87,7 +88,7 @@ public final class Instruments implements Vehicle {
 
     @Override
     public double headingRad() {
-        return SimulatedHull.sameTurn(hull.headingRad() + headingRad.value());
+        return PlaneMath.sameTurn(hull.headingRad() + headingRad.value());
     }
 
     @Override

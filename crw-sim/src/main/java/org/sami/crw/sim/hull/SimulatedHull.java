@@ -3,6 +3,7 @@ package org.sami.crw.sim.hull;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
@@ -207,7 +208,7 @@ public final class SimulatedHull implements Vehicle {
         turnRateRadPerS = approach(turnRateRadPerS, wantedTurn, config.maxTurnAccelerationRadPerS2() * seconds);
         double turned = turnRateRadPerS * seconds;
         move((speedBefore + speedMps) / 2 * seconds, headingBefore + turned / 2);
-        headingRad = sameTurn(headingBefore + turned);
+        headingRad = PlaneMath.sameTurn(headingBefore + turned);
     }
 
     private void move(double alongM, double courseRad) {
@@ -232,11 +233,6 @@ public final class SimulatedHull implements Vehicle {
             lonDeg = frame.lonDegOn(latDeg, eastM);
             isLocated = true;
         }
-    }
-
-    /** The same turn in -π to π. */
-    static double sameTurn(double rad) {
-        return Math.abs(rad) <= Math.PI ? rad : Math.IEEEremainder(rad, 2 * Math.PI);
     }
 
     private static double approach(double from, double to, double most) {

@@ -1,6 +1,7 @@
 package org.sami.boat.server.traffic;
 
 import java.util.List;
+import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
@@ -187,7 +188,7 @@ public final class GivingWay {
 
     /** Whether the boat could still stop apart from all others, had it gone so for a moment; where it is nearer already, no nearer. */
     private boolean isSafe(double courseRad, double atMps) {
-        double turn = Math.IEEEremainder(courseRad - headingRad, 2 * Math.PI);
+        double turn = PlaneMath.sameTurn(courseRad - headingRad);
         double wantedMps = atMps * Math.max(0, StrictMath.cos(turn));
         double gain = GAINING_MPS2 * StoppingWay.REACTION_S;
         double thenMps = speedMps + clamped(wantedMps - speedMps, gain);
@@ -230,7 +231,7 @@ public final class GivingWay {
             if (Math.abs(thenEastM) >= wideM || Math.abs(thenNorthM) >= wideM) {
                 continue;
             }
-            double away = Math.hypot(thenEastM, thenNorthM);
+            double away = PlaneMath.length(thenEastM, thenNorthM);
             if (away < wideM) {
                 double part = (wideM - away) / wideM;
                 risk += RISK * part * part / (1 + atS / 5);
@@ -294,9 +295,7 @@ public final class GivingWay {
         double waiting = waits ? IMPATIENCE_PER_S * waitedS : 0;
         double turning = Double.isNaN(chosenRad) || mps <= 0
                 ? 0
-                : TURNING_BACK
-                        * Math.abs(Math.IEEEremainder(motion.courseRad() - chosenRad, 2 * Math.PI))
-                        / (Math.PI / 2);
+                : TURNING_BACK * Math.abs(PlaneMath.sameTurn(motion.courseRad() - chosenRad)) / (Math.PI / 2);
         double atLeast = 1 - onward + beside + tooFar + waiting + turning;
         return atLeast > leastCost + ROUNDING
                 ? atLeast

@@ -4,27 +4,33 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.NearbyBoat;
 import org.sami.boat.server.vehicle.LocalFrame;
 
-/** Another boat as it was seen last, in metres of the plane of {@link Surroundings}. It is taken to go on as it did. */
+/** Another boat as it was seen last, in metres of the plane of {@link Surroundings}. It is taken to go on as it did. For one thread. */
 final class OtherBoat {
     private static final double SLOW_MPS = 0.3;
     private static final long FORETOLD_MS = 1500; // for longer nobody goes straight on for sure
 
     private final String boatId;
-    private final BoatMode mode;
-    private final double eastM;
-    private final double northM;
-    private final double speedMps;
-    private final double aheadEast; // unit vector of its heading
-    private final double aheadNorth;
-    private final double stopsM; // along it, if it begins to stop now
-    private final double eastMps;
-    private final double northMps;
-    private final long seenMs;
-    private final double toEastM;
-    private final double toNorthM;
+    private BoatMode mode;
+    private double eastM;
+    private double northM;
+    private double speedMps;
+    private double aheadEast; // unit vector of its heading
+    private double aheadNorth;
+    private double stopsM; // along it, if it begins to stop now
+    private double eastMps;
+    private double northMps;
+    private long seenMs;
+    private double toEastM;
+    private double toNorthM;
 
-    OtherBoat(NearbyBoat row, LocalFrame plane, long nowMs) {
-        boatId = row.boatId();
+    /** A boat that nobody has seen yet. */
+    OtherBoat(String boatId) {
+        this.boatId = boatId;
+        seenMs = Long.MIN_VALUE;
+    }
+
+    /** It was seen, later than before. */
+    void see(NearbyBoat row, LocalFrame plane, long atMs) {
         mode = row.mode();
         eastM = plane.eastM(row.latDeg(), row.lonDeg());
         northM = plane.northM(row.latDeg(), row.lonDeg());
@@ -34,7 +40,7 @@ final class OtherBoat {
         eastMps = speedMps * aheadEast;
         northMps = speedMps * aheadNorth;
         stopsM = StoppingWay.lengthM(speedMps, StoppingWay.REACTION_S);
-        seenMs = nowMs - row.ageMs();
+        seenMs = atMs;
         toEastM = row.isGoing() ? plane.eastM(row.toLatDeg(), row.toLonDeg()) : Double.NaN;
         toNorthM = row.isGoing() ? plane.northM(row.toLatDeg(), row.toLonDeg()) : Double.NaN;
     }

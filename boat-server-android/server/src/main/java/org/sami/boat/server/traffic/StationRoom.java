@@ -2,6 +2,7 @@ package org.sami.boat.server.traffic;
 
 import java.util.Optional;
 import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
@@ -48,7 +49,7 @@ public final class StationRoom {
         for (int i = 0; i < SIDES; i++) {
             double atEastM = stationEastM + radiusM * StrictMath.sin(2 * Math.PI * i / SIDES);
             double atNorthM = stationNorthM + radiusM * StrictMath.cos(2 * Math.PI * i / SIDES);
-            double wayM = Math.hypot(atEastM - eastM, atNorthM - northM);
+            double wayM = PlaneMath.length(atEastM - eastM, atNorthM - northM);
             if (wayM < leastM && isClear(atEastM, atNorthM, nowMs) && isFree(atEastM, atNorthM, nowMs)) {
                 leastM = wayM;
                 nearest = Optional.of(new LocalFrame(plane.latDeg(atEastM, atNorthM), plane.lonDeg(atEastM, atNorthM)));
@@ -68,21 +69,21 @@ public final class StationRoom {
     }
 
     private static boolean isGoal(OtherBoat other, double eastM, double northM, long nowMs) {
-        double leftM = Math.hypot(other.toEastM() - other.eastM(nowMs), other.toNorthM() - other.northM(nowMs));
+        double leftM = PlaneMath.length(other.toEastM() - other.eastM(nowMs), other.toNorthM() - other.northM(nowMs));
         return leftM < COMING_M
-                && Math.hypot(other.toEastM() - eastM, other.toNorthM() - northM) < CLEAR_M - FROM_EDGE_M;
+                && PlaneMath.length(other.toEastM() - eastM, other.toNorthM() - northM) < CLEAR_M - FROM_EDGE_M;
     }
 
     /** Whether a boat that hardly moves is held up by who lies there, on its straight way. */
     private static boolean isAhead(OtherBoat other, double eastM, double northM, long nowMs) {
         double awayEastM = eastM - other.eastM(nowMs);
         double awayNorthM = northM - other.northM(nowMs);
-        if (!other.isSlow() || Math.hypot(awayEastM, awayNorthM) > HELD_UP_M) {
+        if (!other.isSlow() || PlaneMath.length(awayEastM, awayNorthM) > HELD_UP_M) {
             return false;
         }
         double toEastM = other.toEastM() - other.eastM(nowMs);
         double toNorthM = other.toNorthM() - other.northM(nowMs);
-        double wayM = Math.hypot(toEastM, toNorthM);
+        double wayM = PlaneMath.length(toEastM, toNorthM);
         double along = (awayEastM * toEastM + awayNorthM * toNorthM) / wayM;
         double across = Math.abs(awayEastM * toNorthM - awayNorthM * toEastM) / wayM;
         return along > 0 && along < wayM + GivingWay.APART_M && across < GivingWay.APART_M;
@@ -91,7 +92,7 @@ public final class StationRoom {
     /** Whether nobody lies there. */
     private boolean isFree(double eastM, double northM, long nowMs) {
         for (OtherBoat other : surroundings.others()) {
-            if (Math.hypot(other.eastM(nowMs) - eastM, other.northM(nowMs) - northM) < CLEAR_M) {
+            if (PlaneMath.length(other.eastM(nowMs) - eastM, other.northM(nowMs) - northM) < CLEAR_M) {
                 return false;
             }
         }

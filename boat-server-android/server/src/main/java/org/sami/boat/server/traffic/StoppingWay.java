@@ -56,9 +56,9 @@ final class StoppingWay {
         if (crosses(other)) {
             return 0;
         }
-        double mine = Math.min(toPoint(other.fromEastM, other.fromNorthM), toPoint(other.toEastM, other.toNorthM));
-        double its = Math.min(other.toPoint(fromEastM, fromNorthM), other.toPoint(toEastM, toNorthM));
-        return Math.min(mine, its);
+        double mine = Math.min(squareTo(other.fromEastM, other.fromNorthM), squareTo(other.toEastM, other.toNorthM));
+        double its = Math.min(other.squareTo(fromEastM, fromNorthM), other.squareTo(toEastM, toNorthM));
+        return Math.sqrt(Math.min(mine, its));
     }
 
     private boolean crosses(StoppingWay other) {
@@ -70,12 +70,15 @@ final class StoppingWay {
         return (toEastM - fromEastM) * (northM - fromNorthM) - (toNorthM - fromNorthM) * (eastM - fromEastM);
     }
 
-    private double toPoint(double eastM, double northM) {
+    /** The square of the distance to a point, in m². */
+    private double squareTo(double eastM, double northM) {
         double alongEast = toEastM - fromEastM;
         double alongNorth = toNorthM - fromNorthM;
         double square = alongEast * alongEast + alongNorth * alongNorth;
         double part = square > 0 ? ((eastM - fromEastM) * alongEast + (northM - fromNorthM) * alongNorth) / square : 0;
         double within = Math.max(0, Math.min(1, part));
-        return Math.hypot(eastM - fromEastM - within * alongEast, northM - fromNorthM - within * alongNorth);
+        double offEastM = eastM - fromEastM - within * alongEast;
+        double offNorthM = northM - fromNorthM - within * alongNorth;
+        return offEastM * offEastM + offNorthM * offNorthM;
     }
 }

@@ -1,11 +1,14 @@
 package org.sami.boat.server.traffic;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import org.sami.boat.link.NearbyBoat;
 import org.sami.boat.link.Traffic;
 import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.boat.server.vehicle.PlaneMath;
 
 /** The other boats near this one, as its base told of them. What is old is forgotten. For the thread that ticks the server. */
 public final class Surroundings {
@@ -15,7 +18,9 @@ public final class Surroundings {
     private static final double REACH_M = 2000; // of the plane
 
     private final String ownId;
-    private final List<OtherBoat> others = new ArrayList<>();
+    private final List<OtherBoat> others = new ArrayList<>(); // in the order in which they came
+    private final Map<String, OtherBoat> byId = new HashMap<>();
+    private long oldestSeenMs = Long.MAX_VALUE; // or earlier: nobody is too old before it is
     private LocalFrame plane = new LocalFrame(0, 0);
 
     /** Nobody is known yet. */
@@ -29,6 +34,7 @@ public final class Surroundings {
             if (!row.boatId().equals(ownId) && row.ageMs() < OLDEST_MS && Math.abs(row.latDeg()) <= 85) {
                 if (!(plane.distanceM(row.latDeg(), row.lonDeg()) < REACH_M)) {
                     others.clear(); // they are those of another water
+                    byId.clear();
                     plane = new LocalFrame(row.latDeg(), row.lonDeg());
                 }
                 take(row, nowMs);
@@ -37,23 +43,32 @@ public final class Surroundings {
     }
 
     private void take(NearbyBoat row, long nowMs) {
-        long seenMs = nowMs - row.ageMs();
-        for (int i = 0; i < others.size(); i++) {
-            if (others.get(i).boatId().equals(row.boatId())) {
-                if (seenMs >= others.get(i).seenMs()) {
-                    others.set(i, new OtherBoat(row, plane, nowMs));
-                }
-                return;
-            }
+        OtherBoat other = byId.get(row.boatId());
+        if (other == null) {
+            other = new OtherBoat(row.boatId());
+            byId.put(row.boatId(), other);
+            others.add(other);
         }
-        others.add(new OtherBoat(row, plane, nowMs));
+        long seenMs = nowMs - row.ageMs();
+        if (seenMs >= other.seenMs()) {
+            other.see(row, plane, seenMs);
+        }
+        oldestSeenMs = Math.min(oldestSeenMs, seenMs);
     }
 
     /** Forgets what is old. */
     public void tick(long nowMs) {
+        if (others.isEmpty() || nowMs - oldestSeenMs <= OLDEST_MS) {
+            return;
+        }
+        oldestSeenMs = Long.MAX_VALUE;
         for (int i = others.size() - 1; i >= 0; i--) {
-            if (nowMs - others.get(i).seenMs() > OLDEST_MS) {
+            OtherBoat other = others.get(i);
+            if (nowMs - other.seenMs() > OLDEST_MS) {
                 others.remove(i);
+                byId.remove(other.boatId());
+            } else {
+                oldestSeenMs = Math.min(oldestSeenMs, other.seenMs());
             }
         }
     }
@@ -68,7 +83,7 @@ public final class Surroundings {
         double eastM = plane.eastM(latDeg, lonDeg);
         double northM = plane.northM(latDeg, lonDeg);
         for (OtherBoat other : others) {
-            if (Math.hypot(other.eastM(nowMs) - eastM, other.northM(nowMs) - northM) < metres) {
+            if (PlaneMath.length(other.eastM(nowMs) - eastM, other.northM(nowMs) - northM) < metres) {
                 return true;
             }
         }

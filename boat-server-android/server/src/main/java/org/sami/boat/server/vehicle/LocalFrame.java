@@ -92,7 +92,7 @@ public final class LocalFrame {
 
     /** Metres between a position and the origin. */
     public double distanceM(double latDeg, double lonDeg) {
-        return Math.hypot(eastM(latDeg, lonDeg), northM(latDeg, lonDeg));
+        return PlaneMath.length(eastM(latDeg, lonDeg), northM(latDeg, lonDeg));
     }
 
     private double latRad(double latDeg) {
