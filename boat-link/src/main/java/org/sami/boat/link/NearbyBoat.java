@@ -13,6 +13,8 @@ public final class NearbyBoat {
     private final double latDeg;
     private final double lonDeg;
     private final double headingRad;
+    private final double headingEast; // computed once for all whom the row is told
+    private final double headingNorth;
     private final double speedMps;
     private final BoatMode mode;
     private final long ageMs;
@@ -52,6 +54,8 @@ public final class NearbyBoat {
         this.latDeg = Checks.latitude(latDeg);
         this.lonDeg = Checks.longitude(lonDeg);
         this.headingRad = Checks.range("heading", headingRad, -7, 7);
+        headingEast = StrictMath.sin(headingRad);
+        headingNorth = StrictMath.cos(headingRad);
         this.speedMps = Checks.range("speed", speedMps, -Checks.MAX_SPEED_MPS, Checks.MAX_SPEED_MPS);
         this.mode = Objects.requireNonNull(mode, "mode");
         this.ageMs = Checks.atLeastZero("age", ageMs);
@@ -107,6 +111,16 @@ public final class NearbyBoat {
     /** Heading in radians, clockwise from true north. */
     public double headingRad() {
         return headingRad;
+    }
+
+    /** The part to the east of a unit vector along the heading. */
+    public double headingEast() {
+        return headingEast;
+    }
+
+    /** The part to the north of that vector. */
+    public double headingNorth() {
+        return headingNorth;
     }
 
     /** Speed over ground along the heading in m/s; negative is astern. */

@@ -15,7 +15,6 @@ import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.BoatStatus;
 import org.sami.crw.proxy.FollowPath;
-import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.coverage.AreaCoverage;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
@@ -132,7 +131,7 @@ final class ExploredAreas implements BoatListener, HostListener {
     private static void add(Explored one, String boat, GeoPoint at) {
         List<GeoPoint> track = one.tracks.computeIfAbsent(boat, id -> new ArrayList<>());
         double stepM = Math.max(LEAST_STEP_M, STEP_OF_SPACING * one.spacingM);
-        if (track.isEmpty() || Geodesy.distanceM(track.get(track.size() - 1), at) >= stepM) {
+        if (track.isEmpty() || one.coverage.distanceM(track.get(track.size() - 1), at) >= stepM) {
             track.add(at);
             if (track.size() > MOST_POINTS) {
                 List<GeoPoint> thinned = one.coverage.thinned(track, MOST_POINTS / 2);

@@ -1,7 +1,6 @@
 package org.sami.crw.proxy;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -30,8 +29,10 @@ public final class TrafficRelay {
     private static final long LOOK_MS = 200;
     private static final long PERIOD_MS = 1000;
     private static final double METRES_PER_DEGREE = 111_320; // of latitude; coarse is enough to see who is near
+    private static final Comparator<Seen> FROM_WEST = Comparator.comparingDouble(seen -> seen.eastM);
 
-    private final Map<String, Long> toldMs = new HashMap<>();
+    private final Map<String, Seen> byId = new HashMap<>();
+    private final List<Seen> fromWest = new ArrayList<>(); // the same boats; nearly in order from look to look
     private long lookedMs = Long.MIN_VALUE / 2;
 
     /** Metres east and north of where one of the boats is. */
@@ -50,22 +51,38 @@ public final class TrafficRelay {
         }
     }
 
-    /** A boat that was seen lately, on a plane. */
+    /** A boat, and where it was when it was looked at last. */
     private static final class Seen {
         private final BoatProxy boat;
-        private final Sighting sighting;
-        private final double eastM;
-        private final double northM;
-        private final List<Seen> near = new ArrayList<>(0); // most are far from all others
-        private NearbyBoat row; // once somebody is to be told of it
+        private final List<Seen> near = new ArrayList<>();
+        private Sighting sighting;
+        private long atMs;
+        private double eastM;
+        private double northM;
+        private boolean isAtRest;
+        private Optional<NearbyBoat> row; // once somebody is to be told of it
         private boolean isConcerned; // somebody is under way, this boat or one near it
         private boolean isClose; // likewise, and so near that it is told often
+        private long toldMs = Long.MIN_VALUE / 2;
 
-        Seen(BoatProxy boat, Sighting sighting, Plane plane) {
+        Seen(BoatProxy boat) {
             this.boat = boat;
-            this.sighting = sighting;
-            eastM = plane.eastM(sighting);
-            northM = plane.northM(sighting);
+        }
+
+        void look(Sighting newest, Plane plane, long nowMs) {
+            sighting = newest;
+            atMs = nowMs;
+            eastM = plane.eastM(newest);
+            northM = plane.northM(newest);
+            isAtRest = newest.isAtRest();
+            near.clear();
+            row = Optional.empty();
+            isConcerned = false;
+            isClose = false;
+        }
+
+        boolean isDue(long nowMs) {
+            return isConcerned && (isClose || nowMs - toldMs >= PERIOD_MS) && boat.takesTraffic();
         }
 
         double squareTo(Seen other) {
@@ -81,40 +98,51 @@ public final class TrafficRelay {
             return;
         }
         lookedMs = nowMs;
-        for (Seen seen : pairUp(seenOf(boats, nowMs))) {
-            if (seen.isConcerned && seen.boat.takesTraffic() && isDue(seen, nowMs)) {
-                toldMs.put(seen.boat.boatId(), nowMs);
+        look(boats, nowMs);
+        pairUp();
+        for (Seen seen : fromWest) {
+            if (seen.isDue(nowMs)) {
+                seen.toldMs = nowMs;
                 seen.boat.tellTraffic(new Traffic(rows(seen, nowMs)));
             }
         }
     }
 
-    private boolean isDue(Seen seen, long nowMs) {
-        return seen.isClose || nowMs - toldMs.getOrDefault(seen.boat.boatId(), Long.MIN_VALUE / 2) >= PERIOD_MS;
-    }
-
-    private static Seen[] seenOf(Collection<BoatProxy> boats, long nowMs) {
-        List<Seen> seen = new ArrayList<>(boats.size());
+    /** Where the boats are of which that is known; the others are forgotten. */
+    private void look(Collection<BoatProxy> boats, long nowMs) {
         Plane plane = null; // of the first one
         for (BoatProxy boat : boats) {
             Optional<Sighting> sighting = boat.sighting();
             if (sighting.isPresent() && nowMs - sighting.get().atMs() <= OLDEST_MS) {
                 plane = plane == null ? Plane.at(sighting.get()) : plane;
-                seen.add(new Seen(boat, sighting.get(), plane));
+                seen(boat).look(sighting.get(), plane, nowMs);
             }
         }
-        return seen.toArray(Seen[]::new);
+        if (fromWest.removeIf(seen -> seen.atMs != nowMs)) {
+            byId.values().removeIf(seen -> seen.atMs != nowMs);
+        }
+    }
+
+    private Seen seen(BoatProxy boat) {
+        Seen known = byId.get(boat.boatId());
+        if (known != null && known.boat == boat) {
+            return known;
+        }
+        Seen seen = new Seen(boat);
+        byId.put(boat.boatId(), seen);
+        fromWest.add(seen);
+        return seen;
     }
 
     /** Who is near whom: gone through from west to east, so that not all pairs are looked at. */
-    private static Seen[] pairUp(Seen[] seen) {
-        Arrays.sort(seen, Comparator.comparingDouble((Seen one) -> one.eastM));
-        for (int i = 0; i < seen.length; i++) {
-            for (int j = i + 1; j < seen.length && seen[j].eastM - seen[i].eastM <= NEAR_M; j++) {
-                pairUp(seen[i], seen[j]);
+    private void pairUp() {
+        fromWest.sort(FROM_WEST);
+        for (int i = 0; i < fromWest.size(); i++) {
+            Seen one = fromWest.get(i);
+            for (int j = i + 1; j < fromWest.size() && fromWest.get(j).eastM - one.eastM <= NEAR_M; j++) {
+                pairUp(one, fromWest.get(j));
             }
         }
-        return seen;
     }
 
     private static void pairUp(Seen one, Seen other) {
@@ -126,7 +154,7 @@ public final class TrafficRelay {
         if (square <= NEAR_M * NEAR_M) {
             one.near.add(other);
             other.near.add(one);
-            boolean underWay = !one.sighting.isAtRest() || !other.sighting.isAtRest();
+            boolean underWay = !one.isAtRest || !other.isAtRest;
             boolean close = underWay && square <= CLOSE_M * CLOSE_M;
             one.isConcerned |= underWay;
             other.isConcerned |= underWay;
@@ -144,10 +172,10 @@ public final class TrafficRelay {
         }
         List<NearbyBoat> rows = new ArrayList<>(near.size());
         for (Seen other : near) {
-            if (other.row == null) {
-                other.row = row(other, nowMs);
+            if (other.row.isEmpty()) {
+                other.row = Optional.of(row(other, nowMs));
             }
-            rows.add(other.row);
+            rows.add(other.row.get());
         }
         return rows;
     }

@@ -88,6 +88,13 @@ public final class AreaCoverage {
         return MissedBetweenLanes.words(positionM, widthM / Math.ceil(widthM / spacingM), spacingM);
     }
 
+    /** Metres between two points of the area, on the plane on which it is measured. */
+    public double distanceM(GeoPoint one, GeoPoint other) {
+        double east = plane.x(other) - plane.x(one);
+        double north = plane.y(other) - plane.y(one);
+        return Math.sqrt(east * east + north * north);
+    }
+
     /** A track with fewer points, of which it covers nearly the same. */
     public List<GeoPoint> thinned(List<GeoPoint> track, int most) {
         LineString line = FACTORY.createLineString(

@@ -1,5 +1,6 @@
 package org.sami.boat.server.traffic;
 
+import java.util.Arrays;
 import java.util.List;
 import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Vehicle;
@@ -34,7 +35,9 @@ public final class GivingWay {
     private static final double ASIDE_MPS = 0.8; // so fast at least a boat goes aside
     private static final double ASTERN_MPS = 0.5;
     private static final double FARTHEST_M = 8; // from its line
-    private static final double[] OFFSETS_DEG = {0, 20, -20, 40, -40, 60, -60, 90, -90, 120, -120, 150, -150, 180};
+    private static final Course[] OFFSETS = offsets(0, 20, -20, 40, -40, 60, -60, 90, -90, 120, -120, 150, -150, 180);
+    private static final double ON_COURSE_RAD =
+            Math.toRadians(30); // with less offset a boat goes no faster than it wants to
     private static final double[] PARTS = {1, 0.6, 0.3};
 
     private static final double RISK = 8;
@@ -45,7 +48,6 @@ public final class GivingWay {
     private static final double LONGEST_WAIT_S = 20;
     private static final double HELD_UP_S =
             8; // who has waited so long goes nowhere that is blocked a little farther on
-    private static final double ROUNDING = 1e-9;
 
     private final Surroundings surroundings;
     private final Vehicle vehicle;
@@ -53,8 +55,12 @@ public final class GivingWay {
     private final double wideM;
     private double eastM; // of the boat, on the plane of the surroundings
     private double northM;
-    private double headingRad;
     private double speedMps;
+    private Course heading = OFFSETS[0]; // this and what follows up to the others: as long as some of those are near
+    private Course course = OFFSETS[0]; // that it would take without others
+    private double courseMps;
+    private Course line = OFFSETS[0];
+    private double besideM; // that line
     private OtherBoat[] near = new OtherBoat[0];
     private double[] nearEastM = new double[0]; // from the boat
     private double[] nearNorthM = new double[0];
@@ -99,14 +105,21 @@ public final class GivingWay {
             return wanted;
         }
         look(Math.max(wanted.speedMps(), ASIDE_MPS), hasWay, nowMs);
-        if (count == 0 || isFree(wanted, nowMs)) {
+        if (count > 0) {
+            heading = new Course(vehicle.headingRad());
+            course = new Course(wanted.courseRad());
+            courseMps = wanted.speedMps();
+        }
+        if (count == 0 || isFree()) {
             chosenRad = Double.NaN;
             waitedS = Math.max(0, waitedS - seconds);
             return wanted;
         }
-        boolean waits = speedMps * StrictMath.cos(headingRad - wanted.courseRad()) < wanted.speedMps() / 5;
+        line = new Course(lineRad);
+        this.besideM = besideM;
+        boolean waits = speedMps * heading.along(course) < courseMps / 5;
         waitedS = waits ? Math.min(LONGEST_WAIT_S, waitedS + seconds) : Math.max(0, waitedS - seconds);
-        CourseAndSpeed best = best(wanted, besideM, lineRad);
+        CourseAndSpeed best = best();
         chosenRad = best.courseRad();
         return best;
     }
@@ -126,7 +139,6 @@ public final class GivingWay {
     private void look(double fastestMps, boolean hasWay, long nowMs) {
         eastM = surroundings.plane().eastM(vehicle.latDeg(), vehicle.lonDeg());
         northM = surroundings.plane().northM(vehicle.latDeg(), vehicle.lonDeg());
-        headingRad = vehicle.headingRad();
         speedMps = vehicle.speedMps();
         List<OtherBoat> others = surroundings.others();
         makeRoom(others.size());
@@ -156,10 +168,10 @@ public final class GivingWay {
     }
 
     /** Sees where the others can stop, before it is asked what is safe. */
-    private void lookWhereOthersStop(long nowMs) {
-        StoppingWay own = StoppingWay.of(eastM, northM, headingRad, speedMps, 0);
+    private void lookWhereOthersStop() {
+        StoppingWay own = StoppingWay.of(eastM, northM, heading, speedMps, 0);
         for (int i = 0; i < count; i++) {
-            stopping[i] = near[i].stoppingAt(near[i].eastM(nowMs), near[i].northM(nowMs));
+            stopping[i] = near[i].stoppingAt(eastM + nearEastM[i], northM + nearNorthM[i]);
             leastM[i] = own.distanceM(stopping[i], apartM);
         }
     }
@@ -177,29 +189,30 @@ public final class GivingWay {
 
     // ---- what is safe and what it costs
 
-    private boolean isFree(CourseAndSpeed motion, long nowMs) {
-        boolean risky = risk(motion.courseRad(), motion.speedMps()) > 0;
+    private boolean isFree() {
+        boolean risky = risk(course, courseMps, 0) > 0;
         if (!risky && allStopApart) {
             return true; // most of the time
         }
-        lookWhereOthersStop(nowMs);
-        return !risky && isSafe(motion.courseRad(), motion.speedMps());
+        lookWhereOthersStop();
+        return !risky && isSafe(course, courseMps);
     }
 
     /** Whether the boat could still stop apart from all others, had it gone so for a moment; where it is nearer already, no nearer. */
-    private boolean isSafe(double courseRad, double atMps) {
-        double turn = PlaneMath.sameTurn(courseRad - headingRad);
-        double wantedMps = atMps * Math.max(0, StrictMath.cos(turn));
+    private boolean isSafe(Course direction, double atMps) {
+        double turn = direction.turnFrom(heading.rad());
+        double wantedMps = atMps * Math.max(0, direction.along(heading));
         double gain = GAINING_MPS2 * StoppingWay.REACTION_S;
         double thenMps = speedMps + clamped(wantedMps - speedMps, gain);
         double most = TURNING_RAD_S * StoppingWay.REACTION_S;
-        double leastRad = headingRad + clamped(turn, most / 3); // where it hardly turns yet
-        double mostRad = headingRad + clamped(turn, 1.5 * most); // where it goes on turning while it stops
+        Course least = new Course(heading.rad() + clamped(turn, most / 3)); // where it hardly turns yet
+        Course farthest =
+                new Course(heading.rad() + clamped(turn, 1.5 * most)); // where it goes on turning while it stops
         double wayM = (speedMps + thenMps) / 2 * StoppingWay.REACTION_S;
-        double thenEastM = eastM + wayM * StrictMath.sin(leastRad);
-        double thenNorthM = northM + wayM * StrictMath.cos(leastRad);
-        return isClear(StoppingWay.of(thenEastM, thenNorthM, leastRad, thenMps, 0))
-                && isClear(StoppingWay.of(thenEastM, thenNorthM, mostRad, thenMps, 0));
+        double thenEastM = eastM + wayM * least.east();
+        double thenNorthM = northM + wayM * least.north();
+        return isClear(StoppingWay.of(thenEastM, thenNorthM, least, thenMps, 0))
+                && isClear(StoppingWay.of(thenEastM, thenNorthM, farthest, thenMps, 0));
     }
 
     private static double clamped(double value, double most) {
@@ -215,12 +228,12 @@ public final class GivingWay {
         return true;
     }
 
-    /** How near others come, and how soon; zero where they do not. */
-    private double risk(double courseRad, double atMps) {
-        double eastMps = atMps * StrictMath.sin(courseRad);
-        double northMps = atMps * StrictMath.cos(courseRad);
+    /** How near others come, and how soon; zero where they do not. Where it is more than enough, it may be more than that. */
+    private double risk(Course direction, double atMps, double enough) {
+        double eastMps = atMps * direction.east();
+        double northMps = atMps * direction.north();
         double risk = 0;
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < count && risk <= enough; i++) {
             double byEast = near[i].eastMps() - eastMps;
             double byNorth = near[i].northMps() - northMps;
             double square = byEast * byEast + byNorth * byNorth;
@@ -241,12 +254,10 @@ public final class GivingWay {
     }
 
     /** Whether a boat that lies still is on that course, or so near to it that it cannot be passed. */
-    private boolean isBlocked(double courseRad) {
-        double east = StrictMath.sin(courseRad);
-        double north = StrictMath.cos(courseRad);
+    private boolean isBlocked(Course direction) {
         for (int i = 0; i < count; i++) {
-            double aheadM = nearEastM[i] * east + nearNorthM[i] * north;
-            double asideM = Math.abs(nearEastM[i] * north - nearNorthM[i] * east);
+            double aheadM = nearEastM[i] * direction.east() + nearNorthM[i] * direction.north();
+            double asideM = Math.abs(nearEastM[i] * direction.north() - nearNorthM[i] * direction.east());
             if (near[i].isSlow() && aheadM > 0 && asideM < apartM) {
                 return true;
             }
@@ -254,40 +265,39 @@ public final class GivingWay {
         return false;
     }
 
-    private CourseAndSpeed best(CourseAndSpeed wanted, double besideM, double lineRad) {
-        double restRad = Math.abs(speedMps) > 0.3 ? headingRad : wanted.courseRad();
-        CourseAndSpeed best = new CourseAndSpeed(restRad, 0);
-        double least = cost(best, wanted, besideM, lineRad, Double.MAX_VALUE);
-        double fullMps = Math.max(wanted.speedMps(), ASIDE_MPS);
-        for (double offsetDeg : OFFSETS_DEG) {
+    private CourseAndSpeed best() {
+        Course best = Math.abs(speedMps) > 0.3 ? heading : course;
+        double bestMps = 0;
+        double least = cost(best, bestMps, Double.MAX_VALUE);
+        double fullMps = Math.max(courseMps, ASIDE_MPS);
+        for (Course offset : OFFSETS) {
+            Course other = course.turned(offset);
+            double toPort = offset.rad() < 0 ? TO_PORT : 0;
             for (double part : PARTS) {
-                double mps = part * (Math.abs(offsetDeg) < 30 ? wanted.speedMps() : fullMps);
-                CourseAndSpeed other = new CourseAndSpeed(wanted.courseRad() + Math.toRadians(offsetDeg), mps);
-                double cost = cost(other, wanted, besideM, lineRad, least) + (offsetDeg < 0 ? TO_PORT : 0);
-                if (cost < least && isSafe(other.courseRad(), mps)) {
+                double mps = part * (Math.abs(offset.rad()) < ON_COURSE_RAD ? courseMps : fullMps);
+                double cost = toPort + cost(other, mps, least - toPort);
+                if (cost < least && isSafe(other, mps)) {
                     least = cost;
                     best = other;
+                    bestMps = mps;
                 }
             }
         }
-        CourseAndSpeed astern = new CourseAndSpeed(headingRad, -ASTERN_MPS);
-        return cost(astern, wanted, besideM, lineRad, least) < least && isSafeAstern() ? astern : best;
+        boolean astern = cost(heading, -ASTERN_MPS, least) < least && isSafeAstern();
+        return astern ? new CourseAndSpeed(heading.rad(), -ASTERN_MPS) : new CourseAndSpeed(best.rad(), bestMps);
     }
 
     private boolean isSafeAstern() {
-        return isClear(StoppingWay.of(eastM, northM, headingRad, -ASTERN_MPS, StoppingWay.REACTION_S));
+        return isClear(StoppingWay.of(eastM, northM, heading, -ASTERN_MPS, StoppingWay.REACTION_S));
     }
 
-    /** What a motion costs; of one that costs more than the cheapest anyway, risk is not looked at. */
-    private double cost(
-            CourseAndSpeed motion, CourseAndSpeed wanted, double besideM, double lineRad, double leastCost) {
-        double mps = motion.speedMps();
-        double onward =
-                mps * StrictMath.cos(motion.courseRad() - wanted.courseRad()) / Math.max(wanted.speedMps(), ASIDE_MPS);
-        if (onward > 0 && waitedS > HELD_UP_S && isBlocked(motion.courseRad())) {
+    /** What a motion costs. Of one that costs more than the cheapest anyway, it is not looked at how much more. */
+    private double cost(Course direction, double mps, double leastCost) {
+        double onward = mps * direction.along(course) / Math.max(courseMps, ASIDE_MPS);
+        if (onward > 0 && waitedS > HELD_UP_S && isBlocked(direction)) {
             onward = 0;
         }
-        double thenM = Math.abs(besideM + mps * StrictMath.sin(motion.courseRad() - lineRad) * SOON_S);
+        double thenM = Math.abs(besideM + mps * direction.across(line) * SOON_S);
         double patience = 1 / (1 + IMPATIENCE_PER_S * waitedS);
         double beside = patience * BESIDE_PER_M * Math.max(0, thenM - 0.5);
         double tooFar = thenM > FARTHEST_M && thenM > Math.abs(besideM) ? thenM - FARTHEST_M : 0;
@@ -295,10 +305,14 @@ public final class GivingWay {
         double waiting = waits ? IMPATIENCE_PER_S * waitedS : 0;
         double turning = Double.isNaN(chosenRad) || mps <= 0
                 ? 0
-                : TURNING_BACK * Math.abs(PlaneMath.sameTurn(motion.courseRad() - chosenRad)) / (Math.PI / 2);
-        double atLeast = 1 - onward + beside + tooFar + waiting + turning;
-        return atLeast > leastCost + ROUNDING
-                ? atLeast
-                : 1 - onward + risk(motion.courseRad(), mps) + beside + tooFar + waiting + turning;
+                : TURNING_BACK * Math.abs(direction.turnFrom(chosenRad)) / (Math.PI / 2);
+        double withoutRisk = 1 - onward + beside + tooFar + waiting + turning;
+        return withoutRisk < leastCost ? withoutRisk + risk(direction, mps, leastCost - withoutRisk) : withoutRisk;
+    }
+
+    private static Course[] offsets(double... degrees) {
+        return Arrays.stream(degrees)
+                .mapToObj(offset -> new Course(Math.toRadians(offset)))
+                .toArray(Course[]::new);
     }
 }

@@ -35,8 +35,8 @@ final class OtherBoat {
         eastM = plane.eastM(row.latDeg(), row.lonDeg());
         northM = plane.northM(row.latDeg(), row.lonDeg());
         speedMps = row.speedMps();
-        aheadEast = StrictMath.sin(row.headingRad());
-        aheadNorth = StrictMath.cos(row.headingRad());
+        aheadEast = row.headingEast();
+        aheadNorth = row.headingNorth();
         eastMps = speedMps * aheadEast;
         northMps = speedMps * aheadNorth;
         stopsM = StoppingWay.lengthM(speedMps, StoppingWay.REACTION_S);
@@ -61,6 +61,7 @@ final class OtherBoat {
         return northM + northMps * sinceS(nowMs);
     }
 
+    /** For how long it goes on as it was seen, in seconds. */
     private double sinceS(long nowMs) {
         return Math.max(0, Math.min(FORETOLD_MS, nowMs - seenMs)) / 1000.0;
     }

@@ -25,9 +25,8 @@ final class StoppingWay {
     }
 
     /** The way of a boat that is here, with that heading and speed; of a negative speed astern. */
-    static StoppingWay of(double eastM, double northM, double headingRad, double speedMps, double reactionS) {
-        double alongM = lengthM(speedMps, reactionS);
-        return along(eastM, northM, alongM, StrictMath.sin(headingRad), StrictMath.cos(headingRad));
+    static StoppingWay of(double eastM, double northM, Course heading, double speedMps, double reactionS) {
+        return along(eastM, northM, lengthM(speedMps, reactionS), heading.east(), heading.north());
     }
 
     /** A way of that length in the direction of a unit vector; of a negative length against it. */

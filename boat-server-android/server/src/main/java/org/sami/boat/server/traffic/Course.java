@@ -1,0 +1,55 @@
+package org.sami.boat.server.traffic;
+
+import org.sami.boat.server.vehicle.PlaneMath;
+
+/** A direction in which a boat may go, with its unit vector: sines are dear, and some are wanted dozens of times in one choice. */
+final class Course {
+    private final double rad;
+    private final double east;
+    private final double north;
+
+    /** A course in radians, clockwise from true north. */
+    Course(double rad) {
+        this(rad, StrictMath.sin(rad), StrictMath.cos(rad));
+    }
+
+    private Course(double rad, double east, double north) {
+        this.rad = rad;
+        this.east = east;
+        this.north = north;
+    }
+
+    /** This course, turned to starboard by as much as another one is from north. */
+    Course turned(Course by) {
+        return new Course(rad + by.rad, east * by.north + north * by.east, north * by.north - east * by.east);
+    }
+
+    double rad() {
+        return rad;
+    }
+
+    /** East part of the unit vector along it. */
+    double east() {
+        return east;
+    }
+
+    /** North part of that vector. */
+    double north() {
+        return north;
+    }
+
+    /** Cosine of the turn from another course to this one: what of a way along this one leads along the other. */
+    double along(Course other) {
+        return east * other.east + north * other.north;
+    }
+
+    /** Sine of that turn: what of a way along this one leads to starboard of the other. */
+    double across(Course other) {
+        return east * other.north - north * other.east;
+    }
+
+    /** The turn from another course to this one, in -π to π. */
+    double turnFrom(double otherRad) {
+        return PlaneMath.sameTurn(rad - otherRad);
+    }
+}
