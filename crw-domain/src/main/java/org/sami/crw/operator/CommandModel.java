@@ -94,8 +94,7 @@ public final class CommandModel extends Model<List<BoatCommands>> {
                 .filter(command -> !queued.contains(command.commandId()))
                 .filter(command -> boat.concluded.stream()
                         .noneMatch(gone -> gone.command().commandId().equals(command.commandId())))
-                .forEach(command -> concluded(
-                        boat, command, End.WITHDRAWN, "mission " + command.mission() + " took it back", atMillis));
+                .forEach(command -> concluded(boat, command, End.WITHDRAWN, "its mission took it back", atMillis));
         boat.queue = now;
     }
 

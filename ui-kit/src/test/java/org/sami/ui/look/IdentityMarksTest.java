@@ -8,12 +8,28 @@ import org.junit.jupiter.api.Test;
 
 class IdentityMarksTest {
     @Test
-    void keepsTheMarkOfEachProxyInOrderOfAppearance() {
+    void whoIsOnlyAskedAboutHasAMarkByName() {
         IdentityMarks marks = new IdentityMarks();
+        marks.of("carl");
+        marks.of("anna");
 
         assertThat(marks.of("anna").index()).isZero();
+        assertThat(marks.of("carl").index()).isOne();
+    }
+
+    @Test
+    void whoWasGivenAMarkKeepsItWhoeverComes() {
+        IdentityMarks marks = new IdentityMarks();
+        marks.of("carl");
+        marks.give("dora");
+        marks.give("bert");
+        marks.of("anna");
+        marks.give("dora");
+
+        assertThat(marks.of("dora").index()).isZero();
         assertThat(marks.of("bert").index()).isOne();
-        assertThat(marks.of("anna").index()).isZero();
+        assertThat(marks.of("anna").index()).as("nobody gave it one").isEqualTo(2);
+        assertThat(marks.of("carl").index()).isEqualTo(3);
     }
 
     @Test

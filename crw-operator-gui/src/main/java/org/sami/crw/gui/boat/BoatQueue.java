@@ -80,7 +80,7 @@ final class BoatQueue {
     }
 
     private List<Row> rows(BoatCommands commands) {
-        MissionTitles titles = context.models().missions()::title;
+        MissionTitles titles = context.titles();
         List<Row> rows = new ArrayList<>();
         commands.queue()
                 .current()

@@ -33,11 +33,6 @@ public final class CommandWords {
         return what(entry.command()) + (entry.points() > 1 ? " (" + entry.visited() + " of them done)" : "");
     }
 
-    /** Who wants it; a mission by its number. */
-    public static String whose(BoatCommand command) {
-        return MissionTitles.NONE.words(command.mission());
-    }
-
     /** What is to be done, for whom, how urgent it is, and whether the mission keeps the boat afterwards. */
     static String full(Entry entry, MissionTitles titles) {
         BoatCommand command = entry.command();

@@ -60,7 +60,7 @@ final class MotorTrial {
             return Optional.of("its motors are stopped, release it first");
         }
         return selected.flatMap(BoatSnapshot::command)
-                .map(wanted -> "it carries out a command of " + CommandWords.whose(wanted));
+                .map(wanted -> "it carries out a command of " + context.titles().words(wanted.mission()));
     }
 
     private void begin() {

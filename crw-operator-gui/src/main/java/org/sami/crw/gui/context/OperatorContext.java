@@ -4,6 +4,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.proxy.MissionTitles;
 import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -57,6 +58,11 @@ public record OperatorContext(
     /** The session's models. */
     public OperatorModels models() {
         return shown.models();
+    }
+
+    /** Names missions by their numbers and plans. */
+    public MissionTitles titles() {
+        return models().missions()::title;
     }
 
     /** The words of the session. */

@@ -28,7 +28,7 @@ final class FirstView {
     /** Looks at what there is now. */
     void look(MapSnapshot now) {
         MapFrame frame = view.frame();
-        if (over || now.boats().isEmpty() || frame.width() == 0 || frame.height() == 0) {
+        if (over || bounds(now).isEmpty() || frame.width() == 0 || frame.height() == 0) {
             return;
         }
         if (left.isPresent() && !isSamePart(left.get(), frame)) {

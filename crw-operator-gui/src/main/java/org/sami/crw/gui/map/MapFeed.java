@@ -17,6 +17,7 @@ import org.sami.crw.operator.map.ShownTrack;
 import org.sami.crw.service.field.FieldGrid;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.GeoBounds;
+import org.sami.ui.look.IdentityMark;
 import org.sami.ui.map.AreaLayer;
 import org.sami.ui.map.HeatLayer;
 import org.sami.ui.map.HeatMap;
@@ -112,13 +113,16 @@ final class MapFeed {
 
     /** A track that is as it was is not copied again: most are, ten times a second. */
     private Track track(ShownTrack now) {
-        Optional<Known> before = Optional.ofNullable(known.get(now.boat())).filter(one -> one.points() == now.points());
+        IdentityMark mark = context.marks().of(now.boat());
+        Optional<Known> before = Optional.ofNullable(known.get(now.boat()))
+                .filter(one ->
+                        one.points() == now.points() && one.track().mark().equals(mark));
         if (before.isPresent()) {
             return before.get().track();
         }
         List<GeoPoint> points =
                 now.points().stream().map(ShownTrack.Point::position).toList();
-        Track track = new Track(now.boat(), context.marks().of(now.boat()), points);
+        Track track = new Track(now.boat(), mark, points);
         known.put(now.boat(), new Known(now.points(), track));
         return track;
     }

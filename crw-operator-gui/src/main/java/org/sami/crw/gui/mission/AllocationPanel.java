@@ -58,7 +58,7 @@ public final class AllocationPanel extends JPanel {
                         RowColumn.<Row>words("Boat", 96, row -> row.boat().isEmpty() ? "nobody" : row.boat())
                                 .withIcon(this::mark),
                         RowColumn.number("Turn", 56, row -> row.place() == 0 ? "–" : row.place() + "."),
-                        RowColumn.<Row>words("Task", 0, AllocationPanel::words)
+                        RowColumn.<Row>words("Task", 0, this::words)
                                 .colored(row -> row.task().isPresent() ? SemanticColor.TEXT : SemanticColor.MUTED)));
         give = context.commands()
                 .add(new Command("allocation-give", "Give the task to…", this::openMenu)
@@ -89,9 +89,9 @@ public final class AllocationPanel extends JPanel {
         show(context.models().allocation().snapshot());
     }
 
-    private static String words(Row row) {
+    private String words(Row row) {
         return row.task()
-                .map(task -> task.name() + " (mission " + task.mission() + ")")
+                .map(task -> task.name() + " (" + context.titles().words(task.mission()) + ")")
                 .orElse("no task");
     }
 

@@ -8,13 +8,18 @@ import org.sami.crw.gui.boat.CommandWords;
 import org.sami.crw.operator.MissionEnd;
 import org.sami.crw.operator.MissionEnd.BoatChange;
 import org.sami.crw.operator.MissionSnapshot;
+import org.sami.crw.proxy.MissionTitles;
 
 /** What an abort or a completion will do, in lines. */
 final class EndWords {
     private EndWords() {}
 
-    /** The lines; never none. */
-    static List<String> lines(MissionEnd end, Optional<String> interceptor) {
+    /**
+     * The lines; never none.
+     *
+     * @param titles names those whose commands come next
+     */
+    static List<String> lines(MissionEnd end, Optional<String> interceptor, MissionTitles titles) {
         List<String> lines = new ArrayList<>();
         interceptor.ifPresent(name -> lines.add("The plan has a transition for it, " + name
                 + ": what it draws comes first. What follows comes when the mission ends."));
@@ -24,7 +29,7 @@ final class EndWords {
                     + (stop.size() == 1 ? " stops" : " stop") + ": nobody else wants anything of "
                     + (stop.size() == 1 ? "it." : "them."));
         }
-        end.boats().stream().filter(boat -> !stops(boat)).forEach(boat -> lines.add(line(boat)));
+        end.boats().stream().filter(boat -> !stops(boat)).forEach(boat -> lines.add(line(boat, titles)));
         if (end.boats().isEmpty()) {
             lines.add("No boat stops: it wants nothing of any boat now.");
         }
@@ -56,13 +61,13 @@ final class EndWords {
                         .orElse("");
     }
 
-    private static String line(BoatChange boat) {
+    private static String line(BoatChange boat, MissionTitles titles) {
         String waiting = boat.waiting() == 1 ? "a command that waits" : boat.waiting() + " commands that wait";
         return boat.inForce().isPresent()
                 ? loses(boat) + " goes on with: "
                         + boat.next()
                                 .map(entry -> CommandWords.what(entry.command()) + ", for "
-                                        + CommandWords.whose(entry.command()))
+                                        + titles.words(entry.command().mission()))
                                 .orElseThrow()
                 : boat.boat() + " goes on as it does, and loses " + waiting;
     }

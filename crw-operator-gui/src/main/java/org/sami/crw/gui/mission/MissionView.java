@@ -109,7 +109,8 @@ final class MissionView extends JPanel {
                             models.missions().snapshot(),
                             models.commands().snapshot(),
                             models.decisions().snapshot()),
-                    interceptor));
+                    interceptor,
+                    context.titles()));
         }
     }
 

@@ -5,6 +5,7 @@ import java.util.List;
 import org.sami.crw.gui.boat.BoatPanel;
 import org.sami.crw.gui.boat.BoatsPanel;
 import org.sami.crw.gui.context.LoadedProject;
+import org.sami.crw.gui.context.MarksOfBoats;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.decision.DecisionsPanel;
 import org.sami.crw.gui.decision.SessionDecisions;
@@ -71,6 +72,7 @@ public final class OperatorPanels implements AutoCloseable {
      * @param file of the project that is shown
      */
     public OperatorPanels(OperatorContext context, WindowSettings settings, LoadedProject file) {
+        MarksOfBoats.give(context.shown(), context.marks());
         boats = new BoatsPanel(context);
         boat = new BoatPanel(context);
         map = new MapPanel(context);

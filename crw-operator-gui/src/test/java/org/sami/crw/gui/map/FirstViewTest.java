@@ -39,6 +39,23 @@ class FirstViewTest {
     }
 
     @Test
+    void theProjectsWaterIsSeenBeforeTheFirstBoatIs() {
+        onEventThread(() -> {
+            MapView view = new MapView();
+            FirstView first = new FirstView(view);
+            Layout.layOut(view, 800, 500);
+
+            first.look(with());
+
+            assertThat(view.frame().isShown(GeoPoint.of(25.358, 51.527))).isTrue();
+            assertThat(view.frame().px(GeoPoint.of(25.36, 51.533))
+                            - view.frame().px(GeoPoint.of(25.36, 51.527)))
+                    .isGreaterThan(200.0);
+            return null;
+        });
+    }
+
+    @Test
     void aMapThatSomebodyMovedStaysWhereItIs() {
         onEventThread(() -> {
             MapView view = new MapView();

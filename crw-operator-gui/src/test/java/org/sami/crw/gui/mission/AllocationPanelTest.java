@@ -44,7 +44,9 @@ class AllocationPanelTest {
             SessionWorld.select(
                     panel,
                     "allocation-table",
-                    before.lines().toList().indexOf(from + "|1.|" + task.name() + " (mission 1)"));
+                    before.lines()
+                            .toList()
+                            .indexOf(from + "|1.|" + task.name() + " (mission 1, Measurement collection)"));
 
             JMenuItem item = item(panel, "allocation-give-" + to);
             assertThat(item.getText())

@@ -1,0 +1,39 @@
+package org.sami.crw.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.sami.crw.gui.EventThreadCall.onEventThread;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.sami.crw.gui.context.MarksOfBoats;
+import org.sami.crw.gui.context.ShownSession;
+import org.sami.ui.look.IdentityMarks;
+
+@Timeout(120)
+class MarksOfBoatsTest {
+    @Test
+    void boatsHaveTheSameMarksWhetherAWindowSawThemJoinOrNot() throws Exception {
+        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "carl", "anna", "bert")) {
+            IdentityMarks fromTheStart = new IdentityMarks();
+            IdentityMarks later = new IdentityMarks();
+            onEventThread(() -> {
+                fromTheStart.of("carl"); // it was seen first
+                MarksOfBoats.give(ShownSession.of(world.session), fromTheStart);
+                return null;
+            });
+            world.start("clv");
+            onEventThread(() -> {
+                MarksOfBoats.give(ShownSession.of(world.session), later);
+                return null;
+            });
+
+            for (IdentityMarks marks : new IdentityMarks[] {fromTheStart, later}) {
+                SessionWorld.until(
+                        "the boats have their marks",
+                        () -> onEventThread(() -> marks.of("carl").index() == 2
+                                && marks.of("bert").index() == 1));
+                assertThat(onEventThread(() -> marks.of("anna").index())).isZero();
+            }
+        }
+    }
+}
