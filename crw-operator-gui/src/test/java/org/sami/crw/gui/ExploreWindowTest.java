@@ -1,6 +1,7 @@
 package org.sami.crw.gui;
 
 import static java.awt.event.KeyEvent.VK_ALT;
+import static java.awt.event.KeyEvent.VK_D;
 import static java.awt.event.KeyEvent.VK_ENTER;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
@@ -69,13 +70,18 @@ class ExploreWindowTest {
         robot.clickRow("plans-table", "Explore Area with interrupts");
         robot.click("mission-start");
 
-        Component map = robot.find(Component.class, "value-area-canvas");
+        robot.untilShown("value-area-canvas");
+        robot.press(VK_D, VK_ALT); // on the large map; Enter there leads back to the answer
+        robot.untilFocused("map-canvas");
+        Component map = robot.find(Component.class, "map-canvas");
         MapView view = WindowRobot.ask(() -> (MapView) SwingUtilities.getAncestorOfClass(MapView.class, map));
         MapFrame frame = WindowRobot.ask(view::frame);
         for (GeoPoint corner : CORNERS) {
             robot.clickAt(map, (int) frame.px(corner), (int) frame.py(corner));
         }
-        robot.press(VK_ENTER, VK_ALT);
+        robot.press(VK_ENTER);
+        robot.untilFocused("decision-answer");
+        robot.press(VK_ENTER);
 
         robot.click("value-decision-none-chosen");
         robot.click("value-decision-option-1");

@@ -1,6 +1,7 @@
 package org.sami.ui.value;
 
 import java.util.List;
+import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
@@ -123,6 +124,11 @@ final class PlaceEditor extends ValueEditor {
     @Override
     public JComponent focusTarget() {
         return map.canvas();
+    }
+
+    @Override
+    public Optional<GeoSketch> sketch() {
+        return editable ? Optional.of(sketch) : Optional.empty();
     }
 
     @Override

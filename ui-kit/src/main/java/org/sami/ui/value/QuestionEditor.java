@@ -13,6 +13,7 @@ import org.sami.spn.value.BooleanValue;
 import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
+import org.sami.ui.geo.GeoSketch;
 
 /**
  * Asks what a question asks, with the components that were chosen for it, and makes the answer of what they hold. Lives on the event
@@ -154,6 +155,20 @@ public final class QuestionEditor {
         return single.map(List::of).orElseGet(() -> List.copyOf(fields.editors().values())).stream()
                 .flatMap(editor -> editor.entry().value().stream())
                 .toList();
+    }
+
+    /** What is drawn for the first field that has a place and no value yet, or else for the first that has a place; empty where none has. */
+    public Optional<GeoSketch> sketch() {
+        List<ValueEditor> drawn = single.isPresent()
+                ? List.of()
+                : fields.editors().values().stream()
+                        .filter(editor -> editor.sketch().isPresent())
+                        .toList();
+        return drawn.stream()
+                .filter(editor -> editor.entry().value().isEmpty())
+                .findFirst()
+                .or(() -> drawn.stream().findFirst())
+                .flatMap(ValueEditor::sketch);
     }
 
     /** Adds somebody who is told after each change. */

@@ -2,9 +2,11 @@ package org.sami.ui.value;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import javax.swing.JComponent;
 import org.sami.spn.value.Value;
+import org.sami.ui.geo.GeoSketch;
 
 /**
  * Shows one value and lets it be given. What it holds now, or why it holds none yet, is {@link #entry}; the reason also stands at the
@@ -33,6 +35,11 @@ public abstract class ValueEditor {
 
     /** What the field holds now. */
     public abstract Entry entry();
+
+    /** What is drawn here, so that it can be drawn on another map as well; empty where nothing is. */
+    public Optional<GeoSketch> sketch() {
+        return Optional.empty();
+    }
 
     /** Shows a value of the field's type. */
     protected abstract void display(Value value);

@@ -8,6 +8,7 @@ import org.sami.ui.command.CommandRegistry;
 final class DecisionCommands {
     private final Command answer;
     private final Command refuse;
+    private final Command draw;
     private final Command later;
     private final Command earlier;
     private final Command stopTimer;
@@ -20,6 +21,10 @@ final class DecisionCommands {
                 .unless(panel::whyNot));
         refuse = registry.add(
                 new Command("decision-refuse", "None of these", panel::refuse).unless(panel::whyNotRefuse));
+        draw = registry.add(new Command("decision-draw", "Draw on the map", panel::drawOnMap)
+                .withKey("alt D")
+                .withIcon("map")
+                .unless(panel::whyNotDraw));
         later = registry.add(new Command("decision-later", "Next decision", () -> panel.browse(1))
                 .withKey("alt DOWN")
                 .withIcon("down")
@@ -44,6 +49,10 @@ final class DecisionCommands {
         return refuse;
     }
 
+    Command draw() {
+        return draw;
+    }
+
     Command later() {
         return later;
     }
@@ -58,6 +67,6 @@ final class DecisionCommands {
 
     /** Asks all anew whether they can be run. */
     void refresh() {
-        List.of(answer, refuse, later, earlier, stopTimer, focus).forEach(Command::refresh);
+        List.of(answer, refuse, draw, later, earlier, stopTimer, focus).forEach(Command::refresh);
     }
 }

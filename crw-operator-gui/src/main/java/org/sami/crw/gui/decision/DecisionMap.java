@@ -3,6 +3,7 @@ package org.sami.crw.gui.decision;
 import java.util.List;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.spn.value.Value;
+import org.sami.ui.geo.GeoSketch;
 
 /** Where on the main map a decision is seen. On the event thread. */
 public interface DecisionMap {
@@ -13,6 +14,9 @@ public interface DecisionMap {
 
         @Override
         public void clear() {}
+
+        @Override
+        public void draw(GeoSketch sketch, Runnable ended) {}
     };
 
     /**
@@ -22,6 +26,13 @@ public interface DecisionMap {
      */
     void show(DecisionPresentation decision, List<Value> values);
 
-    /** Highlights nothing: no decision is shown. */
+    /** Highlights nothing, and ends drawing: no decision is shown. */
     void clear();
+
+    /**
+     * Lets the operator draw on the map, until it is ended there or another decision is shown.
+     *
+     * @param ended is told when the operator has ended it
+     */
+    void draw(GeoSketch sketch, Runnable ended);
 }

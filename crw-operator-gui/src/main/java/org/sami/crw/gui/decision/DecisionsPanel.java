@@ -57,6 +57,8 @@ public final class DecisionsPanel extends JPanel {
     private final WaitingList waiting;
     private final DecisionCommands commands;
     private final CommandButton refuse;
+    private final CommandButton draw;
+    private final CommandButton answer;
     private final Timer settle = new Timer((int) ShownDecision.REST_MILLIS + 10, event -> settle());
     private Optional<DecisionView> current = Optional.empty();
     private boolean underWay;
@@ -78,6 +80,8 @@ public final class DecisionsPanel extends JPanel {
         shown = new ShownDecision(() -> System.nanoTime() / 1_000_000);
         commands = new DecisionCommands(registry, this);
         refuse = new CommandButton(commands.refuse());
+        draw = new CommandButton(commands.draw());
+        answer = new CommandButton(commands.answer());
         header = new DecisionHeader(new CommandButton(commands.stopTimer()));
         waiting = new WaitingList(this::select);
         settle.setRepeats(false);
@@ -144,13 +148,13 @@ public final class DecisionsPanel extends JPanel {
 
     private JComponent buttons() {
         JPanel buttons = new JPanel(new MigLayout(
-                "novisualpadding, insets 0, gap 8, fillx, hidemode 3", "[][][grow,fill][][][]", "[center]"));
+                "novisualpadding, insets 0, gap 8, fillx, hidemode 3", "[][][][grow,fill][][][]", "[center]"));
         buttons.setOpaque(false);
         position.setName("decision-position");
-        CommandButton answer = new CommandButton(commands.answer());
         answer.putClientProperty("JButton.buttonType", "default");
         buttons.add(answer);
         buttons.add(refuse);
+        buttons.add(draw);
         buttons.add(problem, "wmin 80");
         buttons.add(position);
         buttons.add(CommandButton.iconOnly(commands.earlier()));
@@ -189,6 +193,7 @@ public final class DecisionsPanel extends JPanel {
         position.setText(shown.waiting() < 2 || shown.isOver() ? " " : shown.position() + 1 + " of " + shown.waiting());
         commands.refresh();
         refuse.setVisible(whyNotRefuse().isEmpty());
+        draw.setVisible(current.flatMap(view -> view.editor().sketch()).isPresent());
     }
 
     private void turnTo(Optional<PendingDecision> pending) {
@@ -278,6 +283,27 @@ public final class DecisionsPanel extends JPanel {
         return current.filter(DecisionView::refusable).isPresent() && !shown.isOver() && !underWay
                 ? Optional.empty()
                 : Optional.of("this decision asks for a choice");
+    }
+
+    /** Why nothing can be drawn on the main map for the shown decision; empty where something can. */
+    Optional<String> whyNotDraw() {
+        return current.filter(view -> !shown.isOver())
+                        .flatMap(view -> view.editor().sketch())
+                        .isPresent()
+                ? Optional.empty()
+                : Optional.of("this decision asks for no place");
+    }
+
+    /** Lets what is asked be drawn on the main map; a double click or Enter there leads back to the answer, which is not given by it. */
+    void drawOnMap() {
+        current.flatMap(view -> view.editor().sketch()).ifPresent(sketch -> {
+            shown.keep();
+            attend();
+            map.draw(sketch, () -> {
+                edited(current.orElseThrow());
+                (answer.isEnabled() ? answer : draw).requestFocusInWindow();
+            });
+        });
     }
 
     /** Why there is no timer to stop; empty where there is one. */

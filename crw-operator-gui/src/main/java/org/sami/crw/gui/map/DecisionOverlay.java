@@ -8,6 +8,7 @@ import org.sami.crw.gui.decision.DecisionMap;
 import org.sami.crw.operator.PlacesInText;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.value.Value;
+import org.sami.ui.geo.GeoSketch;
 import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.map.MapView;
 import org.sami.ui.value.PlacesOnMap;
@@ -20,6 +21,8 @@ final class DecisionOverlay implements DecisionMap {
     private final MapView view;
     private final PlacesOnMap places;
     private final NamedPlaces named;
+    private long drawnFor;
+    private long shownFor;
 
     DecisionOverlay(MapView view, IdentityMarks marks) {
         this.view = view;
@@ -29,7 +32,11 @@ final class DecisionOverlay implements DecisionMap {
 
     @Override
     public void show(DecisionPresentation decision, List<Value> values) {
-        places.show(values);
+        if (drawnFor != decision.id()) {
+            endDrawing();
+        }
+        shownFor = decision.id();
+        places.show(drawnFor == decision.id() ? List.of() : values);
         named.show(PlacesInText.of(decision.decision().prompt()));
         Set<String> lit = new HashSet<>(places.ids());
         if (decision.question() instanceof Question.ChooseProxies asked) {
@@ -41,8 +48,27 @@ final class DecisionOverlay implements DecisionMap {
 
     @Override
     public void clear() {
+        endDrawing();
         places.show(List.of());
         named.show(List.of());
         view.highlight(Set.of());
+    }
+
+    @Override
+    public void draw(GeoSketch sketch, Runnable ended) {
+        drawnFor = shownFor;
+        places.show(List.of());
+        view.edit(sketch, kept -> {
+            drawnFor = 0;
+            ended.run();
+        });
+        view.canvas().requestFocusInWindow();
+    }
+
+    private void endDrawing() {
+        if (drawnFor != 0) {
+            drawnFor = 0;
+            view.stopEditing();
+        }
     }
 }
