@@ -19,19 +19,11 @@ import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.testing.NetBuilder;
 import org.sami.spn.testing.Session;
-import org.sami.spn.value.DurationValue;
-import org.sami.spn.value.EnumValue;
 import org.sami.spn.value.TextValue;
 
 /** Whom choices of sub-missions offer when an interrupt outside takes robots out of them (R-DEC-8, R-INT-7). */
 class WithdrawnChoiceTest {
     private static final List<String> NOBODY = List.of();
-
-    private static MarkupSpec timer(long millis) {
-        return new MarkupSpec(
-                "MixedInitiativeTrigger",
-                Map.of("trigger", new EnumValue("Trigger", "TIMER"), "timeout", new DurationValue(millis)));
-    }
 
     private static Plan choosing(MarkupSpec... markups) {
         return new NetBuilder("child")
@@ -96,7 +88,8 @@ class WithdrawnChoiceTest {
     @Test
     void choiceOfAnInstanceWithinAnInstanceIsAskedAnewAndKeepsItsDeadline() {
         Plan middle = around("middle", "child", false).build();
-        Session s = new Session(pulling("middle", false, "away"), middle, choosing(timer(2000)));
+        Session s =
+                new Session(pulling("middle", false, "away"), middle, choosing(MixedInitiative.trigger("TIMER", 2000)));
         s.join("A", "B").start("root");
         s.advance(500);
 

@@ -1,7 +1,6 @@
 package org.sami.spn.reference;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -15,7 +14,6 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.TaskSpec;
 import org.sami.spn.model.Transition;
-import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
@@ -25,7 +23,6 @@ import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.protocol.Token;
-import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -44,6 +41,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
     private final Missions missions;
     private final Firing firing;
     private final Allocating allocating;
+    private final Interrupts interrupts;
 
     ReferenceInterpreter(Vocabulary vocabulary, Project project, int livelockLimit) {
         world = new World(vocabulary, project, livelockLimit);
@@ -56,6 +54,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         places.connect(roles, missions);
         firing = new Firing(world, enabling, attention, places);
         allocating = new Allocating(world);
+        interrupts = new Interrupts(world, attention, roles);
     }
 
     // ---- What can be asked from outside
@@ -214,7 +213,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         } else if (input instanceof Input.ProxyDropped dropped) {
             drop(dropped.proxy(), dropped.mission());
         } else if (input instanceof Input.Interrupt interrupt) {
-            press(interrupt);
+            interrupts.press(interrupt);
         } else if (input instanceof Input.AbortMission abort) {
             concerned(abort.mission()).forEach(this::abort);
         } else if (input instanceof Input.CompleteMission complete) {
@@ -270,7 +269,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         return world.mission(mission).stream().toList();
     }
 
-    // ---- Interrupts, abort, completion (R-INT-1 to R-INT-4, R-END-1)
+    // ---- Abort, completion (R-END-1)
 
     @Override
     public void abort(Mission m) {
@@ -312,115 +311,6 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
                         && f.mission() == m.id
                         && f.used().stream()
                                 .anyMatch(o -> world.eventType(o.type()).role() == role));
-    }
-
-    private void press(Input.Interrupt press) {
-        List<Mission> offering = press.mission() == Ids.NONE
-                ? List.copyOf(world.missions)
-                : world.mission(press.mission()).stream().toList();
-        boolean offered = false;
-        for (Mission m : offering) {
-            if (m.reacts()) {
-                boolean named = pressNamed(m, press);
-                boolean places = pressPlaces(m, press);
-                offered = offered || named || places;
-            }
-        }
-        if (!offered) {
-            world.note(NoteKind.INTERRUPT_REFUSED, press.mission(), press.name());
-        }
-    }
-
-    /** Presses the button of a named interrupt (R-INT-1). */
-    private boolean pressNamed(Mission m, Input.Interrupt press) {
-        Value name = new TextValue(press.name());
-        Set<String> types = new LinkedHashSet<>();
-        for (Transition t : m.plan.transitions()) {
-            for (InputEventSpec event : t.inputs()) {
-                if (world.eventType(event.type()).role() == EventRole.INTERRUPT
-                        && name.equals(event.fields().get("interruptName"))) {
-                    types.add(event.type());
-                }
-            }
-        }
-        types.forEach(type -> attention.receive(
-                new Occurrence(type, m.id, Ids.NONE, press.proxies(), List.of(), Map.of("interruptName", name))));
-        return !types.isEmpty();
-    }
-
-    /** Presses the buttons of interrupt places (R-INT-2). */
-    private boolean pressPlaces(Mission m, Input.Interrupt press) {
-        boolean asked = false;
-        boolean offered = false;
-        for (Activation a : buttons(m, press.name())) {
-            boolean forBoats = world.eventType(a.type()).role() == EventRole.PROXY_INTERRUPT;
-            offered = true;
-            if (!forBoats) {
-                pressed(a, List.of());
-            } else if (!press.proxies().isEmpty()) {
-                pressed(a, press.proxies());
-            } else if (!asked) {
-                List<String> boats = candidates(m, a);
-                if (boats.isEmpty()) {
-                    world.note(NoteKind.INTERRUPT_REFUSED, m.id, press.name());
-                } else {
-                    roles.askWhom(m, press.name(), boats);
-                    asked = true;
-                }
-            }
-        }
-        return offered;
-    }
-
-    private List<Activation> buttons(Mission m, String name) {
-        List<Activation> buttons = new ArrayList<>();
-        for (Visit visit : m.visits) {
-            for (Activation a : visit.activations) {
-                EventRole role = world.eventType(a.type()).role();
-                boolean isButton = role == EventRole.GENERAL_INTERRUPT || role == EventRole.PROXY_INTERRUPT;
-                if (isButton && a.value("interruptName").equals(Optional.of(new TextValue(name)))) {
-                    buttons.add(a);
-                }
-            }
-        }
-        buttons.sort(Comparator.comparingLong(Activation::id));
-        return buttons;
-    }
-
-    private void pressed(Activation a, List<String> proxies) {
-        boolean forBoats = world.eventType(a.type()).role() == EventRole.PROXY_INTERRUPT;
-        String type = typeOf(forBoats ? EventRole.PROXY_INTERRUPT_RECEIVED : EventRole.GENERAL_INTERRUPT_RECEIVED);
-        Map<String, Value> values =
-                Map.of("interruptName", a.value("interruptName").orElseThrow());
-        attention.receive(Occurrence.answer(type, a, proxies, List.of(), values));
-    }
-
-    /** The boats in the other in places of the transitions that the press can fire. */
-    private List<String> candidates(Mission m, Activation a) {
-        Place button = world.visitOfActivation.get(a.id()).place;
-        Set<String> boats = new LinkedHashSet<>();
-        for (Transition t : m.outTransitions(button)) {
-            boolean takesThem = t.inputs().stream()
-                    .anyMatch(i -> world.eventType(i.type()).role() == EventRole.PROXY_INTERRUPT_RECEIVED);
-            if (takesThem) {
-                for (Place place : World.others(m.inPlaces(t), button)) {
-                    m.tokensIn(place).stream()
-                            .filter(c -> c.token instanceof Token.Proxy)
-                            .forEach(c -> boats.add(((Token.Proxy) c.token).proxy()));
-                }
-            }
-        }
-        return List.copyOf(boats);
-    }
-
-    private void chosen(Mission m, String name, List<String> proxies) {
-        buttons(m, name).stream()
-                .filter(a -> world.eventType(a.type()).role() == EventRole.PROXY_INTERRUPT)
-                .forEach(a -> pressed(a, proxies));
-    }
-
-    private String typeOf(EventRole role) {
-        return world.vocabulary.eventWithRole(role).orElseThrow().name();
     }
 
     // ---- Dropped boats (R-TOK-5 to R-TOK-7)
@@ -499,7 +389,7 @@ final class ReferenceInterpreter implements Subject, Roles.Operations {
         } else if (input.answer() instanceof Answer.Proxies boats
                 && q.decision().activation() == Ids.NONE) {
             roles.close(q, Optional.of(input.answer()), Optional.of(input.by()));
-            chosen(
+            interrupts.press(
                     world.mission(q.decision().mission()).orElseThrow(),
                     q.decision().prompt(),
                     boats.proxies());
