@@ -28,6 +28,7 @@ import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.hull.SensorSetting;
 import org.sami.spn.engine.EngineView;
+import org.sami.spn.engine.MissionView;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
@@ -81,6 +82,32 @@ final class TestSession implements AutoCloseable {
                 Session.open(SessionSetup.resumed(SessionJournal.open(journal)).with(runtime())));
     }
 
+    /** A plan that connects to a boat's server, then asks whether all is well. */
+    static String connecting(BoatAddress address) {
+        return """
+                {"formatVersion": 1, "id": "p", "name": "boats", "domain": "crw",
+                 "globals": [{"name": "@meeting", "type": "point", "initial": {"lat": 45.7, "lon": 10.72}}],
+                 "plans": [{"id": "p", "name": "boats",
+                 "places": [
+                  {"id": "a", "start": true, "outputs": [{"id": "o", "type": "ConnectExistingProxy",
+                   "fields": {"name": {"value": "RED SQ"}, "server": {"value": "%s"}}}]},
+                  {"id": "b", "outputs": [{"id": "q", "type": "OperatorApprove",
+                   "fields": {"question": {"value": "Is all well?"}}}]},
+                  {"id": "c", "end": true}],
+                 "transitions": [{"id": "t", "inputs": [{"id": "i", "type": "ProxyCreated"}]},
+                  {"id": "u", "inputs": [{"id": "y", "type": "YesOption"}]}],
+                 "inEdges": [{"id": "e1", "place": "a", "transition": "t",
+                   "requirements": [{"kind": "generic", "match": "at-least", "n": 1}]},
+                  {"id": "e3", "place": "b", "transition": "u",
+                   "requirements": [{"kind": "generic", "match": "at-least", "n": 1}]}],
+                 "outEdges": [{"id": "e2", "transition": "t", "place": "b",
+                   "requirements": [{"kind": "generic", "action": "take", "n": "all"},
+                    {"kind": "relevant", "action": "add", "n": "all"}]},
+                  {"id": "e4", "transition": "u", "place": "c",
+                   "requirements": [{"kind": "generic", "action": "take", "n": "all"}]}]}]}
+                """.formatted(address);
+    }
+
     private static SessionSetup setup(Project project) {
         return SessionSetup.of(LIBRARY.vocabulary(), project).with(runtime());
     }
@@ -105,6 +132,12 @@ final class TestSession implements AutoCloseable {
     private <T extends AutoCloseable> T keep(T one) {
         opened.add(one);
         return one;
+    }
+
+    /** The ids of a session's running missions, the oldest first. */
+    static List<Long> missions(Session session) {
+        return get(session.ask(
+                view -> view.missions().stream().map(MissionView::id).toList()));
     }
 
     /** What a stage gives, soon. */

@@ -1,0 +1,275 @@
+package org.sami.crw.sim.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.sami.boat.server.testing.Await;
+import org.sami.crw.markup.MapRelevance.Visualization;
+import org.sami.crw.operator.MapModel;
+import org.sami.crw.operator.map.SensorLayer;
+import org.sami.crw.operator.map.ShownTrack;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.service.Geodesy;
+import org.sami.crw.session.FleetHistory;
+import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionJournal;
+import org.sami.crw.session.SessionListener;
+import org.sami.crw.session.SessionSetup;
+import org.sami.crw.session.SessionTelemetry;
+import org.sami.crw.sim.boat.BoatOnTcp;
+import org.sami.crw.sim.hull.SensorSetting;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.journal.JournalReader;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.Value;
+
+/** What a session takes up from the journal of an earlier one, on boats that are reached over TCP. */
+@Timeout(120)
+@Execution(ExecutionMode.CONCURRENT)
+class SessionResumeTest {
+    @TempDir
+    private Path folder;
+
+    private TestSession world;
+
+    @BeforeEach
+    void open() {
+        world = new TestSession(folder);
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        world.close();
+    }
+
+    @Test
+    void resumedSessionHasItsMissionsBoatsAndGlobals() throws Exception {
+        BoatAddress anna = TestSession.address(world.boat("anna"));
+        Path journal = folder.resolve("session.journal");
+        Session session = world.opened(TestSession.project(TestSession.connecting(anna)), journal);
+        session.begin();
+        long first = TestSession.get(session.start("p", "first", Map.of()));
+        long second = TestSession.get(session.start("p", "second", Map.of()));
+        TestSession.until("both ask", session, view -> view.decisions().size() == 2);
+        TestSession.get(session.setVariable(Ids.NONE, "@meeting", TestSession.PIER));
+        TestSession.get(session.fleet().connect(TestSession.address(world.boat("bert"))));
+        TestSession.until("bert has joined", session, view -> view.proxies().contains("bert"));
+        TestSession.get(session.drop("bert"));
+        TestSession.get(session.fleet().handOver("anna"));
+        TestSession.get(session.ask(EngineView::proxies)); // behind what the hand-over had remembered
+        session.close();
+
+        Session again = world.resumed(journal);
+        assertThat(again.reconnect()).containsExactly("anna");
+        again.begin();
+
+        assertThat(TestSession.missions(again)).containsExactly(first, second);
+        Optional<Value> meeting = again.host().ask(view -> view.variable(Ids.NONE, "@meeting"));
+        assertThat(meeting).contains(TestSession.PIER);
+        Await.until(
+                "anna is watched",
+                TestSession.WITHIN_S,
+                () -> TestSession.get(again.fleet().why("anna")).text().contains("another client commands the boat"));
+        TestSession.get(again.fleet().takeCommand("anna"));
+        Await.until(
+                "anna is commanded",
+                TestSession.WITHIN_S,
+                () -> TestSession.get(again.fleet()
+                        .ask(boats -> boats.find("anna").orElseThrow().isCommanding())));
+        Decision asked = TestSession.decision(again, "OperatorApprove");
+        TestSession.get(again.answer(asked.id(), new Answer.YesNo(true), "window"));
+        assertThat(TestSession.missions(again)).containsExactly(second);
+    }
+
+    private static boolean hasPose(Path journal) {
+        try (JournalReader reader = JournalReader.open(journal)) {
+            return reader.telemetry().rows().stream()
+                    .anyMatch(row -> row.kind().equals("pose") && row.proxy().equals("anna"));
+        } catch (IOException notYet) {
+            return false;
+        }
+    }
+
+    @Test
+    void tracksAndWhatWasMeasuredAreOnTheMapAgainAfterAResume() throws Exception {
+        Path journal = folder.resolve("tracks.journal");
+        Session session = world.opened(TestSession.library("clv"), journal);
+        session.begin();
+        BoatOnTcp anna = world.boat("anna", SensorSetting.parse("oxygen@5"));
+        TestSession.get(session.fleet().connect(TestSession.address(anna)));
+        Await.until("anna's pose is in the journal", TestSession.WITHIN_S, () -> hasPose(journal));
+        SensorLayer measured = heatMap(session);
+        session.close();
+
+        Session again = world.resumed(journal);
+        again.begin();
+        SensorLayer restored = heatMap(again);
+        assertThat(restored.channel()).isEqualTo(measured.channel());
+        assertThat(restored.grid().least()).isCloseTo(measured.grid().least(), within(0.1));
+        Await.until(
+                "the track is back, without the boat",
+                TestSession.WITHIN_S,
+                () -> !again.models().map().snapshot().tracks().isEmpty());
+
+        ShownTrack track = again.models().map().snapshot().tracks().get(0);
+        assertThat(track.boat()).isEqualTo("anna");
+        assertThat(Geodesy.distanceM(track.points().get(0).position(), TestSession.PIER))
+                .isLessThan(5);
+        assertThat(TestSession.get(again.fleet().boats())).isEmpty();
+    }
+
+    /** What was measured first, as it is drawn. */
+    private static SensorLayer heatMap(Session session) {
+        MapModel map = session.models().map();
+        Await.until(
+                "something was measured",
+                TestSession.WITHIN_S,
+                () -> !map.snapshot().channels().isEmpty());
+        map.showData(map.snapshot().channels().get(0), Optional.of(Visualization.HEATMAP));
+        Await.until(
+                "it is drawn",
+                TestSession.WITHIN_S,
+                () -> !map.snapshot().data().isEmpty());
+        return map.snapshot().data().get(0);
+    }
+
+    @Test
+    void mendedPlanRunsBesideMissionsOfTheOldOneAlsoAfterAResume() throws Exception {
+        BoatAddress anna = TestSession.address(world.boat("anna"));
+        Path journal = folder.resolve("session.journal");
+        Session session = world.opened(TestSession.project(TestSession.connecting(anna)), journal);
+        session.begin();
+        long old = TestSession.get(session.start("p", "old", Map.of()));
+        TestSession.decision(session, "OperatorApprove");
+
+        String mended = TestSession.connecting(anna).replace("Is all well?", "Is all very well?");
+        assertThat(TestSession.get(session.load(TestSession.project(mended)))).isEqualTo(2);
+        assertThatThrownBy(() ->
+                        TestSession.get(session.load(TestSession.project(mended.replace("\"start\": true, ", "")))))
+                .hasMessageContaining("the project is not loaded");
+        TestSession.get(session.start("p", "new", Map.of()));
+        TestSession.until("both ask", session, view -> view.decisions().size() == 2);
+        session.close();
+        Session again = world.resumed(journal);
+        again.reconnect();
+        again.begin();
+        TestSession.get(again.start("p", "newer", Map.of()));
+
+        TestSession.until("all ask", again, view -> view.decisions().size() == 3);
+        List<String> prompts = again.host()
+                .ask(view -> view.decisions().stream().map(Decision::prompt).toList());
+        assertThat(prompts).containsExactly("Is all well?", "Is all very well?", "Is all very well?");
+        assertThat(TestSession.missions(again)).contains(old);
+    }
+
+    @Test
+    void simulatedBoatsComeBackWhereTheyWereWhenASessionIsResumed() throws Exception {
+        Path journal = folder.resolve("session.journal");
+        Session session = world.opened(TestSession.library("clv"), journal);
+        session.begin();
+        TestSession.get(session.fleet().addSimulated("sim", TestSession.PIER, 2));
+        TestSession.until("both have joined", session, view -> view.proxies().size() == 2);
+        TestSession.get(session.drop("sim2"));
+        GeoPoint there = drivenAway(session, "sim1");
+        session.leave();
+        session.close();
+
+        Session again = world.resumed(journal);
+        assertThat(again.reconnect()).containsExactly("sim1");
+        again.begin();
+
+        GeoPoint here = awaitPosition(again, "sim1", at -> true);
+        assertThat(Geodesy.distanceM(there, here)).isLessThan(3);
+        assertThat(Geodesy.distanceM(TestSession.PIER, here)).isGreaterThan(3);
+        assertThat(TestSession.get(again.ask(EngineView::proxies))).containsExactly("sim1");
+    }
+
+    /** Drives a boat by hand until it is some metres away. Gives where it is told to be then. */
+    private static GeoPoint drivenAway(Session session, String boat) {
+        return awaitPosition(session, boat, at -> {
+            TestSession.get(session.fleet().teleoperate(boat, 1, 0));
+            return Geodesy.distanceM(TestSession.PIER, at) > 6;
+        });
+    }
+
+    private static GeoPoint awaitPosition(Session session, String boat, Predicate<GeoPoint> wanted) {
+        Await.until(
+                boat + " is there",
+                TestSession.WITHIN_S,
+                () -> session.fleet().history().last(boat).map(FleetHistory.Told::position).stream()
+                        .anyMatch(wanted));
+        return session.fleet().history().last(boat).orElseThrow().position();
+    }
+
+    @Test
+    void resumeSaysWhichSimulatedBoatsAreMissingWhereNobodySimulates() throws Exception {
+        Path journal = folder.resolve("session.journal");
+        Session session = world.opened(TestSession.library("clv"), journal);
+        session.begin();
+        TestSession.get(session.fleet().addSimulated("sim", TestSession.PIER, 1));
+        TestSession.until("it has joined", session, view -> view.proxies().size() == 1);
+        session.close();
+        List<String> notices = new CopyOnWriteArrayList<>();
+
+        try (Session again = Session.open(SessionSetup.resumed(SessionJournal.open(journal)))) {
+            again.addListener(new SessionListener() {
+                @Override
+                public void onNotice(String text) {
+                    notices.add(text);
+                }
+            });
+            again.reconnect();
+
+            Await.until("it is told", TestSession.WITHIN_S, () -> !notices.isEmpty());
+            assertThat(notices)
+                    .containsExactly(
+                            "sim was simulated by an earlier process and is missing: this session has nobody who "
+                                    + "makes simulated boats; connect a boat of that name, or drop it");
+        }
+    }
+
+    @Test
+    void tracksOfBoatsAreInTheJournal() throws Exception {
+        Path journal = folder.resolve("session.journal");
+        Session session = world.opened(TestSession.library("clv"), journal);
+        session.begin();
+        TestSession.get(session.fleet().addSimulated("sim", TestSession.PIER, 1));
+        awaitPosition(session, "sim", at -> true);
+        GeoPoint there = drivenAway(session, "sim");
+        session.leave();
+        session.close();
+
+        List<GeoPoint> track = new ArrayList<>();
+        try (SessionJournal read = SessionJournal.open(journal)) {
+            SessionTelemetry.read(read.earlier(), new SessionTelemetry.Reader() {
+                @Override
+                public void pose(long atMillis, String boat, FleetHistory.Told told, double distanceM) {
+                    track.add(told.position());
+                }
+            });
+        }
+
+        assertThat(track).hasSizeBetween(3, 60);
+        assertThat(Geodesy.distanceM(track.get(0), TestSession.PIER)).isLessThan(5);
+        assertThat(Geodesy.distanceM(track.get(track.size() - 1), there)).isLessThan(5);
+    }
+}
