@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
-import org.sami.crw.sim.report.ReportText;
+import org.sami.crw.sim.report.ReportWords;
 import org.sami.crw.sim.run.RunProgress;
 
 /**
@@ -70,7 +70,7 @@ final class ProgressDisplay implements Consumer<RunProgress> {
         return String.format(
                 Locale.ROOT,
                 "%s  %s  visited %d/%d  firings %d  open decisions %d  least battery %.0f %%",
-                ReportText.duration(progress.simulatedMillis()),
+                ReportWords.duration(progress.simulatedMillis()),
                 progress.phase(),
                 progress.visited(),
                 progress.locations(),

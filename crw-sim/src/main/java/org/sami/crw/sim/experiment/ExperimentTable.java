@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.function.ToIntFunction;
-import org.sami.crw.sim.report.ReportText;
+import org.sami.crw.sim.report.ReportWords;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.file.CsvRow;
 
@@ -61,8 +61,8 @@ public final class ExperimentTable {
                 first.conditions(),
                 String.valueOf(group.size()),
                 String.valueOf(millis.length),
-                millis.length == 0 ? NONE : ReportText.duration(median(millis)),
-                millis.length == 0 ? NONE : ReportText.duration(millis[millis.length - 1]),
+                millis.length == 0 ? NONE : ReportWords.duration(median(millis)),
+                millis.length == 0 ? NONE : ReportWords.duration(millis[millis.length - 1]),
                 locations == 0 ? NONE : sum(group, ExperimentRow::reported) + "/" + locations,
                 locations == 0 ? NONE : sum(group, ExperimentRow::visited) + "/" + locations,
                 metres(most(group, ExperimentRow::farthestM)),
@@ -137,7 +137,7 @@ public final class ExperimentTable {
                 row.conditions(),
                 row.seed(),
                 row.outcome().word(),
-                ReportText.duration(row.simulatedMillis()),
+                ReportWords.duration(row.simulatedMillis()),
                 problems,
                 reason);
     }

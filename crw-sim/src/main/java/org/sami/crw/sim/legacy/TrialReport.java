@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.sami.crw.operator.Wait;
-import org.sami.crw.sim.report.ReportText;
+import org.sami.crw.sim.report.ReportWords;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.spn.finding.Finding;
 
@@ -79,7 +79,7 @@ public record TrialReport(Map<String, String> servers, List<PlanTrial> trials, i
                     t.plan(),
                     t.name(),
                     t.outcome().word(),
-                    ReportText.duration(t.simulatedMillis()),
+                    ReportWords.duration(t.simulatedMillis()),
                     t.firings(),
                     t.decisions(),
                     t.messages(),

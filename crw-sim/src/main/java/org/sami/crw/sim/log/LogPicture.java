@@ -12,7 +12,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.service.Geodesy;
-import org.sami.crw.sim.report.ReportText;
+import org.sami.crw.sim.report.ReportWords;
 import org.sami.crw.sim.report.picture.TrackPicture;
 import org.sami.spn.value.GeoPoint;
 
@@ -75,7 +75,7 @@ final class LogPicture {
                 Locale.ROOT,
                 "%.0f m in %s",
                 stretch.distanceM(),
-                ReportText.duration(stretch.endMillis() - stretch.startMillis()));
+                ReportWords.duration(stretch.endMillis() - stretch.startMillis()));
         return new TrackPicture.Track(name, told, points(stretch, plane));
     }
 
@@ -94,7 +94,7 @@ final class LogPicture {
                 Locale.ROOT,
                 "boat's log from %s on · %s · %.0f m · %d of %d lines read",
                 summary.firstClock(),
-                ReportText.duration(summary.durationMillis()),
+                ReportWords.duration(summary.durationMillis()),
                 summary.poses().distanceM(),
                 summary.entries(),
                 summary.lines());

@@ -3,7 +3,7 @@ package org.sami.crw.sim.log;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import org.sami.crw.sim.report.ReportText;
+import org.sami.crw.sim.report.ReportWords;
 
 /** What a log holds, for a terminal. */
 public final class LogSummaryText {
@@ -27,7 +27,7 @@ public final class LogSummaryText {
                 text,
                 "  %-20s%s, from %s on",
                 "time",
-                ReportText.duration(summary.durationMillis()),
+                ReportWords.duration(summary.durationMillis()),
                 summary.firstClock());
         line(
                 text,

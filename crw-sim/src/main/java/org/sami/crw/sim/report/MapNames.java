@@ -16,7 +16,7 @@ public final class MapNames {
                 report.header().plan(),
                 report.header().seed(),
                 report.result().outcome().word(),
-                ReportText.duration(report.result().simulatedMillis()));
+                ReportWords.duration(report.result().simulatedMillis()));
     }
 
     /** By whom a location was visited and when; by how much it was truly missed. */

@@ -1,8 +1,5 @@
 package org.sami.crw.sim.report;
 
-import java.time.ZoneOffset;
-import java.time.ZonedDateTime;
-import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -63,25 +60,30 @@ public final class ReportText {
         line(text, "%s (plan %s), seed %d", header.planName(), header.plan(), header.seed());
         line(text, "  %-20s%s%s", "outcome", result.outcome().word(), reason(result));
         report.problems().forEach(problem -> line(text, "  %-20s%s", "problem", problem.message()));
-        report.origin().ifPresent(from -> line(text, "  %-20s%s", "started", moment(from)));
+        report.origin().ifPresent(from -> line(text, "  %-20s%s", "started", ReportWords.moment(from)));
         line(
                 text,
                 "  %-20s%s (%.1f s)",
                 result.outcome() == RunOutcome.ENDED ? "completion time" : "simulated time",
-                duration(result.simulatedMillis()),
+                ReportWords.duration(result.simulatedMillis()),
                 result.simulatedMillis() / 1000.0);
         line(text, "  %-20s%.1f s", "wall time", result.wallSeconds());
         line(text, "  %-20s%d", "clicks", result.clicks());
         visits(text, report);
         line(text, "  %-20s%.0f m", "distance", report.distanceM());
-        report.map().closest().ever().ifPresent(ever -> line(text, "  %-20s%s", "closest approach", words(ever)));
+        report.map()
+                .closest()
+                .ever()
+                .ifPresent(ever -> line(text, "  %-20s%s", "closest approach", ReportWords.words(ever)));
         report.map()
                 .closest()
                 .underWay()
                 .filter(underWay -> !report.map().closest().ever().equals(Optional.of(underWay)))
-                .ifPresent(underWay -> line(text, "  %-20s%s", "  under way", words(underWay)));
+                .ifPresent(underWay -> line(text, "  %-20s%s", "  under way", ReportWords.words(underWay)));
         near(text, report.map().closest().near());
-        report.map().explorations().forEach(explored -> line(text, "  %-20s%s", "explored", words(explored)));
+        report.map()
+                .explorations()
+                .forEach(explored -> line(text, "  %-20s%s", "explored", ReportWords.words(explored)));
         line(text, "  %-20s%d", "firings", result.firings());
         long answered =
                 report.decisions().stream().filter(DecisionResult::answered).count();
@@ -92,8 +94,8 @@ public final class ReportText {
                 answered,
                 report.decisions().size());
         result.resumedFrom().ifPresent(from -> line(text, "  %-20sjournal entry %d", "resumed from", from));
-        line(text, "  %-20s%s", "centre", degrees(header.place().centre()));
-        header.place().quay().ifPresent(quay -> line(text, "  %-20s%s", "quay", degrees(quay)));
+        line(text, "  %-20s%s", "centre", ReportWords.degrees(header.place().centre()));
+        header.place().quay().ifPresent(quay -> line(text, "  %-20s%s", "quay", ReportWords.degrees(quay)));
         report.origin().ifPresent(from -> line(text, "  %-20scrw %s", "program", from.version()));
         line(text, "  %-20s%s", "plan hash", header.planHash());
         line(text, "  %-20s%s", "run hash", result.runHash());
@@ -135,62 +137,10 @@ public final class ReportText {
         }
         String label = String.format(Locale.ROOT, "  under %.0f m", ClosestApproach.NEAR_M);
         line(text, "  %-20s%d %s of boats", label, pairs.size(), pairs.size() == 1 ? "pair" : "pairs");
-        pairs.stream().limit(MOST_PAIRS).forEach(pair -> line(text, "  %-20s%s", "", words(pair)));
+        pairs.stream().limit(MOST_PAIRS).forEach(pair -> line(text, "  %-20s%s", "", ReportWords.words(pair)));
         if (pairs.size() > MOST_PAIRS) {
             line(text, "  %-20s%d more in approaches.csv", "", pairs.size() - MOST_PAIRS);
         }
-    }
-
-    /** Who came how near, when and where. */
-    static String words(Approach approach) {
-        return String.format(
-                Locale.ROOT,
-                "%.1f m, %s and %s at %.1f s, %s",
-                approach.distanceM(),
-                approach.boat(),
-                approach.other(),
-                approach.atMillis() / 1000.0,
-                degrees(approach.where()));
-    }
-
-    /** How much of an area was explored, by the best tracks that are known and then by others. */
-    static String words(Exploration exploration) {
-        Exploration.Left left = exploration.left();
-        String reported = left.trueM2().isEmpty()
-                ? " by reported positions"
-                : left.reportedM2()
-                        .filter(m2 -> !left.trueM2().equals(Optional.of(m2)))
-                        .map(m2 -> "; by reported positions " + percent(exploration, m2))
-                        .orElse("");
-        return String.format(
-                        Locale.ROOT,
-                        "%s of %.0f m², %.0f m² left",
-                        percent(exploration, exploration.uncoveredM2()),
-                        exploration.areaM2(),
-                        exploration.uncoveredM2())
-                + reported
-                + left.plannedM2()
-                        .map(m2 -> "; by the plan " + percent(exploration, m2))
-                        .orElse("");
-    }
-
-    private static String percent(Exploration exploration, double leftM2) {
-        return String.format(Locale.ROOT, "%.2f %%", exploration.percent(leftM2));
-    }
-
-    /** When a run began, in UTC and, where that is another time, in the time zone of its machine. */
-    public static String moment(RunOrigin origin) {
-        DateTimeFormatter form = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm:ss", Locale.ROOT);
-        ZonedDateTime utc = origin.startedAt().atZone(ZoneOffset.UTC);
-        ZonedDateTime there = origin.startedAt().atZone(origin.zone());
-        String zone = origin.zone().getId();
-        String local = there.toLocalDateTime().equals(utc.toLocalDateTime()) ? zone : form.format(there) + " " + zone;
-        return form.format(utc) + " UTC" + (local.equals("UTC") ? "" : " (" + local + ")");
-    }
-
-    /** A position as the command line takes it. */
-    static String degrees(MapPoint point) {
-        return String.format(Locale.ROOT, "%.7f,%.7f", point.latDeg(), point.lonDeg());
     }
 
     private static String reason(RunResult result) {
@@ -349,18 +299,6 @@ public final class ReportText {
                     discarded == 1 ? "answer was" : "answers were",
                     discarded == 1 ? "it" : "them");
         }
-    }
-
-    /** A span of time for people: {@code 45 s}, {@code 7 min 12 s}, {@code 1 h 5 min}. */
-    public static String duration(long millis) {
-        long seconds = Math.round(millis / 1000.0);
-        if (seconds < 60) {
-            return seconds + " s";
-        }
-        if (seconds < 3600) {
-            return seconds / 60 + " min " + seconds % 60 + " s";
-        }
-        return seconds / 3600 + " h " + seconds % 3600 / 60 + " min";
     }
 
     private static void line(StringBuilder text, String format, Object... values) {

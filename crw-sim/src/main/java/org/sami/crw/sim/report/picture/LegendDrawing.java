@@ -13,7 +13,7 @@ import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.MapArea;
 import org.sami.crw.sim.report.MapNames;
 import org.sami.crw.sim.report.MapSpot;
-import org.sami.crw.sim.report.ReportText;
+import org.sami.crw.sim.report.ReportWords;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.report.RunResult;
 
@@ -181,10 +181,10 @@ final class LegendDrawing {
     private void run(Graphics2D g) {
         RunResult result = report.result();
         pair(g, "outcome", result.outcome().word());
-        pair(g, "simulated time", ReportText.duration(result.simulatedMillis()));
+        pair(g, "simulated time", ReportWords.duration(result.simulatedMillis()));
         pair(g, "distance", String.format(Locale.ROOT, "%.0f m", report.distanceM()));
         report.map().closest().underWay().ifPresent(near -> {
-            String when = ReportText.duration(near.atMillis());
+            String when = ReportWords.duration(near.atMillis());
             pair(g, "closest approach", String.format(Locale.ROOT, "%.1f m at %s", near.distanceM(), when));
             pair(g, "", near.boat() + " and " + near.other());
         });

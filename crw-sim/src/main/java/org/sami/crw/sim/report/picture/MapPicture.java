@@ -11,7 +11,7 @@ import java.io.IOException;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import org.sami.crw.sim.report.Exploration;
-import org.sami.crw.sim.report.ReportText;
+import org.sami.crw.sim.report.ReportWords;
 import org.sami.crw.sim.report.RunHeader;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
@@ -133,7 +133,7 @@ public final class MapPicture {
                 result.outcome() == RunOutcome.RUNNING
                         ? "still running"
                         : result.outcome().word());
-        text.append(" after ").append(ReportText.duration(result.simulatedMillis()));
+        text.append(" after ").append(ReportWords.duration(result.simulatedMillis()));
         if (!report.locations().isEmpty()) {
             text.append(" · ").append(report.locationsVisited()).append(" of ");
             text.append(report.locations().size()).append(" locations visited");
@@ -142,7 +142,7 @@ public final class MapPicture {
             double part = explored.uncoveredM2() / Math.max(1e-9, explored.areaM2());
             text.append(String.format(Locale.ROOT, " · %.1f %% explored", 100 * (1 - part)));
         }
-        report.origin().ifPresent(origin -> text.append(" · started ").append(ReportText.moment(origin)));
+        report.origin().ifPresent(origin -> text.append(" · started ").append(ReportWords.moment(origin)));
         return text.toString();
     }
 
