@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
-import org.sami.dreamm.tryout.TryOut.Breakpoint;
+import org.sami.dreamm.tryout.Breakpoint;
 import org.sami.dreamm.tryout.TryOutOverlay;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.MissionView;

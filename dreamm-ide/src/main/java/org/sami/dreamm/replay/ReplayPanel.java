@@ -19,6 +19,7 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.context.NetOverlay;
 import org.sami.dreamm.document.EditorListener;
 import org.sami.dreamm.replay.PlanReplay.Moment;
+import org.sami.dreamm.tryout.Breakpoint;
 import org.sami.dreamm.tryout.TryOut;
 import org.sami.dreamm.tryout.TryOutOverlay;
 import org.sami.spn.replay.JournalRun;
@@ -177,7 +178,7 @@ public final class ReplayPanel extends JPanel {
     private void compute(PlanReplay of, long millis) {
         boolean plays =
                 !jumping && of.journal().entriesUntil(millis) > of.journal().taken();
-        Set<TryOut.Breakpoint> at = plays ? tryOut.breakpoints() : Set.of();
+        Set<Breakpoint> at = plays ? tryOut.breakpoints() : Set.of();
         Moment next = plays ? of.goOn(millis, at) : of.goTo(millis);
         EventThread.later(() -> computed(of, next));
     }
@@ -199,7 +200,7 @@ public final class ReplayPanel extends JPanel {
         context.overlay()
                 .fired(next.fired().stream()
                         .filter(vertex -> vertex.plan().equals(open))
-                        .map(TryOut.Breakpoint::vertex)
+                        .map(Breakpoint::vertex)
                         .collect(Collectors.toSet()));
     }
 

@@ -1,6 +1,5 @@
 package org.sami.dreamm.tryout;
 
-import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
@@ -20,7 +19,6 @@ import org.sami.spn.model.TestStart;
 import org.sami.spn.model.TestStep;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.stepping.NextStep;
-import org.sami.spn.stepping.NextSteps;
 import org.sami.spn.stepping.Stepper;
 import org.sami.spn.stepping.TakenStep;
 
@@ -30,7 +28,7 @@ import org.sami.spn.stepping.TakenStep;
  * where the plan has changed it says so. On the document's thread.
  */
 public final class TryOut {
-    /** The least and the greatest number of robots. */
+    /** The greatest number of robots. */
     public static final int MOST_ROBOTS = 25;
 
     private final ProjectDocument document;
@@ -39,32 +37,11 @@ public final class TryOut {
     private int robots = 3;
     private boolean mockOperator = true;
     private boolean mockRobots = true;
-    private Optional<Run> run = Optional.empty();
+    private Optional<PlanRun> run = Optional.empty();
     private String message = "";
-
-    /** A vertex at which a run stops. */
-    public record Breakpoint(String plan, String vertex) {
-        public Breakpoint {
-            Objects.requireNonNull(plan, "plan");
-            Objects.requireNonNull(vertex, "vertex");
-        }
-    }
 
     /** A step that was taken: its number, what was done, and what came of it. */
     public record Line(int number, String done, String came) {}
-
-    private static final class Run {
-        final String plan;
-        final Stepper stepper;
-        final List<Line> lines = new ArrayList<>();
-        List<Effect> last = List.of();
-        boolean outdated;
-
-        Run(String plan, Stepper stepper) {
-            this.plan = plan;
-            this.stepper = stepper;
-        }
-    }
 
     /** A place where nothing is tried yet. */
     public TryOut(ProjectDocument document) {
@@ -77,7 +54,7 @@ public final class TryOut {
             breakpoints.clear();
             stop();
         } else if (run.isPresent() && NetChanges.in(change)) {
-            run.get().outdated = true;
+            run.get().setOutdated();
             message = "The plan has changed since this run began; Restart takes its steps again on the new plan";
             tell();
         }
@@ -131,9 +108,7 @@ public final class TryOut {
         }
         try {
             Engine engine = new Engine(document.vocabulary(), document.project());
-            Run begun = new Run(plan, Stepper.startAs(engine, plan, as));
-            begun.last = begun.stepper.startEffects();
-            run = Optional.of(begun);
+            run = Optional.of(new PlanRun(plan, Stepper.startAs(engine, plan, as)));
             message = "Started with " + as.proxies().size() + " robots";
         } catch (IllegalArgumentException refused) {
             message = refused.getMessage();
@@ -147,8 +122,8 @@ public final class TryOut {
     /** Begins anew with the plan as it is now, and takes the same steps as far as they can be taken. */
     public void restart(boolean withSteps) {
         run.ifPresent(was -> {
-            String plan = was.plan;
-            TestCase so = was.stepper.asTried(plan);
+            String plan = was.plan();
+            TestCase so = was.stepper().asTried(plan);
             if (withSteps) {
                 int wanted = so.steps().size();
                 if (!play(plan, so) && run.filter(is -> is != was).isPresent()) {
@@ -177,15 +152,11 @@ public final class TryOut {
 
     /** Takes a step that a stepper knows, such as an answer to one of several open questions. */
     public TakenStep done(String words, Function<Stepper, TakenStep> step) {
-        Run now = run.orElseThrow(() -> new IllegalStateException("nothing is tried"));
-        TakenStep taken = step.apply(now.stepper);
-        if (taken.refusal().isPresent()) {
-            message = words + ": " + taken.refusal().get();
-        } else {
-            now.last = taken.effects();
-            now.lines.add(new Line(taken.number(), words, StepWords.of(taken.effects())));
-            message = now.lines.get(now.lines.size() - 1).came();
-        }
+        PlanRun now = run.orElseThrow(() -> new IllegalStateException("nothing is tried"));
+        TakenStep taken = step.apply(now.stepper());
+        message = taken.refusal()
+                .map(why -> words + ": " + why)
+                .orElseGet(() -> now.add(words, taken).came());
         tell();
         return taken;
     }
@@ -197,16 +168,10 @@ public final class TryOut {
      * @return whether one was taken; where none was, the message says what is waited for
      */
     public boolean stepOn() {
-        Run now = run.orElseThrow(() -> new IllegalStateException("nothing is tried"));
-        for (NextStep next : NextSteps.of(now.stepper)) {
-            if (isPlayed(next.kind())) {
-                Stepper tried = now.stepper.fork();
-                boolean changes = tried.take(next.step()).refusal().isEmpty()
-                        && !tried.key().equals(now.stepper.key());
-                if (changes || next.kind() == NextStep.Kind.TIME) {
-                    return take(next.step()).refusal().isEmpty();
-                }
-            }
+        PlanRun now = run.orElseThrow(() -> new IllegalStateException("nothing is tried"));
+        Optional<NextStep> next = now.next(this::isPlayed);
+        if (next.isPresent()) {
+            return take(next.get().step()).refusal().isEmpty();
         }
         message = isOver() ? "The mission is over" : "Nothing goes on by itself: do one of what can happen by hand";
         tell();
@@ -225,37 +190,14 @@ public final class TryOut {
     /** Takes so many steps back. */
     public void back(int steps) {
         run.ifPresent(now -> {
-            int count = Math.min(steps, now.lines.size());
-            now.stepper.back(count);
-            now.lines.subList(now.lines.size() - count, now.lines.size()).clear();
-            now.last = List.of();
-            message = count == 0 ? "This is the start" : "Back at step " + now.lines.size();
+            message = now.back(steps) == 0 ? "This is the start" : "Back at step " + now.steps();
             tell();
         });
     }
 
     /** The vertex with a breakpoint that the last step entered or fired; empty where it met none. */
     public Optional<Breakpoint> met() {
-        return run.flatMap(now -> now.last.stream()
-                .map(effect -> vertex(now, effect))
-                .flatMap(Optional::stream)
-                .filter(breakpoints::contains)
-                .findFirst());
-    }
-
-    private static Optional<Breakpoint> vertex(Run now, Effect effect) {
-        if (effect instanceof Effect.Entered e) {
-            return planOf(now, e.mission()).map(plan -> new Breakpoint(plan, e.place()));
-        }
-        return effect instanceof Effect.Fired e
-                ? planOf(now, e.mission()).map(plan -> new Breakpoint(plan, e.transition()))
-                : Optional.empty();
-    }
-
-    private static Optional<String> planOf(Run now, long mission) {
-        return mission == now.stepper.mission()
-                ? Optional.of(now.plan)
-                : now.stepper.view().mission(mission).map(MissionView::plan);
+        return run.flatMap(now -> now.met(breakpoints));
     }
 
     // ---- Breakpoints
@@ -301,37 +243,37 @@ public final class TryOut {
 
     /** The run's stepper, for questions; empty where nothing is tried. */
     public Optional<Stepper> stepper() {
-        return run.map(now -> now.stepper);
+        return run.map(PlanRun::stepper);
     }
 
     /** The plan that is tried; empty where none is. */
     public Optional<String> plan() {
-        return run.map(now -> now.plan);
+        return run.map(PlanRun::plan);
     }
 
     /** The steps that were taken, in order. */
     public List<Line> lines() {
-        return run.map(now -> List.copyOf(now.lines)).orElse(List.of());
+        return run.map(PlanRun::lines).orElse(List.of());
     }
 
     /** How many steps were taken. */
     public int steps() {
-        return run.map(now -> now.lines.size()).orElse(0);
+        return run.map(PlanRun::steps).orElse(0);
     }
 
     /** What the last step, or the start, did. */
     public List<Effect> lastEffects() {
-        return run.map(now -> now.last).orElse(List.of());
+        return run.map(PlanRun::lastEffects).orElse(List.of());
     }
 
     /** Whether the mission has ended. */
     public boolean isOver() {
-        return run.flatMap(now -> now.stepper.outcome()).isPresent();
+        return run.flatMap(now -> now.stepper().outcome()).isPresent();
     }
 
     /** Whether the plan has changed since the run began. */
     public boolean isOutdated() {
-        return run.filter(now -> now.outdated).isPresent();
+        return run.filter(PlanRun::isOutdated).isPresent();
     }
 
     /** What came of the last thing that was done, in one sentence; empty text where nothing was. */
@@ -341,9 +283,7 @@ public final class TryOut {
 
     /** The mission of a plan in the run, such as that of a sub-mission which is looked at: the newest; empty where none runs. */
     public Optional<MissionView> mission(String planId) {
-        return run.flatMap(now -> now.stepper.view().missions().stream()
-                .filter(mission -> mission.plan().equals(planId))
-                .reduce((older, newer) -> newer));
+        return run.flatMap(now -> now.mission(planId));
     }
 
     /** Why a transition of a plan in the run cannot fire, in one line; empty where that plan does not run or the transition can. */

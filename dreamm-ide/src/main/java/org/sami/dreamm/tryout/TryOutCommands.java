@@ -182,7 +182,7 @@ public final class TryOutCommands {
 
     private void breakpoint() {
         String plan = context.editor().planId().orElseThrow();
-        selected(false).forEach(vertex -> tryOut.toggle(new TryOut.Breakpoint(plan, vertex)));
+        selected(false).forEach(vertex -> tryOut.toggle(new Breakpoint(plan, vertex)));
     }
 
     private void why() {

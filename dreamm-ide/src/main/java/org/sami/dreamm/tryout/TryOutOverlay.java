@@ -106,7 +106,7 @@ public final class TryOutOverlay {
     public Set<String> breakpoints(String plan) {
         return tryOut.breakpoints().stream()
                 .filter(at -> at.plan().equals(plan))
-                .map(TryOut.Breakpoint::vertex)
+                .map(Breakpoint::vertex)
                 .collect(Collectors.toSet());
     }
 

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.dreamm.replay.PlanReplay.Moment;
-import org.sami.dreamm.tryout.TryOut.Breakpoint;
+import org.sami.dreamm.tryout.Breakpoint;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;

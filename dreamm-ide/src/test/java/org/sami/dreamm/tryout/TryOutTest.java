@@ -86,7 +86,7 @@ class TryOutTest {
     @Test
     void runStopsWhereABreakpointIsMet() {
         String place = plan().places().get(2).id();
-        TryOut.Breakpoint at = new TryOut.Breakpoint(PLAN, place);
+        Breakpoint at = new Breakpoint(PLAN, place);
         tryOut.toggle(at);
         tryOut.start(PLAN);
 

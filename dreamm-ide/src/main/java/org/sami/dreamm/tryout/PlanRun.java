@@ -1,0 +1,121 @@
+package org.sami.dreamm.tryout;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Predicate;
+import org.sami.spn.engine.MissionView;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.stepping.NextStep;
+import org.sami.spn.stepping.NextSteps;
+import org.sami.spn.stepping.Stepper;
+import org.sami.spn.stepping.TakenStep;
+
+/** One run of a plan: its stepper, the steps that were taken, and what the last of them did. The plan is the one that it began with. */
+final class PlanRun {
+    private final String plan;
+    private final Stepper stepper;
+    private final List<TryOut.Line> lines = new ArrayList<>();
+    private List<Effect> lastEffects;
+    private boolean outdated;
+
+    /** A run that has begun and taken no step. */
+    PlanRun(String plan, Stepper stepper) {
+        this.plan = plan;
+        this.stepper = stepper;
+        lastEffects = stepper.startEffects();
+    }
+
+    String plan() {
+        return plan;
+    }
+
+    Stepper stepper() {
+        return stepper;
+    }
+
+    /** The steps that were taken, in order. */
+    List<TryOut.Line> lines() {
+        return List.copyOf(lines);
+    }
+
+    int steps() {
+        return lines.size();
+    }
+
+    /** What the last step, or the start, did; nothing after steps were taken back. */
+    List<Effect> lastEffects() {
+        return lastEffects;
+    }
+
+    /** Notes that the plan has changed since the run began. */
+    void setOutdated() {
+        outdated = true;
+    }
+
+    boolean isOutdated() {
+        return outdated;
+    }
+
+    /** Notes a step that the stepper has taken, and returns its line. */
+    TryOut.Line add(String words, TakenStep taken) {
+        lastEffects = taken.effects();
+        TryOut.Line line = new TryOut.Line(taken.number(), words, StepWords.of(taken.effects()));
+        lines.add(line);
+        return line;
+    }
+
+    /** Takes so many steps back, or all where there are fewer; returns how many. */
+    int back(int steps) {
+        int count = Math.min(steps, lines.size());
+        stepper.back(count);
+        lines.subList(lines.size() - count, lines.size()).clear();
+        lastEffects = List.of();
+        return count;
+    }
+
+    /** The first expected step of some kinds that changes something, or lets time pass; empty where there is none. */
+    Optional<NextStep> next(Predicate<NextStep.Kind> isPlayed) {
+        return NextSteps.of(stepper).stream()
+                .filter(step -> isPlayed.test(step.kind()))
+                .filter(step -> step.kind() == NextStep.Kind.TIME || changes(step))
+                .findFirst();
+    }
+
+    private boolean changes(NextStep step) {
+        Stepper tried = stepper.fork();
+        return tried.take(step.step()).refusal().isEmpty() && !tried.key().equals(stepper.key());
+    }
+
+    /** The first of some breakpoints that the last step entered or fired. */
+    Optional<Breakpoint> met(Set<Breakpoint> breakpoints) {
+        return lastEffects.stream()
+                .map(this::vertex)
+                .flatMap(Optional::stream)
+                .filter(breakpoints::contains)
+                .findFirst();
+    }
+
+    private Optional<Breakpoint> vertex(Effect effect) {
+        if (effect instanceof Effect.Entered entered) {
+            return planOf(entered.mission()).map(id -> new Breakpoint(id, entered.place()));
+        }
+        return effect instanceof Effect.Fired fired
+                ? planOf(fired.mission()).map(id -> new Breakpoint(id, fired.transition()))
+                : Optional.empty();
+    }
+
+    private Optional<String> planOf(long mission) {
+        return mission == stepper.mission()
+                ? Optional.of(plan)
+                : stepper.view().mission(mission).map(MissionView::plan);
+    }
+
+    /** The newest mission of a plan in the run; empty where none runs. */
+    Optional<MissionView> mission(String planId) {
+        return stepper.view().missions().stream()
+                .filter(mission -> mission.plan().equals(planId))
+                .reduce((older, newer) -> newer);
+    }
+}
