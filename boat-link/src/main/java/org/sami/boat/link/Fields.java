@@ -138,7 +138,8 @@ final class Fields {
         return node;
     }
 
-    private String pointer(String name) {
+    /** Where a member stands in the body. */
+    String pointer(String name) {
         return where + "/" + name;
     }
 

@@ -5,10 +5,12 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
 import org.sami.boat.link.Checks.BadValueException;
 
 /**
- * The boats near the one that is told, as the base knows them, so that it gives way. A state and no command: it has no id and no answer. It is
+ * The boats near the one that is told, as the base knows them, so that it gives way, and what it is not to enter as it does. A state and no command: it has no id and no answer. It is
  * sent only to boats whose {@link Welcome} says that they take it.
  */
 public final class Traffic extends LinkMessage {
@@ -18,15 +20,27 @@ public final class Traffic extends LinkMessage {
     static final String TYPE = "traffic";
 
     private static final String BOATS = "boats";
+    private static final String NO_GO = "noGo";
 
     private final List<NearbyBoat> boats;
+    private final Optional<NoGoEdges> noGo;
 
-    /** Makes a message; too many boats are an {@link IllegalArgumentException}. */
+    /** Makes a message to a boat that may go everywhere near by; too many boats are an {@link IllegalArgumentException}. */
     public Traffic(List<NearbyBoat> boats) {
+        this(boats, Optional.empty());
+    }
+
+    /**
+     * Makes a message; too many boats are an {@link IllegalArgumentException}.
+     *
+     * @param noGo the edge of what the boat that is told is not to enter; empty where there is none near by
+     */
+    public Traffic(List<NearbyBoat> boats, Optional<NoGoEdges> noGo) {
         if (boats.size() > MOST_BOATS) {
             throw new BadValueException(BOATS, boats.size() + " are more than " + MOST_BOATS);
         }
         this.boats = Collections.unmodifiableList(new ArrayList<>(boats));
+        this.noGo = Objects.requireNonNull(noGo, NO_GO);
     }
 
     static Traffic read(Fields in) throws LinkException {
@@ -38,12 +52,17 @@ public final class Traffic extends LinkMessage {
                 throw row.refused(e);
             }
         }
-        return new Traffic(boats);
+        return new Traffic(boats, in.has(NO_GO) ? Optional.of(NoGoEdges.read(in.object(NO_GO))) : Optional.empty());
     }
 
     /** The boats; unmodifiable. Who is not named is not near, or not known any longer. */
     public List<NearbyBoat> boats() {
         return boats;
+    }
+
+    /** The edge of what the boat is not to enter; earlier bases do not tell it. */
+    public Optional<NoGoEdges> noGo() {
+        return noGo;
     }
 
     @Override
@@ -58,5 +77,10 @@ public final class Traffic extends LinkMessage {
             boat.write(out);
         }
         out.writeEndArray();
+        if (noGo.isPresent()) {
+            out.writeObjectFieldStart(NO_GO);
+            noGo.get().write(out);
+            out.writeEndObject();
+        }
     }
 }

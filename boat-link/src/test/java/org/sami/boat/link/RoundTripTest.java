@@ -55,6 +55,10 @@ class RoundTripTest {
                 new Traffic(List.of(
                         new NearbyBoat("boat2", 45.4, 10.9, -3.1, 1.5, BoatMode.PATH, 240, 45.41, -180),
                         new NearbyBoat("boat3", -45.4, 10.9, 0, 0, BoatMode.STOPPED, 0))),
+                new Traffic(
+                        List.of(),
+                        Optional.of(new NoGoEdges(
+                                0.6, List.of(new NoGoEdge(45.4, 10.9, 45.41, -180), new NoGoEdge(-90, 10.9, 0, 0))))),
                 new BatteryReport(30, BatteryLevel.LOW),
                 new Progress("l", 3, true),
                 new SettingsReport(new Gains(1.2, 0, 0), new Gains(0.3, 0.05, 1000), 2.5, LostLinkAction.RETURN),
@@ -185,6 +189,24 @@ class RoundTripTest {
                 .hasMessageContaining("65");
         assertThatThrownBy(() -> new NearbyBoat("b", 1, 1, 0, 0, BoatMode.HOLD, 0, 1, Double.NaN))
                 .hasMessageContaining("toLon");
+    }
+
+    @Test
+    void refusesEdgesOfNonsenseAndSaysWhere() {
+        assertThatThrownBy(() -> codec.decode(MalformedFrameTest.frame(noGo(1, "[45,10,45,11],[45,10,91,11]"))))
+                .hasMessageContaining("/noGo/edges/1")
+                .hasMessageContaining("91");
+        assertThatThrownBy(() -> codec.decode(MalformedFrameTest.frame(noGo(1, "[45,10,45]"))))
+                .hasMessageContaining("/noGo/edges/0");
+        assertThatThrownBy(() -> codec.decode(MalformedFrameTest.frame(noGo(-1, ""))))
+                .hasMessageContaining("/noGo/keep");
+        assertThatThrownBy(() -> new NoGoEdges(1, Collections.nCopies(65, new NoGoEdge(1, 1, 2, 2))))
+                .hasMessageContaining("65");
+    }
+
+    private static String noGo(double keep, String rows) {
+        return "{\"type\":\"traffic\",\"seq\":0,\"boats\":[],\"noGo\":{\"keep\":" + keep + ",\"edges\":[" + rows
+                + "]}}";
     }
 
     private static String traffic(String rows) {

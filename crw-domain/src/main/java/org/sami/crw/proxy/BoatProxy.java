@@ -14,6 +14,7 @@ import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.GrantCommand;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.NoGoEdges;
 import org.sami.boat.link.SetGains;
 import org.sami.boat.link.SetLostLinkAction;
 import org.sami.boat.link.SetVelocityMultiplier;
@@ -506,6 +507,12 @@ public final class BoatProxy {
     /** The point to which the boat drives now. */
     Optional<GeoPoint> target() {
         return driver.isDriving() ? driver.run().flatMap(CommandRun::target) : Optional.empty();
+    }
+
+    /** The edges of what the boat is not to enter, near where it was seen last. */
+    Optional<NoGoEdges> noGoEdges() {
+        return driver.noGoEdges()
+                .flatMap(edges -> condition.sighting.flatMap(at -> edges.near(GeoPoint.of(at.latDeg(), at.lonDeg()))));
     }
 
     /** Whether the boat wishes to know of others. */

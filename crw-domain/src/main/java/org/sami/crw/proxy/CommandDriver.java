@@ -28,6 +28,7 @@ final class CommandDriver {
     private final Supplier<Optional<GeoPoint>> position;
     private final Supplier<Optional<GeoPoint>> home;
     private Optional<CommandRun> run = Optional.empty();
+    private Optional<NearbyEdges> noGoEdges = Optional.empty();
     private LastCommandOutcome lastWord = LastCommandOutcome.NONE;
     private int wireIds;
     private boolean mustStop;
@@ -63,6 +64,11 @@ final class CommandDriver {
     /** The try that is under way. */
     Optional<CommandRun> run() {
         return run;
+    }
+
+    /** The edges of what the boat is not to enter, by the command that moved it last. */
+    Optional<NearbyEdges> noGoEdges() {
+        return noGoEdges;
     }
 
     boolean isDriving() {
@@ -223,9 +229,11 @@ final class CommandDriver {
     private CommandRun run(QueuedCommand queued, String wireId) {
         double speedMps = config.cruiseSpeedMps();
         if (queued.command() instanceof FollowPath path) {
+            noGoEdges = path.water().map(NearbyEdges::new);
             return new PathRun(
                     queued, path, position, home, wireId, adoptable(queued), speedMps, requests, uploads::reached);
         } else if (queued.command() instanceof KeepStation station) {
+            noGoEdges = station.water().map(NearbyEdges::new);
             return new StationRun(queued, station, position, home, wireId, speedMps, requests, uploads::reached);
         }
         return queued.command() instanceof Panorama panorama

@@ -12,7 +12,7 @@ import org.sami.boat.link.Traffic;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Tells each boat which others are near it and how they move, so that boats give way to one another. Once a second where others are within
+ * Tells each boat which others are near it and how they move, so that boats give way to one another, and what it is not to enter thereby. Once a second where others are within
  * {@link #NEAR_M}, as often as they tell where they are where some are within {@link #CLOSE_M}, and nothing where nobody is or all lie still.
  * For the thread that drives the proxies.
  */
@@ -103,7 +103,7 @@ public final class TrafficRelay {
         for (Seen seen : fromWest) {
             if (seen.isDue(nowMs)) {
                 seen.toldMs = nowMs;
-                seen.boat.tellTraffic(new Traffic(rows(seen, nowMs)));
+                seen.boat.tellTraffic(new Traffic(rows(seen, nowMs), seen.boat.noGoEdges()));
             }
         }
     }

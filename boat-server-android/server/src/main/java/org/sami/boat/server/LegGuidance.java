@@ -1,5 +1,6 @@
 package org.sami.boat.server;
 
+import org.sami.boat.server.traffic.LineAhead;
 import org.sami.boat.server.vehicle.PlaneMath;
 
 /**
@@ -19,6 +20,7 @@ final class LegGuidance {
     private final double alongEast; // unit vector of the leg; zero = straight to its end from wherever it is
     private final double alongNorth;
     private final double alongRad;
+    private final double lengthM;
     private final double endMps;
     private boolean passed;
 
@@ -30,7 +32,7 @@ final class LegGuidance {
      * @param endMps how fast the vehicle may be at its end
      */
     LegGuidance(double startEastM, double startNorthM, double endMps) {
-        double lengthM = PlaneMath.length(startEastM, startNorthM);
+        lengthM = PlaneMath.length(startEastM, startNorthM);
         boolean directed = lengthM >= LEAST_LEG_M;
         alongEast = directed ? -startEastM / lengthM : 0;
         alongNorth = directed ? -startNorthM / lengthM : 0;
@@ -75,8 +77,16 @@ final class LegGuidance {
         return eastM * alongNorth - northM * alongEast;
     }
 
-    /** The course of the line; that straight to its end where there is none. */
-    double alongRad(double straightRad) {
-        return alongEast == 0 && alongNorth == 0 ? straightRad : alongRad;
+    /**
+     * The line as seen from the vehicle.
+     *
+     * @param straightRad the course straight to its end, for a leg that has no line
+     */
+    LineAhead line(double eastM, double northM, double straightRad) {
+        if (alongEast == 0 && alongNorth == 0) {
+            return LineAhead.straight(straightRad, PlaneMath.length(eastM, northM));
+        }
+        double leftM = remainingM(eastM, northM);
+        return new LineAhead(alongRad, besideM(eastM, northM), leftM, Math.max(0, lengthM - leftM));
     }
 }

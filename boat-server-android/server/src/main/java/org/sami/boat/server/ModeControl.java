@@ -12,6 +12,7 @@ import org.sami.boat.link.TrackingError;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.traffic.CourseAndSpeed;
 import org.sami.boat.server.traffic.GivingWay;
+import org.sami.boat.server.traffic.LineAhead;
 import org.sami.boat.server.traffic.StationRoom;
 import org.sami.boat.server.traffic.Surroundings;
 import org.sami.boat.server.vehicle.LocalFrame;
@@ -117,6 +118,7 @@ final class ModeControl {
         moved = true;
         track.startAt(index);
         waysHome.start(track.listId(), index);
+        surroundings.forgetBorder();
         if (track.isCompleted()) {
             hold();
         } else {
@@ -313,8 +315,12 @@ final class ModeControl {
             steering.rest();
             return;
         }
-        CourseAndSpeed chosen =
-                givingWay.choose(new CourseAndSpeed(courseRad, speedMps), 0, courseRad, false, nowMs, seconds);
+        CourseAndSpeed chosen = givingWay.choose(
+                new CourseAndSpeed(courseRad, speedMps),
+                LineAhead.straight(courseRad, steering.distanceM(to)),
+                false,
+                nowMs,
+                seconds);
         steering.steerAlong(chosen.courseRad(), chosen.speedMps(), seconds);
     }
 

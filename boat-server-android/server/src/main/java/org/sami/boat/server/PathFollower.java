@@ -74,8 +74,7 @@ final class PathFollower {
         double wantedMps = leg.speedMps(eastM, northM, speedMps, drift.speedMps());
         double courseRad = leg.courseRad(eastM, northM, wantedMps);
         CourseAndSpeed wanted = new CourseAndSpeed(courseRad, wantedMps);
-        CourseAndSpeed chosen =
-                givingWay.choose(wanted, leg.besideM(eastM, northM), leg.alongRad(courseRad), true, nowMs, seconds);
+        CourseAndSpeed chosen = givingWay.choose(wanted, leg.line(eastM, northM, courseRad), true, nowMs, seconds);
         double chosenMps = chosen.speedMps();
         double heading = chosenMps > 0 ? drift.headingRad(chosen.courseRad(), chosenMps) : chosen.courseRad();
         steering.steerAlong(heading, chosenMps, seconds);

@@ -3,12 +3,17 @@ package org.sami.boat.server;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.HoldPosition;
 import org.sami.boat.link.Motion;
 import org.sami.boat.link.NearbyBoat;
+import org.sami.boat.link.NoGoEdge;
+import org.sami.boat.link.NoGoEdges;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.Traffic;
@@ -61,6 +66,34 @@ class TrafficTest {
         bench.run(0.2, commander);
 
         assertThat(isGivingWay()).isTrue();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"-0.9, 1", "0.9, -1"})
+    void boatGoesAsideWhereNothingThatItIsNotToEnterLies(double edgeEastM, double rudder) {
+        commander.say(new Traffic(List.of(boat("boat2", 0, 8, 0)), Optional.of(edge(edgeEastM))));
+        bench.run(0.2, commander);
+
+        assertThat(Math.signum(bench.vehicle.rudder())).isEqualTo(rudder);
+    }
+
+    @Test
+    void boatThatGoesAnotherWayForgetsWhatItWasNotToEnter() {
+        commander.say(new Traffic(List.of(boat("boat2", 0, 8, 0)), Optional.of(edge(0.9))));
+        commander.command(new StartWaypoints("c3", "l1", 0));
+        bench.run(0.2, commander);
+
+        assertThat(bench.vehicle.rudder()).as("to starboard").isPositive();
+    }
+
+    private static NoGoEdges edge(double eastM) {
+        return new NoGoEdges(
+                0.6,
+                List.of(new NoGoEdge(
+                        FRAME.latDeg(eastM, -30),
+                        FRAME.lonDeg(eastM, -30),
+                        FRAME.latDeg(eastM, 30),
+                        FRAME.lonDeg(eastM, 30))));
     }
 
     @Test

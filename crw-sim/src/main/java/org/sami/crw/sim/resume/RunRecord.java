@@ -31,7 +31,7 @@ public record RunRecord(
      * (docs/decisions, 0300); 3 giving way to one another as well (0320); 4 on ways that are allocated otherwise (0325). A run of another
      * version cannot be gone through again.
      */
-    private static final String PRESENT_DRIVING = "4";
+    private static final String PRESENT_DRIVING = "5";
 
     private static final String SOURCE = "source";
     private static final String STARTED_AT = "startedAt";

@@ -2,6 +2,7 @@ package org.sami.boat.server.traffic;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Vehicle;
 
@@ -13,6 +14,9 @@ import org.sami.boat.server.vehicle.Vehicle;
  * <p>Safe is what leaves the way on which the boat could stop then apart from those on which others could stop now; where nothing is, it stops.
  * Cheap is what brings the boat on, keeps it near its line and away from where others will be. Of two boats under way the one whose name comes
  * first has the right of way; boats at rest, and those that a person drives, have it over all.
+ *
+ * <p>What the boat is not to enter bounds what is safe wherever it is not on its line ({@link NoGoBorder}). Where that leaves no room to pass, one
+ * of two boats goes back ({@link Retreat}).
  */
 public final class GivingWay {
     /** Ways on which two boats stop are so far apart: 3 m, and what somebody may turn and speed up until that is known. */
@@ -34,7 +38,9 @@ public final class GivingWay {
     private static final double GAINING_MPS2 = 0.6;
     private static final double ASIDE_MPS = 0.8; // so fast at least a boat goes aside
     private static final double ASTERN_MPS = 0.5;
+    private static final double SLOW_MPS = 0.2; // turns on the spot
     private static final double FARTHEST_M = 8; // from its line
+    private static final double ON_LINE_M = 0.6; // steering keeps it no nearer to it
     private static final Course[] OFFSETS = offsets(0, 20, -20, 40, -40, 60, -60, 90, -90, 120, -120, 150, -150, 180);
     private static final double ON_COURSE_RAD =
             Math.toRadians(30); // with less offset a boat goes no faster than it wants to
@@ -51,6 +57,7 @@ public final class GivingWay {
 
     private final Surroundings surroundings;
     private final Vehicle vehicle;
+    private final Retreat retreat;
     private final double apartM;
     private final double wideM;
     private double eastM; // of the boat, on the plane of the surroundings
@@ -69,8 +76,11 @@ public final class GivingWay {
     private double[] leastM = new double[0];
     private int count;
     private boolean allStopApart; // whatever this boat does for a moment
+    private boolean isOnLine; // or nothing bounds where it may go
+    private NoGoBorder border = NoGoBorder.NONE;
     private double chosenRad = Double.NaN; // while it gives way
     private double waitedS;
+    private double stoodS; // the same, however long it lasts
 
     /**
      * Nobody is in the way yet.
@@ -82,6 +92,7 @@ public final class GivingWay {
         this.vehicle = vehicle;
         apartM = APART_M + DEVIATIONS * Math.sqrt(2) * positionErrorM;
         wideM = apartM + ROOM_M;
+        retreat = new Retreat(surroundings, wideM);
     }
 
     /** Whether the boat goes otherwise than it would without others. */
@@ -93,40 +104,85 @@ public final class GivingWay {
      * Where the boat goes now.
      *
      * @param wanted where it would go without others; not astern
-     * @param besideM how far it is beside its line, to starboard, in metres
-     * @param lineRad the course of that line
+     * @param along the line that it is to follow, clear of what it is not to enter
      * @param hasWay whether it is under way, so that others may have to give way to it
      * @param seconds since the last choice
      */
-    public CourseAndSpeed choose(
-            CourseAndSpeed wanted, double besideM, double lineRad, boolean hasWay, long nowMs, double seconds) {
-        if (surroundings.isEmpty()) {
+    public CourseAndSpeed choose(CourseAndSpeed wanted, LineAhead along, boolean hasWay, long nowMs, double seconds) {
+        if (hasWay) {
+            retreat.comeTo(vehicle.latDeg(), vehicle.lonDeg());
+        }
+        isOnLine = surroundings.border().isEmpty() || isOn(along);
+        if (surroundings.isEmpty() && isOnLine) {
             forget();
             return wanted;
         }
         look(Math.max(wanted.speedMps(), ASIDE_MPS), hasWay, nowMs);
-        if (count > 0) {
+        if (count > 0 || !border.isEmpty()) {
             heading = new Course(vehicle.headingRad());
             course = new Course(wanted.courseRad());
             courseMps = wanted.speedMps();
         }
-        if (count == 0 || isFree()) {
-            chosenRad = Double.NaN;
-            waitedS = Math.max(0, waitedS - seconds);
-            return wanted;
+        boolean isRisky = risk(course, courseMps, 0) > 0;
+        boolean isFree = !isRisky && allStopApart && isOnLine; // most of the time
+        if (!isFree) {
+            lookWhereToStop(along);
         }
-        line = new Course(lineRad);
-        this.besideM = besideM;
+        boolean isBarred = !isOnLine && !border.seesLine();
+        Optional<LineAhead> back =
+                hasWay ? retreat.way(eastM, northM, wanted.courseRad(), stoodS, isBarred, nowMs) : Optional.empty();
+        if (back.isPresent()) {
+            return goBack(back.get());
+        }
+        isFree = isFree || (!isRisky && isSafe(course, courseMps, isOnLine));
+        return isFree ? goOn(wanted, seconds) : giveWay(along, seconds);
+    }
+
+    private CourseAndSpeed goOn(CourseAndSpeed wanted, double seconds) {
+        chosenRad = Double.NaN;
+        waitedS = Math.max(0, waitedS - seconds);
+        stoodS = 0;
+        return wanted;
+    }
+
+    private CourseAndSpeed giveWay(LineAhead along, double seconds) {
+        line = new Course(along.courseRad());
+        besideM = along.besideM();
         boolean waits = speedMps * heading.along(course) < courseMps / 5;
         waitedS = waits ? Math.min(LONGEST_WAIT_S, waitedS + seconds) : Math.max(0, waitedS - seconds);
+        stoodS = waits ? stoodS + seconds : Math.max(0, stoodS - seconds);
         CourseAndSpeed best = best();
         chosenRad = best.courseRad();
         return best;
     }
 
+    private CourseAndSpeed goBack(LineAhead along) {
+        stoodS = 0;
+        chosenRad = along.courseRad();
+        isOnLine = false; // nobody has planned that line
+        if (along.aheadM() == 0) {
+            return new CourseAndSpeed(heading.rad(), 0);
+        }
+        course = new Course(along.courseRad());
+        courseMps = ASIDE_MPS;
+        line = course;
+        besideM = 0;
+        lookWhereToStop(along);
+        return best();
+    }
+
+    /** Whether the boat is on its line, and goes on along it: then that keeps it clear of what it is not to enter. */
+    private boolean isOn(LineAhead along) {
+        double nowM = along.besideM();
+        double thenM = nowM + vehicle.speedMps() * StrictMath.sin(vehicle.headingRad() - along.courseRad()) * AT_ONCE_S;
+        return Math.abs(nowM) <= ON_LINE_M && Math.abs(thenM) <= ON_LINE_M;
+    }
+
     private void forget() {
         chosenRad = Double.NaN;
         waitedS = 0;
+        stoodS = 0;
+        retreat.end();
     }
 
     // ---- who is there
@@ -139,6 +195,10 @@ public final class GivingWay {
     private void look(double fastestMps, boolean hasWay, long nowMs) {
         eastM = surroundings.plane().eastM(vehicle.latDeg(), vehicle.lonDeg());
         northM = surroundings.plane().northM(vehicle.latDeg(), vehicle.lonDeg());
+        if (surroundings.border().isPast(eastM, northM)) {
+            surroundings.forgetBorder();
+        }
+        border = surroundings.border();
         speedMps = vehicle.speedMps();
         List<OtherBoat> others = surroundings.others();
         makeRoom(others.size());
@@ -167,13 +227,15 @@ public final class GivingWay {
         }
     }
 
-    /** Sees where the others can stop, before it is asked what is safe. */
-    private void lookWhereOthersStop() {
+    /** Sees where the others can stop, and how far to keep off what is not to be entered, before it is asked what is safe. */
+    private void lookWhereToStop(LineAhead along) {
         StoppingWay own = StoppingWay.of(eastM, northM, heading, speedMps, 0);
         for (int i = 0; i < count; i++) {
             stopping[i] = near[i].stoppingAt(eastM + nearEastM[i], northM + nearNorthM[i]);
             leastM[i] = own.distanceM(stopping[i], apartM);
         }
+        double soonM = Math.abs(StoppingWay.lengthM(speedMps, 2 * StoppingWay.REACTION_S)) + 1;
+        border.look(eastM, northM, own, along, soonM);
     }
 
     private void makeRoom(int size) {
@@ -189,17 +251,13 @@ public final class GivingWay {
 
     // ---- what is safe and what it costs
 
-    private boolean isFree() {
-        boolean risky = risk(course, courseMps, 0) > 0;
-        if (!risky && allStopApart) {
-            return true; // most of the time
-        }
-        lookWhereOthersStop();
-        return !risky && isSafe(course, courseMps);
-    }
-
-    /** Whether the boat could still stop apart from all others, had it gone so for a moment; where it is nearer already, no nearer. */
-    private boolean isSafe(Course direction, double atMps) {
+    /**
+     * Whether the boat could still stop apart from all others and from what is not to be entered, had it gone so for a moment; where it is nearer already,
+     * no nearer.
+     *
+     * @param followsLine whether its line keeps it clear of what is not to be entered
+     */
+    private boolean isSafe(Course direction, double atMps, boolean followsLine) {
         double turn = direction.turnFrom(heading.rad());
         double wantedMps = atMps * Math.max(0, direction.along(heading));
         double gain = GAINING_MPS2 * StoppingWay.REACTION_S;
@@ -211,21 +269,26 @@ public final class GivingWay {
         double wayM = (speedMps + thenMps) / 2 * StoppingWay.REACTION_S;
         double thenEastM = eastM + wayM * least.east();
         double thenNorthM = northM + wayM * least.north();
-        return isClear(StoppingWay.of(thenEastM, thenNorthM, least, thenMps, 0))
-                && isClear(StoppingWay.of(thenEastM, thenNorthM, farthest, thenMps, 0));
+        return isClear(StoppingWay.of(thenEastM, thenNorthM, least, thenMps, 0), followsLine)
+                && isClear(StoppingWay.of(thenEastM, thenNorthM, farthest, thenMps, 0), followsLine);
+    }
+
+    /** Whether a boat that hardly moves can go that way once it has turned, which it can on the spot. */
+    private boolean isSafeOnceTurned(Course direction, boolean followsLine) {
+        return isClear(StoppingWay.of(eastM, northM, direction, ASTERN_MPS, StoppingWay.REACTION_S), followsLine);
     }
 
     private static double clamped(double value, double most) {
         return Math.max(-most, Math.min(most, value));
     }
 
-    private boolean isClear(StoppingWay own) {
+    private boolean isClear(StoppingWay own, boolean followsLine) {
         for (int i = 0; i < count; i++) {
             if (own.distanceM(stopping[i], leastM[i]) < leastM[i]) {
                 return false;
             }
         }
-        return true;
+        return followsLine || border.allows(own);
     }
 
     /** How near others come, and how soon; zero where they do not. Where it is more than enough, it may be more than that. */
@@ -270,16 +333,21 @@ public final class GivingWay {
         double bestMps = 0;
         double least = cost(best, bestMps, Double.MAX_VALUE);
         double fullMps = Math.max(courseMps, ASIDE_MPS);
+        boolean turnsFirst = !border.isEmpty() && Math.abs(speedMps) < SLOW_MPS;
         for (Course offset : OFFSETS) {
             Course other = course.turned(offset);
+            boolean followsLine = isOnLine && offset == OFFSETS[0];
             double toPort = offset.rad() < 0 ? TO_PORT : 0;
             for (double part : PARTS) {
                 double mps = part * (Math.abs(offset.rad()) < ON_COURSE_RAD ? courseMps : fullMps);
                 double cost = toPort + cost(other, mps, least - toPort);
-                if (cost < least && isSafe(other, mps)) {
-                    least = cost;
-                    best = other;
-                    bestMps = mps;
+                if (cost < least && (!turnsFirst || isSafeOnceTurned(other, followsLine))) {
+                    boolean isSafe = isSafe(other, mps, followsLine);
+                    if (isSafe || turnsFirst) {
+                        least = cost;
+                        best = other;
+                        bestMps = isSafe ? mps : 0;
+                    }
                 }
             }
         }
@@ -288,7 +356,7 @@ public final class GivingWay {
     }
 
     private boolean isSafeAstern() {
-        return isClear(StoppingWay.of(eastM, northM, heading, -ASTERN_MPS, StoppingWay.REACTION_S));
+        return isClear(StoppingWay.of(eastM, northM, heading, -ASTERN_MPS, StoppingWay.REACTION_S), false);
     }
 
     /** What a motion costs. Of one that costs more than the cheapest anyway, it is not looked at how much more. */

@@ -78,6 +78,23 @@ final class OtherBoat {
         return speedMps;
     }
 
+    /** Unit vector of its heading, to the east. */
+    double aheadEast() {
+        return aheadEast;
+    }
+
+    /** Unit vector of its heading, to the north. */
+    double aheadNorth() {
+        return aheadNorth;
+    }
+
+    /** The course on which it goes, or will once it can, in radians: that to its point, where it waits and the point is known. */
+    double courseRad(long nowMs) {
+        return isSlow() && isGoing()
+                ? StrictMath.atan2(toEastM - eastM(nowMs), toNorthM - northM(nowMs))
+                : StrictMath.atan2(aheadEast, aheadNorth);
+    }
+
     /** How far it goes until it has stopped, in metres. */
     double stopsWithinM() {
         return Math.abs(stopsM);

@@ -50,7 +50,10 @@ public final class StationRoom {
             double atEastM = stationEastM + radiusM * StrictMath.sin(2 * Math.PI * i / SIDES);
             double atNorthM = stationNorthM + radiusM * StrictMath.cos(2 * Math.PI * i / SIDES);
             double wayM = PlaneMath.length(atEastM - eastM, atNorthM - northM);
-            if (wayM < leastM && isClear(atEastM, atNorthM, nowMs) && isFree(atEastM, atNorthM, nowMs)) {
+            if (wayM < leastM
+                    && isClear(atEastM, atNorthM, nowMs)
+                    && isFree(atEastM, atNorthM, nowMs)
+                    && surroundings.border().allowsStraight(eastM, northM, atEastM, atNorthM)) {
                 leastM = wayM;
                 nearest = Optional.of(new LocalFrame(plane.latDeg(atEastM, atNorthM), plane.lonDeg(atEastM, atNorthM)));
             }

@@ -1,6 +1,11 @@
 package org.sami.boat.server.traffic;
 
-/** The way on which a boat that begins to stop now comes to rest: straight on, some of it before it stops at all. */
+import org.sami.boat.server.vehicle.PlaneMath;
+
+/**
+ * The way on which a boat that begins to stop now comes to rest: straight on, some of it before it stops at all. Likewise any other straight piece of
+ * the plane that is to be measured against such ways.
+ */
 final class StoppingWay {
     /** Until what is decided shows, and others know of it. */
     static final double REACTION_S = 0.3;
@@ -32,6 +37,22 @@ final class StoppingWay {
     /** A way of that length in the direction of a unit vector; of a negative length against it. */
     static StoppingWay along(double eastM, double northM, double alongM, double east, double north) {
         return new StoppingWay(eastM, northM, eastM + alongM * east, northM + alongM * north, Math.abs(alongM));
+    }
+
+    /** The straight piece between two places. */
+    static StoppingWay between(double fromEastM, double fromNorthM, double toEastM, double toNorthM) {
+        return new StoppingWay(
+                fromEastM, fromNorthM, toEastM, toNorthM, PlaneMath.length(toEastM - fromEastM, toNorthM - fromNorthM));
+    }
+
+    /** Where it ends. */
+    double toEastM() {
+        return toEastM;
+    }
+
+    /** Where it ends. */
+    double toNorthM() {
+        return toNorthM;
     }
 
     /** How long such a way is, in metres; negative astern. */

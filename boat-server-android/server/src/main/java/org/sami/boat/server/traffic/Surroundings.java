@@ -10,7 +10,10 @@ import org.sami.boat.link.Traffic;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.PlaneMath;
 
-/** The other boats near this one, as its base told of them. What is old is forgotten. For the thread that ticks the server. */
+/**
+ * The other boats near this one, as its base told of them, and what this one is not to enter near by. Boats that were seen long ago are forgotten. For
+ * the thread that ticks the server.
+ */
 public final class Surroundings {
     /** What is older, in ms, says nothing any more: a link that is silent for so long is lost. */
     public static final long OLDEST_MS = 3500;
@@ -22,24 +25,34 @@ public final class Surroundings {
     private final Map<String, OtherBoat> byId = new HashMap<>();
     private long oldestSeenMs = Long.MAX_VALUE; // or earlier: nobody is too old before it is
     private LocalFrame plane = new LocalFrame(0, 0);
+    private NoGoBorder border = NoGoBorder.NONE;
 
     /** Nobody is known yet. */
     public Surroundings(String ownId) {
         this.ownId = Objects.requireNonNull(ownId, "ownId");
     }
 
-    /** The base has told of others; of each the newest counts. */
+    /** The base has told of others; of each the newest counts. And of what this boat is not to enter, which counts until it tells of that anew. */
     public void hear(Traffic traffic, long nowMs) {
         for (NearbyBoat row : traffic.boats()) {
             if (!row.boatId().equals(ownId) && row.ageMs() < OLDEST_MS && Math.abs(row.latDeg()) <= 85) {
                 if (!(plane.distanceM(row.latDeg(), row.lonDeg()) < REACH_M)) {
                     others.clear(); // they are those of another water
                     byId.clear();
+                    border = NoGoBorder.NONE;
                     plane = new LocalFrame(row.latDeg(), row.lonDeg());
                 }
                 take(row, nowMs);
             }
         }
+        if (!others.isEmpty()) { // else the plane may be that of another water
+            border = traffic.noGo().map(told -> NoGoBorder.of(told, plane)).orElse(NoGoBorder.NONE);
+        }
+    }
+
+    /** The boat is to do something else, which the base may allow it elsewhere. */
+    public void forgetBorder() {
+        border = NoGoBorder.NONE;
     }
 
     private void take(NearbyBoat row, long nowMs) {
@@ -88,6 +101,11 @@ public final class Surroundings {
             }
         }
         return false;
+    }
+
+    /** What this boat is not to enter. */
+    NoGoBorder border() {
+        return border;
     }
 
     String ownId() {

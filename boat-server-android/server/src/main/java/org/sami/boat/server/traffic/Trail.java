@@ -1,0 +1,42 @@
+package org.sami.boat.server.traffic;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Optional;
+import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.boat.server.vehicle.PlaneMath;
+
+/** The way on which a boat came, of some 200 m, so that it can go back on it. */
+final class Trail {
+    private static final double STEP_DEG = 2e-5; // some 2 m
+    private static final int MOST_PLACES = 100;
+    private static final double PASSED_M = 2;
+
+    private final Deque<double[]> places = new ArrayDeque<>(); // latitude and longitude in degrees, the newest first
+
+    /** The boat is there, on its way. */
+    void comeTo(double latDeg, double lonDeg) {
+        double[] last = places.peekFirst();
+        if (last == null || Math.abs(latDeg - last[0]) > STEP_DEG || Math.abs(lonDeg - last[1]) > STEP_DEG) {
+            places.addFirst(new double[] {latDeg, lonDeg});
+            if (places.size() > MOST_PLACES) {
+                places.removeLast();
+            }
+        }
+    }
+
+    /** The line to where the boat was before; what it has come back to is forgotten. Empty where nothing is left. */
+    Optional<LineAhead> back(LocalFrame plane, double eastM, double northM) {
+        while (!places.isEmpty()) {
+            double[] place = places.peekFirst();
+            double toEastM = plane.eastM(place[0], place[1]) - eastM;
+            double toNorthM = plane.northM(place[0], place[1]) - northM;
+            double lengthM = PlaneMath.length(toEastM, toNorthM);
+            if (lengthM > PASSED_M) {
+                return Optional.of(LineAhead.straight(StrictMath.atan2(toEastM, toNorthM), lengthM));
+            }
+            places.removeFirst();
+        }
+        return Optional.empty();
+    }
+}
