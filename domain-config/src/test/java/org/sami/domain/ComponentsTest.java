@@ -82,6 +82,7 @@ class ComponentsTest {
             select | list<Allocation>      |                                                     | OptionPager | 0
             select | list<Allocation>      | SelectionOptions.number SelectionOptions.format=TABS | OptionTabs | 2
             select | list<Allocation>      | SelectionOptions.format=STACKED                     | OptionStack | 1
+            select | list<PathOption>      | SelectionOptions.format=TABS RelevantArea.source=AREA | OptionTabs+OptionPreview | 2
             select | list<map<proxy,path>> | SelectionOptions.format=TABS RelevantArea.source=AREA | OptionTabs+OptionPreview | 2
             select | list<text>            | Sort.method=ALPHABETICAL Filter.source              | ChoiceList+FilterBar | 2
             select | list<variable>        | Sort.method=CHRONOLOGICAL                           | VariableList | 0

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.sami.crw.event.PathOption;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.operator.MessageSink;
 import org.sami.crw.operator.OperatorMessage;
@@ -25,7 +26,6 @@ import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
-import org.sami.spn.value.MapValue;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
@@ -97,47 +97,81 @@ final class PathHandler implements ActivationHandler {
     }
 
     private void answer(Activation activation, HandlerContext context, Map<String, Found> found) {
-        Map<String, List<PathAnswer.Way>> ways = new LinkedHashMap<>();
+        Map<String, Found> ways = new LinkedHashMap<>();
         Map<String, Value> noWay = new LinkedHashMap<>();
         Set<String> reasons = new LinkedHashSet<>();
         found.forEach((boat, one) -> {
-            PathService.Options options = one.options();
-            if (options.ways().isEmpty()) {
-                noWay.put(boat, new TextValue(options.reason()));
-                tell(activation, context, Priority.HIGH, boat + ": " + options.reason(), boat);
+            if (one.ways().isEmpty()) {
+                noWay.put(boat, new TextValue(one.reason()));
+                tell(activation, context, Priority.HIGH, boat + ": " + one.reason(), boat);
             } else {
-                ways.put(boat, options.ways());
-                reasons.add(options.reason());
+                ways.put(boat, one);
+                reasons.add(one.reason());
             }
         });
         if (Markups.criterion(activation).isPresent()) {
             reasons.forEach(reason -> tell(activation, context, Priority.LOW, "Path: " + reason));
         }
-        tellWhatIsKept(activation, context, found);
-        Map<String, Value> values =
-                Map.of("options", new ListValue(List.copyOf(sets(ways))), "noWay", ProxyMaps.toValue(noWay));
+        List<PathOption> options = options(ways);
+        tellWhatIsKept(activation, context, options);
+        boolean areRecords = context.query(view -> view.vocabulary().types().containsKey(PathOption.TYPE));
+        List<Value> values = options.stream()
+                .<Value>map(option -> areRecords ? option.toValue() : option.pathsValue())
+                .toList();
         context.post(new Input.Received(Occurrence.answer(
-                EventNames.PATH_RESPONSE, activation, List.copyOf(found.keySet()), List.of(), values)));
+                EventNames.PATH_RESPONSE,
+                activation,
+                List.copyOf(found.keySet()),
+                List.of(),
+                Map.of("options", new ListValue(values), "noWay", ProxyMaps.toValue(noWay)))));
     }
 
     /** How far each set of paths keeps off what is to be avoided, and what that costs; nothing in open water. */
-    private void tellWhatIsKept(Activation activation, HandlerContext context, Map<String, Found> found) {
-        int most =
-                found.values().stream().mapToInt(one -> one.kept().size()).max().orElse(0);
-        for (int i = 0; i < most; i++) {
-            List<String> kept = new ArrayList<>();
-            int rank = i;
-            found.forEach((boat, one) -> {
-                if (!one.kept().isEmpty()) {
-                    kept.add(boat + " "
-                            + one.kept().get(Math.min(rank, one.kept().size() - 1)));
-                }
-            });
-            int more = kept.size() - NAMED;
-            String which = most == 1 ? "Paths: " : "Paths, option " + (i + 1) + " of " + most + ": ";
-            String words = String.join("; ", kept.subList(0, Math.min(NAMED, kept.size())));
-            tell(activation, context, Priority.LOW, which + words + (more > 0 ? "; and " + more + " boats more" : ""));
+    private void tellWhatIsKept(Activation activation, HandlerContext context, List<PathOption> options) {
+        for (int i = 0; i < options.size(); i++) {
+            String kept = options.get(i).kept();
+            String which =
+                    options.size() == 1 ? "Paths: " : "Paths, option " + (i + 1) + " of " + options.size() + ": ";
+            if (!kept.isEmpty()) {
+                tell(activation, context, Priority.LOW, which + kept);
+            }
         }
+    }
+
+    /** The first ways of all, the second ones and so on, each set once; a boat that has no more of them keeps its last. */
+    private static List<PathOption> options(Map<String, Found> ways) {
+        int most =
+                ways.values().stream().mapToInt(one -> one.ways().size()).max().orElse(0);
+        Map<Map<String, GeoPath>, PathOption> options = new LinkedHashMap<>();
+        for (int i = 0; i < most; i++) {
+            int rank = i;
+            Map<String, KeptWay> chosen = new LinkedHashMap<>();
+            ways.forEach((boat, own) ->
+                    chosen.put(boat, own.ways().get(Math.min(rank, own.ways().size() - 1))));
+            PathOption option = option(chosen);
+            options.putIfAbsent(option.paths(), option);
+        }
+        return List.copyOf(options.values());
+    }
+
+    private static PathOption option(Map<String, KeptWay> chosen) {
+        Map<String, GeoPath> paths = new LinkedHashMap<>();
+        Set<String> methods = new LinkedHashSet<>();
+        List<String> kept = new ArrayList<>();
+        double totalM = 0;
+        double longestM = 0;
+        for (Map.Entry<String, KeptWay> one : chosen.entrySet()) {
+            PathAnswer.Way way = one.getValue().way();
+            paths.put(one.getKey(), new GeoPath(way.points()));
+            methods.add(way.method());
+            one.getValue().kept().ifPresent(words -> kept.add(one.getKey() + " " + words));
+            totalM += way.lengthM();
+            longestM = Math.max(longestM, way.lengthM());
+        }
+        int more = kept.size() - NAMED;
+        String words = String.join("; ", kept.subList(0, Math.min(NAMED, kept.size())))
+                + (more > 0 ? "; and " + more + " boats more" : "");
+        return new PathOption(paths, totalM, longestM, String.join(", ", methods), words);
     }
 
     private Found find(Addressee addressee, Optional<GeoPoint> from, Water water, Activation activation) {
@@ -157,35 +191,29 @@ final class PathHandler implements ActivationHandler {
                 new PathProblem(from.get(), to.get(), water, ActivationFields.metres(activation, CLEARANCE), detour);
         PathService.Options options =
                 service.find(problem, Markups.criterion(activation), Markups.optionsWanted(activation));
-        List<String> kept = options.ways().stream()
-                .flatMap(way -> way.words(from.get(), water).stream())
-                .toList();
-        return new Found(options, kept);
+        return new Found(
+                options.ways().stream()
+                        .map(way -> new KeptWay(way, way.words(from.get(), water)))
+                        .toList(),
+                options.reason());
     }
+
+    /**
+     * A way of a boat.
+     *
+     * @param kept how far it keeps off what is to be avoided, in words; empty in open water
+     */
+    private record KeptWay(PathAnswer.Way way, Optional<String> kept) {}
 
     /**
      * The ways of a boat.
      *
-     * @param kept how far each keeps off what is to be avoided, in words; none in open water
+     * @param reason why the first was chosen, or why there is none
      */
-    private record Found(PathService.Options options, List<String> kept) {
+    private record Found(List<KeptWay> ways, String reason) {
         static Found none(String reason) {
-            return new Found(new PathService.Options(List.of(), "There is no way: " + reason), List.of());
+            return new Found(List.of(), "There is no way: " + reason);
         }
-    }
-
-    /** The first ways of all, the second ones and so on; a boat that has no more of them keeps its last. */
-    private static Set<MapValue> sets(Map<String, List<PathAnswer.Way>> ways) {
-        int most = ways.values().stream().mapToInt(List::size).max().orElse(0);
-        Set<MapValue> sets = new LinkedHashSet<>();
-        for (int i = 0; i < most; i++) {
-            Map<String, Value> paths = new LinkedHashMap<>();
-            int rank = i;
-            ways.forEach((boat, own) -> paths.put(
-                    boat, new GeoPath(own.get(Math.min(rank, own.size() - 1)).points())));
-            sets.add(ProxyMaps.toValue(paths));
-        }
-        return sets;
     }
 
     private void tell(Activation activation, HandlerContext context, Priority priority, String text, String... boats) {

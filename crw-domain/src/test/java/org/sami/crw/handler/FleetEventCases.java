@@ -202,14 +202,17 @@ final class FleetEventCases {
     private static void assertPathFound() {
         PlanScene scene = new PlanScene(
                 new PlanSketch()
-                        .variable("@options", "list<map<proxy,path>>")
+                        .variable("@options", "list<PathOption>")
                         .asks("ask", "PathRequest", "points", ProxyMaps.toValue(Map.of("boat-1", EAST)))
                         .on("ask", "PathResponse", "known")
                         .writing("options", "@options"),
                 1);
         scene.untilBoat("boat-1", "known");
-        Value best = ((ListValue) scene.variable("@options")).items().get(0);
-        List<GeoPoint> path = ProxyMaps.read(best, GeoPath.class).get("boat-1").points();
+        RecordValue best =
+                (RecordValue) ((ListValue) scene.variable("@options")).items().get(0);
+        List<GeoPoint> path = ProxyMaps.read(best.field("paths").orElseThrow(), GeoPath.class)
+                .get("boat-1")
+                .points();
         assertThat(Geodesy.distanceM(path.get(path.size() - 1), EAST)).isLessThan(0.1);
     }
 

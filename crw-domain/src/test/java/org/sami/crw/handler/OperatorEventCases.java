@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.sami.crw.event.Allocation;
-import org.sami.crw.event.ProxyMaps;
+import org.sami.crw.event.PathOption;
 import org.sami.crw.handler.EventCatalogue.Check;
 import org.sami.crw.handler.EventCatalogue.Seen;
 import org.sami.spn.protocol.Answer;
@@ -16,7 +16,6 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
-import org.sami.spn.value.MapValue;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.TextValue;
@@ -29,8 +28,8 @@ final class OperatorEventCases {
     private static final GeoPoint SPOT = PlanScene.at(20, 20);
     private static final GeoArea FIELD =
             new GeoArea(List.of(PlanScene.at(0, 0), PlanScene.at(50, 0), PlanScene.at(50, 50)), List.of());
-    private static final Value FIRST_WAY = way(PlanScene.at(10, 10));
-    private static final Value SECOND_WAY = way(PlanScene.at(30, 10));
+    private static final RecordValue FIRST_WAY = way(PlanScene.at(10, 10));
+    private static final RecordValue SECOND_WAY = way(PlanScene.at(30, 10));
     private static final RecordValue SHORT = allocation("short", PlanScene.at(10, 10));
     private static final RecordValue LONG = allocation("long", PlanScene.at(90, 10));
 
@@ -149,7 +148,8 @@ final class OperatorEventCases {
                     PlanScene scene = ways();
                     scene.answer(new Answer.Option(1));
                     scene.untilBoat("boat-1", "accepted");
-                    assertThat(scene.variable("@paths")).isEqualTo(SECOND_WAY);
+                    assertThat(scene.variable("@paths"))
+                            .isEqualTo(SECOND_WAY.field("paths").orElseThrow());
                 });
         catalogue.shows("OperatorRejectsPath", Seen.IN_THE_MARKING, "the boats go where a rejection leads", () -> {
             PlanScene scene = ways();
@@ -427,8 +427,8 @@ final class OperatorEventCases {
         return new RecordValue("BoatId", fields);
     }
 
-    private static MapValue way(GeoPoint to) {
-        return ProxyMaps.toValue(Map.of("boat-1", new GeoPath(List.of(to))));
+    private static RecordValue way(GeoPoint to) {
+        return new PathOption(Map.of("boat-1", new GeoPath(List.of(to))), 10, 10, "Shortest path", "").toValue();
     }
 
     private static RecordValue allocation(String method, GeoPoint to) {

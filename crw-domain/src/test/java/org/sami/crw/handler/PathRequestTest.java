@@ -1,6 +1,7 @@
 package org.sami.crw.handler;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -10,6 +11,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.TrackingError;
+import org.sami.crw.event.PathOption;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.service.Geodesy;
@@ -24,8 +26,10 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.RealValue;
+import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /** What a plan and the operator get for a request of paths. */
 class PathRequestTest {
@@ -104,6 +108,15 @@ class PathRequestTest {
                 .anyMatch(text -> text.contains("Path: Safest path, best for execution safety"))
                 .anyMatch(text -> text.matches("Paths, option 1 of 2: west keeps 5\\.\\d m; east keeps .* m"))
                 .anyMatch(text -> text.matches("Paths, option 2 of 2: west keeps 0\\.\\d m; east keeps .* m"));
+        assertThat(messages())
+                .contains("Paths, option 1 of 2: " + text(answer, 0, "kept"))
+                .contains("Paths, option 2 of 2: " + text(answer, 1, "kept"));
+        assertThat(text(answer, 0, "kept")).matches("west keeps 5\\.\\d m; east keeps .* m.*");
+        assertThat(text(answer, 0, "method")).contains("Safest path");
+        assertThat(((RealValue) field(answer, 1, "longestM")).value())
+                .isCloseTo(lengthM(paths(answer, 1), "west"), within(0.5));
+        assertThat(((RealValue) field(answer, 0, "totalLengthM")).value())
+                .isGreaterThan(((RealValue) field(answer, 1, "totalLengthM")).value());
     }
 
     @Test
@@ -123,6 +136,31 @@ class PathRequestTest {
                 .anyMatch(
                         text -> text.matches(
                                 "Paths: west keeps 10\\.0 m where there is room, [1-4]\\.\\d m near 45\\.\\d{5},10\\.\\d{5}.*"));
+    }
+
+    /** A session that was begun with it goes on with the vocabulary in its journal. */
+    @Test
+    void vocabularyWithoutOptionsOfPathsGetsThePathsAlone() {
+        Vocabulary now = TestWorld.VOCABULARY;
+        ScriptedEngine earlier = new ScriptedEngine(new Vocabulary(
+                now.domain(),
+                now.types().values().stream()
+                        .filter(type -> !type.name().equals(PathOption.TYPE))
+                        .toList(),
+                List.copyOf(now.events().values()),
+                List.copyOf(now.markups().values()),
+                List.copyOf(now.taskClasses().values())));
+        TestWorld itsWorld = new TestWorld(earlier);
+        itsWorld.addBoat("west", -100, 0);
+        itsWorld.run(1);
+
+        itsWorld.happens(earlier, asking().of("west").effect());
+
+        List<Value> options = options(earlier.received("PathResponse").get(0));
+        assertThat(options)
+                .singleElement()
+                .satisfies(paths -> assertThat(last(ProxyMaps.read(paths, GeoPath.class), "west"))
+                        .isEqualTo(at(80, 0)));
     }
 
     @Test
@@ -204,7 +242,15 @@ class PathRequestTest {
     }
 
     private static Map<String, GeoPath> paths(Occurrence answer, int option) {
-        return ProxyMaps.read(options(answer).get(option), GeoPath.class);
+        return ProxyMaps.read(field(answer, option, "paths"), GeoPath.class);
+    }
+
+    private static Value field(Occurrence answer, int option, String name) {
+        return ((RecordValue) options(answer).get(option)).field(name).orElseThrow();
+    }
+
+    private static String text(Occurrence answer, int option, String name) {
+        return ((TextValue) field(answer, option, name)).value();
     }
 
     private static GeoPoint last(Map<String, GeoPath> paths, String boat) {

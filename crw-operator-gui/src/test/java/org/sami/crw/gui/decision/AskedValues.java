@@ -42,6 +42,8 @@ final class AskedValues {
     private static final String WAY = "[{'lat': 45.1, 'lon': 10.1}, {'lat': 45.1, 'lon': %s}]";
     private static final String ALLOCATION = "{'paths': {'anna': " + WAY + "}, 'totalLengthM': %s, 'longestM': 7,"
             + " 'method': 'by hand', 'reason': 'as it was', 'unallocated': [], 'tasks': []}";
+    private static final String PATHS = "{'paths': {'anna': " + WAY + "}, 'totalLengthM': 7, 'longestM': 7,"
+            + " 'method': 'Safest path', 'kept': 'anna keeps 8.0 m where there is room, 5.2 m near 45.10000,10.15000'}";
 
     /**
      * One thing that is asked.
@@ -197,8 +199,7 @@ final class AskedValues {
                 asking(
                         asked.id(),
                         "OperatorPathOptions",
-                        "'options': {'value': [{'anna': %s}, {'anna': %s}]}"
-                                .formatted(WAY.formatted("10.2"), WAY.formatted("10.3")),
+                        "'options': {'value': [%s, %s]}".formatted(PATHS.formatted("10.2"), PATHS.formatted("10.3")),
                         "",
                         "OperatorAcceptsPath",
                         "'paths': '%s'".formatted(asked.variable()));
