@@ -11,6 +11,7 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.proxy.BoatTuning;
 import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.LostLinkWords;
 
 /**
  * What is to be so before a boat is put into the water, as far as it is known now.
@@ -189,18 +190,10 @@ public record LaunchCheck(List<Item> items) {
     private static Item lostLink(Optional<BoatTuning> settings) {
         return settings.map(BoatTuning::lostLinkAction)
                 .map(action -> new Item(
-                        Subject.LOST_LINK, action == LostLinkAction.DRIFT ? State.DOUBTFUL : State.GOOD, words(action)))
+                        Subject.LOST_LINK,
+                        action == LostLinkAction.DRIFT ? State.DOUBTFUL : State.GOOD,
+                        LostLinkWords.of(action)))
                 .orElseGet(() -> new Item(Subject.LOST_LINK, State.UNKNOWN, "it has not said what it does then"));
-    }
-
-    /** What a boat does by itself when its link is lost, in words. */
-    public static String words(LostLinkAction action) {
-        return switch (action) {
-            case HOLD -> "holds its place";
-            case RETURN -> "returns to its home";
-            case CONTINUE -> "goes on with its path, else holds its place";
-            case DRIFT -> "stops its motors and drifts";
-        };
     }
 
     private static Optional<String> alarm(BoatSnapshot boat, List<Alarm> alarms, Alarm.Kind kind) {

@@ -20,7 +20,9 @@ final class BoatExplainer {
 
     BoatExplanation explain() {
         Optional<Obstacle> obstacle = proxy.obstacle();
-        if (obstacle.isPresent()) {
+        if (obstacle.filter(one -> one.cause() == Cause.LINK_LOST).isPresent()) {
+            return outOfReach(obstacle.get());
+        } else if (obstacle.isPresent()) {
             return still(obstacle.get().cause(), obstacle.get().text() + counted());
         } else if (isBatteryEmpty()) {
             return still(Cause.BATTERY_EMPTY, "its battery is empty" + wanted());
@@ -35,6 +37,16 @@ final class BoatExplainer {
         LastCommandOutcome last = driver.lastWord();
         String became = last.text(titles).map(text -> "; " + text).orElse("");
         return still(last.cause(), "no mission wants anything of it" + became);
+    }
+
+    /** Nobody sees whether it moves: what it does by itself is what it was set to. */
+    private BoatExplanation outOfReach(Obstacle lost) {
+        String byItself = proxy.tuning()
+                .map(BoatTuning::lostLinkAction)
+                .map(action -> "; by itself it " + LostLinkWords.of(action))
+                .orElse("");
+        return new BoatExplanation(
+                false, lost.cause(), proxy.boatId() + " is out of reach: " + lost.text() + byItself + counted());
     }
 
     /** Whether the boat is under way as it should be, so that there is nothing to explain. */

@@ -10,11 +10,14 @@ import org.junit.jupiter.api.Test;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.BatteryReport;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.Gains;
 import org.sami.boat.link.Goodbye;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.Role;
+import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Telemetry;
@@ -47,6 +50,20 @@ class ExplainTest {
     }
 
     /** One boat's day: every cause that there is, one after the other. */
+    @Test
+    void boatOutOfReachIsNotSaidToStandButToDoWhatItIsSetTo() {
+        boat.says(new Welcome("boat1", "b1", Role.COMMANDER, ""));
+        boat.says(new Progress("", 0, false));
+        boat.silent(5);
+        assertThat(boat.proxy.explain().text()).isEqualTo("boat1 is out of reach: the link has been lost for 5 s");
+
+        boat.linked("b1");
+        boat.says(new SettingsReport(new Gains(1, 0, 0), new Gains(1, 0, 0), 1, LostLinkAction.RETURN));
+        boat.silent(5);
+        assertThat(boat.proxy.explain().text())
+                .isEqualTo("boat1 is out of reach: the link has been lost for 5 s; by itself it returns to its home");
+    }
+
     @Test
     void everyCauseIsNamed() {
         assertWhy(Cause.NEVER_ANSWERED, "has not answered yet");

@@ -17,8 +17,8 @@ import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.operator.LaunchCheck;
 import org.sami.crw.proxy.BoatTuning;
+import org.sami.crw.proxy.LostLinkWords;
 import org.sami.crw.session.Fleet;
 import org.sami.crw.session.RefusedException;
 import org.sami.ui.command.Command;
@@ -114,7 +114,7 @@ final class SettingsForm extends JPanel {
         action.setName("boat-lost-link");
         action.getAccessibleContext().setAccessibleName("What the boat does when its link is lost");
         action.setRenderer((list, value, index, selected, focused) -> {
-            JLabel label = new JLabel(value == null ? "" : LaunchCheck.words(value));
+            JLabel label = new JLabel(value == null ? "" : LostLinkWords.of(value));
             label.setOpaque(selected);
             label.setBackground(SemanticColor.SELECTION.get());
             label.setForeground((selected ? SemanticColor.ON_SELECTION : SemanticColor.TEXT).get());
@@ -124,7 +124,7 @@ final class SettingsForm extends JPanel {
                 "lost-link",
                 "Without a link",
                 action,
-                settings -> LaunchCheck.words(settings.lostLinkAction()),
+                settings -> LostLinkWords.of(settings.lostLinkAction()),
                 (fleet, whom) -> fleet.setLostLinkAction(whom, action.getItemAt(action.getSelectedIndex()))));
     }
 
