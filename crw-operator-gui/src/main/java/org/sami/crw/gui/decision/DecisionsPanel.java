@@ -53,6 +53,7 @@ public final class DecisionsPanel extends JPanel {
     private final JPanel body = new JPanel(new BorderLayout());
     private final DecisionHeader header;
     private final WrappedText problem = new WrappedText("");
+    private final JLabel problemLine = new JLabel(); // the same in a low panel; its tooltip has all of it
     private final JLabel position = new JLabel(" ");
     private final WaitingList waiting;
     private final DecisionCommands commands;
@@ -117,9 +118,11 @@ public final class DecisionsPanel extends JPanel {
         column.setOpaque(false);
         JScrollPane scroll = new JScrollPane(new WidthTrackingPanel(scrolled()));
         scroll.setBorder(BorderFactory.createEmptyBorder());
+        scroll.setName("decision-scroll");
         scroll.getVerticalScrollBar().setUnitIncrement(Look.px(16));
         problem.setName("decision-problem");
         problem.setColor(SemanticColor.MUTED);
+        problemLine.setName("decision-problem-line");
         column.add(header);
         column.add(scroll, "hmin 0");
         column.add(buttons());
@@ -138,11 +141,16 @@ public final class DecisionsPanel extends JPanel {
         return scrolled;
     }
 
-    /** Who asks is said in a tooltip where the panel is so low that what is asked would have no room. */
+    /** Where the panel is so low that what is asked would have no room, who asks is said in a tooltip, and why there is no answer yet in one line. */
     @Override
     public void doLayout() {
-        header.setLow(getHeight() < Look.px(LOW));
-        position.setVisible(getWidth() >= Look.px(NARROW));
+        boolean low = getHeight() < Look.px(LOW);
+        boolean narrow = getWidth() < Look.px(NARROW);
+        header.setLow(low);
+        problem.setVisible(!low);
+        problemLine.setVisible(low);
+        position.setVisible(!narrow);
+        draw.setHideActionText(narrow);
         super.doLayout();
     }
 
@@ -155,7 +163,8 @@ public final class DecisionsPanel extends JPanel {
         buttons.add(answer);
         buttons.add(refuse);
         buttons.add(draw);
-        buttons.add(problem, "wmin 80");
+        buttons.add(problem, "split 2, wmin 80");
+        buttons.add(problemLine, "wmin 0");
         buttons.add(position);
         buttons.add(CommandButton.iconOnly(commands.earlier()));
         buttons.add(CommandButton.iconOnly(commands.later()));
@@ -239,7 +248,10 @@ public final class DecisionsPanel extends JPanel {
         problem.setColor(refusal.isEmpty() ? SemanticColor.MUTED : SemanticColor.CRITICAL);
         if (!problem.getText().equals(text)) {
             problem.setText(text);
+            problemLine.setText(text);
+            problemLine.setToolTipText(text.isEmpty() ? null : text);
         }
+        problemLine.setForeground((refusal.isEmpty() ? SemanticColor.MUTED : SemanticColor.CRITICAL).get());
     }
 
     private void drawAttention(PendingDecision pending) {

@@ -137,4 +137,30 @@ class DecisionsPanelTest {
             });
         }
     }
+
+    @Test
+    void inALowPanelAtALargeScaleWhatIsAskedKeepsItsRoom() throws Exception {
+        try (PanelWorld world = new PanelWorld("clv", "anna", "bert")) {
+            world.press("decision-answer");
+            world.until(
+                    "locations are asked for",
+                    () -> world.find("value-locations-text", JTextArea.class).isPresent());
+
+            int height = onEventThread(() -> {
+                Look.apply(Theme.LIGHT, 150);
+                SwingUtilities.updateComponentTreeUI(world.panel);
+                Layout.layOut(world.panel, 570, 270);
+                return Layout.find(world.panel, "decision-scroll", Component.class)
+                        .orElseThrow()
+                        .getHeight();
+            });
+
+            assertThat(height).isGreaterThan(100);
+        } finally {
+            onEventThread(() -> {
+                Look.apply(Theme.LIGHT, 100);
+                return null;
+            });
+        }
+    }
 }
