@@ -1,16 +1,21 @@
 package org.sami.crw.session;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.function.LongSupplier;
+import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.MissionTitles;
 import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.TakenWaypoints;
 import org.sami.crw.proxy.UploadCount;
+import org.sami.spn.protocol.Priority;
 
 /**
  * Looks after the boats' proxies from time to time: how many paths have gone to each boat, and why one that should be under way is
- * not. Says the latter once for each reason that lasts. For the fleet's thread.
+ * not. Says the latter once for each reason that lasts, and which boats wait for one that lies at their next waypoint. For the fleet's thread.
  */
 final class BoatMonitor {
     /** So many looks, a second apart, are the usual time of an upload and of a boat's answers. */
@@ -21,7 +26,9 @@ final class BoatMonitor {
     private final SessionMessages messages;
     private final MissionTitles titles;
     private final boolean keepsReasons;
+    private final LongSupplier nowMillis;
     private final Map<String, Standstill> standstills = new HashMap<>();
+    private final TakenWaypoints takenWaypoints = new TakenWaypoints();
 
     private record Standstill(String reason, int looks) {}
 
@@ -29,23 +36,36 @@ final class BoatMonitor {
      * A monitor that has looked at nobody.
      *
      * @param keepsReasons whether the history is told at each look why each boat moves or does not; else only standstills are explained
+     * @param nowMillis gives the session's time
      */
     BoatMonitor(
             FleetHistory history,
             SessionTelemetry telemetry,
             SessionMessages messages,
             MissionTitles titles,
-            boolean keepsReasons) {
+            boolean keepsReasons,
+            LongSupplier nowMillis) {
         this.history = history;
         this.telemetry = telemetry;
         this.messages = messages;
         this.titles = titles;
         this.keepsReasons = keepsReasons;
+        this.nowMillis = nowMillis;
     }
 
     /** Looks at all boats; to be called once a second. */
     void look(ProxyRegistry boats) {
         boats.all().forEach(this::look);
+        for (TakenWaypoints.Taken taken : takenWaypoints.look(boats.all())) {
+            messages.tell(new OperatorMessage(
+                    nowMillis.getAsLong(),
+                    taken.mission(),
+                    OperatorMessage.Source.DOMAIN,
+                    Priority.LOW,
+                    taken.words(),
+                    List.of(taken.boat(), taken.by()),
+                    ""));
+        }
     }
 
     private void look(BoatProxy boat) {

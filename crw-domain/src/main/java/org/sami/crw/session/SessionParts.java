@@ -119,7 +119,8 @@ final class SessionParts {
         connector = connector(setup.runtime());
         events = new FleetEvents(slowMillis);
         boats = new FleetListener(events, history, telemetry, messages, remembered, scheduler::nowMs);
-        monitor = new BoatMonitor(history, telemetry, messages, models.missions()::title, loop.isPresent());
+        monitor = new BoatMonitor(
+                history, telemetry, messages, models.missions()::title, loop.isPresent(), scheduler::nowMs);
         poses = new PoseLog(history, telemetry);
         boatLog = new BoatLog(connector::boats, models.missions()::title, telemetry, scheduler::nowMs);
         if (journal.keepsTelemetry()) {

@@ -22,7 +22,7 @@ class BoatMonitorTest {
     private final SessionTelemetry telemetry = new SessionTelemetry(SessionJournal.none(), () -> 0);
     private final SessionMessages messages = new SessionMessages(telemetry, message -> {});
     private final List<String> notices = new ArrayList<>();
-    private final BoatMonitor watch = new BoatMonitor(status, telemetry, messages, MissionTitles.NONE, true);
+    private final BoatMonitor watch = new BoatMonitor(status, telemetry, messages, MissionTitles.NONE, true, () -> 0);
     private final BoatProxy anna = new BoatProxy("anna", frame -> {}, new BoatListener() {}, ProxyConfig.DEFAULT);
     private final ProxyRegistry boats = new ProxyRegistry();
 
