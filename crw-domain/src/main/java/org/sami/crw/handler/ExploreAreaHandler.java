@@ -129,16 +129,20 @@ final class ExploreAreaHandler implements ActivationHandler {
                 .query(view -> view.memory(one.activation.mission(), one.doubt()))
                 .filter(TextValue.class::isInstance)
                 .map(words -> ((TextValue) words).value());
-        drive(one, shares, Map.of(), doubt);
+        drive(one, shares, Map.of(), doubt, OptionalDouble.empty());
     }
 
     private void drive(
-            Exploration one, Map<String, GeoPath> shares, Map<String, String> noWay, Optional<String> doubt) {
+            Exploration one,
+            Map<String, GeoPath> shares,
+            Map<String, String> noWay,
+            Optional<String> doubt,
+            OptionalDouble uncoveredM2) {
         Activation activation = one.activation;
         HandlerContext context = one.context;
         context.post(ExplorationShares.remember(activation.mission(), one.key, shares));
         if (!shares.isEmpty()) {
-            explored.explore(one.name(), activation, context, one.area, one.spacingM, shares);
+            explored.explore(one.name(), activation, context, one.area, one.spacingM, shares, uncoveredM2);
         }
         List<Move> moves = new ArrayList<>();
         for (Addressee addressee : Addressee.of(activation, context)) {
@@ -232,7 +236,7 @@ final class ExploreAreaHandler implements ActivationHandler {
             Optional<String> doubt = coverage.doubt();
             doubt.ifPresent(words ->
                     one.context.post(new Input.Remember(one.activation.mission(), one.doubt(), new TextValue(words))));
-            drive(one, shares, coverage.noWay(), doubt);
+            drive(one, shares, coverage.noWay(), doubt, OptionalDouble.of(coverage.uncoveredM2()));
             letOthersGo(one, shares);
         }
 

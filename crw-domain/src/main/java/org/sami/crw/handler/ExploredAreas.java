@@ -6,8 +6,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Executor;
+import java.util.function.DoubleSupplier;
 import org.sami.crw.operator.MessageSink;
 import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.proxy.BoatCommand;
@@ -48,7 +50,7 @@ final class ExploredAreas implements BoatListener, HostListener {
         private final HandlerContext context;
         private final AreaCoverage coverage;
         private final double spacingM;
-        private final Map<String, GeoPath> planned;
+        private final DoubleSupplier plannedM2; // that no path comes near
         private Map<String, GeoPath> shares;
         private final Map<String, List<GeoPoint>> tracks = new LinkedHashMap<>();
         private final List<List<GeoPoint>> assumed = new ArrayList<>();
@@ -60,13 +62,16 @@ final class ExploredAreas implements BoatListener, HostListener {
                 HandlerContext context,
                 AreaCoverage coverage,
                 double spacingM,
-                Map<String, GeoPath> shares) {
+                Map<String, GeoPath> shares,
+                OptionalDouble uncoveredM2) {
             this.activation = activation;
             this.context = context;
             this.coverage = coverage;
             this.spacingM = spacingM;
             this.shares = shares;
-            planned = Map.copyOf(shares);
+            List<List<GeoPoint>> planned =
+                    shares.values().stream().map(GeoPath::points).toList();
+            plannedM2 = () -> uncoveredM2.orElseGet(() -> coverage.left(planned).areaM2());
         }
     }
 
@@ -82,6 +87,7 @@ final class ExploredAreas implements BoatListener, HostListener {
      *
      * @param name names mission and area
      * @param shares the paths of all boats that have one
+     * @param uncoveredM2 what of the area they leave; empty where it was not computed with them
      */
     void explore(
             String name,
@@ -89,7 +95,8 @@ final class ExploredAreas implements BoatListener, HostListener {
             HandlerContext context,
             GeoArea area,
             double spacingM,
-            Map<String, GeoPath> shares) {
+            Map<String, GeoPath> shares,
+            OptionalDouble uncoveredM2) {
         Explored one = areas.get(name);
         if (one == null) {
             AreaCoverage coverage = AreaCoverage.of(
@@ -97,7 +104,7 @@ final class ExploredAreas implements BoatListener, HostListener {
                     spacingM,
                     context.query(view -> PlanAreas.avoided(activation, view)),
                     Restrictions.within(activation));
-            one = new Explored(activation, context, coverage, spacingM, shares);
+            one = new Explored(activation, context, coverage, spacingM, shares, uncoveredM2);
             areas.put(name, one);
             assume(one);
         }
@@ -196,16 +203,13 @@ final class ExploredAreas implements BoatListener, HostListener {
 
     private static String words(Explored one, List<List<GeoPoint>> tracks, String when) {
         AreaCoverage.Left left = one.coverage.left(tracks);
-        double plannedM2 = one.coverage
-                .left(one.planned.values().stream().map(GeoPath::points).toList())
-                .areaM2();
         String explored = String.format(
                 Locale.ROOT,
                 "Explored %.2f %% of %.0f m² by the positions that boats reported%s (planned %.2f %%)",
                 one.coverage.percent(left.areaM2()),
                 one.coverage.areaM2(),
                 when,
-                one.coverage.percent(plannedM2));
+                one.coverage.percent(one.plannedM2.getAsDouble()));
         String where = left.inLargest()
                 .filter(place -> left.areaM2() >= 1)
                 .map(place -> String.format(

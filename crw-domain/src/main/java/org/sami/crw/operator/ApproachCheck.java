@@ -34,7 +34,7 @@ final class ApproachCheck {
                     plane.y(pose.position()),
                     east,
                     north,
-                    Math.hypot(east, north) < MOVING_MPS);
+                    Math.abs(pose.speedMps()) < MOVING_MPS);
         }
     }
 
@@ -93,7 +93,9 @@ final class ApproachCheck {
         if (closestS < 0 || closestS > WITHIN_S) {
             return Optional.empty(); // they part, or there is time
         }
-        double closestM = Math.hypot(x + closestS * east, y + closestS * north);
+        double atX = x + closestS * east;
+        double atY = y + closestS * north;
+        double closestM = Math.sqrt(atX * atX + atY * atY);
         return closestM >= NEAR_M
                 ? Optional.empty()
                 : Optional.of(String.format(

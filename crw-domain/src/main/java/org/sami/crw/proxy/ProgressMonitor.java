@@ -40,7 +40,7 @@ final class ProgressMonitor {
         if (index != next || around.isEmpty()) {
             around = Optional.of(new LocalPlane(point));
         }
-        double leftM = Math.hypot(around.get().x(position), around.get().y(position));
+        double leftM = around.get().distanceM(position);
         if (index != next || leftM < nearestM - LEAST_M) {
             next = index;
             nearestM = leftM;

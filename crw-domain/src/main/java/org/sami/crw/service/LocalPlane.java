@@ -50,6 +50,20 @@ public final class LocalPlane {
         return Math.signum(origin.latDeg()) * (poleM(origin.latDeg()) - alongM);
     }
 
+    /** Metres between two points, in a straight line on the plane. */
+    public double distanceM(GeoPoint one, GeoPoint other) {
+        double byX = x(other) - x(one);
+        double byY = y(other) - y(one);
+        return Math.sqrt(byX * byX + byY * byY); // not hypot, which is ten times as dear
+    }
+
+    /** Metres between a point and the origin, likewise. */
+    public double distanceM(GeoPoint point) {
+        double x = x(point);
+        double y = y(point);
+        return Math.sqrt(x * x + y * y);
+    }
+
     private boolean isPolar() {
         return Math.abs(origin.latDeg()) > POLAR_DEG;
     }

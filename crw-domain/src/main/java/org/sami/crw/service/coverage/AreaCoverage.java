@@ -90,9 +90,7 @@ public final class AreaCoverage {
 
     /** Metres between two points of the area, on the plane on which it is measured. */
     public double distanceM(GeoPoint one, GeoPoint other) {
-        double east = plane.x(other) - plane.x(one);
-        double north = plane.y(other) - plane.y(one);
-        return Math.sqrt(east * east + north * north);
+        return plane.distanceM(one, other);
     }
 
     /** A track with fewer points, of which it covers nearly the same. */

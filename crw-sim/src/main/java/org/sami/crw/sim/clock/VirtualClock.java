@@ -1,6 +1,11 @@
 package org.sami.crw.sim.clock;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.PriorityQueue;
 
@@ -12,9 +17,24 @@ import java.util.PriorityQueue;
  * reaches the driver; the action is then used up, and time and the other actions are as if it had returned.
  */
 public final class VirtualClock implements VirtualScheduler {
-    private final PriorityQueue<Entry> waiting = new PriorityQueue<>();
+    private final PriorityQueue<Moment> moments = new PriorityQueue<>();
+    private final Map<Long, Moment> byTime = new HashMap<>(); // the same ones
+    private Optional<Moment> latest =
+            Optional.empty(); // for which something was scheduled last: mostly the next action is for it as well
     private long nowMs;
-    private long scheduled;
+    private int pending;
+
+    /** A time for which something waits: messages of a whole fleet mostly arrive together. */
+    private record Moment(long timeMs, Deque<Runnable> actions) implements Comparable<Moment> {
+        Moment(long timeMs) {
+            this(timeMs, new ArrayDeque<>());
+        }
+
+        @Override
+        public int compareTo(Moment other) {
+            return Long.compare(timeMs, other.timeMs);
+        }
+    }
 
     /** A clock at time zero with nothing to do. */
     public VirtualClock() {
@@ -38,17 +58,31 @@ public final class VirtualClock implements VirtualScheduler {
             throw new IllegalArgumentException(
                     "it is " + nowMs + " ms: nothing can be scheduled for " + timeMs + " ms");
         }
-        waiting.add(new Entry(timeMs, scheduled++, action));
+        moment(timeMs).actions.add(action);
+        pending++;
+    }
+
+    private Moment moment(long timeMs) {
+        if (latest.isEmpty() || latest.get().timeMs != timeMs) {
+            latest = Optional.of(byTime.computeIfAbsent(timeMs, this::begin));
+        }
+        return latest.get();
+    }
+
+    private Moment begin(long timeMs) {
+        Moment moment = new Moment(timeMs);
+        moments.add(moment);
+        return moment;
     }
 
     /** How many actions are waiting. */
     public int pending() {
-        return waiting.size();
+        return pending;
     }
 
     /** When the next action runs, or empty if none waits. */
     public OptionalLong nextTimeMs() {
-        Entry next = waiting.peek();
+        Moment next = moments.peek();
         return next == null ? OptionalLong.empty() : OptionalLong.of(next.timeMs);
     }
 
@@ -58,12 +92,19 @@ public final class VirtualClock implements VirtualScheduler {
      * @return whether there was one
      */
     public boolean runNext() {
-        Entry next = waiting.poll();
+        Moment next = moments.peek();
         if (next == null) {
             return false;
         }
+        Runnable action = next.actions.remove();
+        pending--;
+        if (next.actions.isEmpty()) {
+            moments.remove();
+            byTime.remove(next.timeMs);
+            latest = Optional.empty();
+        }
         nowMs = next.timeMs;
-        next.action.run();
+        action.run();
         return true;
     }
 
@@ -77,18 +118,9 @@ public final class VirtualClock implements VirtualScheduler {
         if (timeMs < nowMs) {
             throw new IllegalArgumentException("it is " + nowMs + " ms: time does not run back to " + timeMs + " ms");
         }
-        for (Entry next = waiting.peek(); next != null && next.timeMs <= timeMs; next = waiting.peek()) {
+        for (Moment next = moments.peek(); next != null && next.timeMs <= timeMs; next = moments.peek()) {
             runNext();
         }
         nowMs = timeMs;
-    }
-
-    private record Entry(long timeMs, long order, Runnable action) implements Comparable<Entry> {
-
-        @Override
-        public int compareTo(Entry other) {
-            int byTime = Long.compare(timeMs, other.timeMs);
-            return byTime != 0 ? byTime : Long.compare(order, other.order);
-        }
     }
 }

@@ -1,5 +1,7 @@
 package org.sami.crw.sim.hull;
 
+import org.sami.boat.server.vehicle.PlaneMath;
+
 /**
  * Finds out when a boat has lain at its quay long enough for a full battery. A boat that comes to rest there, in the water or, where
  * current and wind have it drive to keep its place, over ground, is taken hold of, and lies there as long as it does not leave. Nobody takes hold of
@@ -38,14 +40,14 @@ final class BatterySwap {
     boolean pass(double seconds, double eastM, double northM, double speedMps, boolean underWay) {
         boolean still = Math.abs(speedMps) < STILL_MPS;
         used |= !still && !isHeld; // who is held and sways has not left
-        still |= Math.hypot(eastM - lastEastM, northM - lastNorthM) < STILL_MPS * seconds;
+        still |= PlaneMath.length(eastM - lastEastM, northM - lastNorthM) < STILL_MPS * seconds;
         lastEastM = eastM;
         lastNorthM = northM;
         boolean reached = quay.reaches(eastM, northM);
         if (underWay) {
             isHeld = false;
         } else if (isHeld) {
-            isHeld = reached && Math.hypot(eastM - heldEastM, northM - heldNorthM) <= HELD_M;
+            isHeld = reached && PlaneMath.length(eastM - heldEastM, northM - heldNorthM) <= HELD_M;
         } else if (reached && still) {
             isHeld = true;
             heldEastM = eastM;

@@ -2,6 +2,7 @@ package org.sami.crw.sim.report;
 
 import java.util.List;
 import java.util.Optional;
+import org.sami.boat.server.vehicle.PlaneMath;
 
 /** Two boats' tracks, gone along at equal times. While they are too far from one another to come near soon, time is leapt over. */
 final class PairOfTracks {
@@ -22,7 +23,7 @@ final class PairOfTracks {
             for (int i = 1; i < points.size(); i++) {
                 TrackPoint from = points.get(i - 1);
                 TrackPoint to = points.get(i);
-                double metres = Math.hypot(to.eastM() - from.eastM(), to.northM() - from.northM());
+                double metres = PlaneMath.length(to.eastM() - from.eastM(), to.northM() - from.northM());
                 long millis = to.atMillis() - from.atMillis();
                 if (metres > 0) {
                     fastest = millis > 0 ? Math.max(fastest, metres / millis) : Double.POSITIVE_INFINITY;
@@ -71,12 +72,13 @@ final class PairOfTracks {
             double byNorth = first.north(next) - second.north(next) - north;
             double square = byEast * byEast + byNorth * byNorth;
             double part = square > 0 ? Math.min(1, Math.max(0, -(east * byEast + north * byNorth) / square)) : 0;
-            double distance = Math.hypot(east + part * byEast, north + part * byNorth);
+            double distance = PlaneMath.length(east + part * byEast, north + part * byNorth);
             if (distance < least) {
                 least = distance;
                 leastAt = at + part * (next - at);
             }
-            double farM = Math.hypot(east + byEast, north + byNorth) - least - ROUNDING_M; // at the end of the leg
+            double farM =
+                    PlaneMath.length(east + byEast, north + byNorth) - least - ROUNDING_M; // at the end of the leg
             long soonest = farM > 0 ? next + (long) Math.min((double) (end - next), farM / closingMPerMs) : next;
             if (soonest >= end) {
                 break;

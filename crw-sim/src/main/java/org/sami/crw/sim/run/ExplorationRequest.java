@@ -52,9 +52,14 @@ final class ExplorationRequest {
      * @param piece makes an area of the map of what is left somewhere
      */
     Exploration result(KnownTracks tracks, Function<GeoArea, MapArea> piece) {
-        AreaCoverage.Left reported = coverage.left(since(tracks.reported()));
+        Optional<List<BoatResult>> elsewhere = tracks.truly().filter(boats -> !boats.equals(tracks.reported()));
+        List<Optional<AreaCoverage.Left>> left = left(List.of(
+                planned.map(ExplorationRequest::points),
+                Optional.of(since(tracks.reported())),
+                elsewhere.map(this::since)));
+        AreaCoverage.Left reported = left.get(1).orElseThrow();
         Optional<AreaCoverage.Left> truly =
-                tracks.truly().map(boats -> boats.equals(tracks.reported()) ? reported : coverage.left(since(boats)));
+                tracks.truly().map(boats -> left.get(2).orElse(reported));
         List<MapArea> uncovered = truly.orElse(reported).parts().stream()
                 .filter(part -> AreaCoverage.of(part, spacingM, List.of(), Optional.empty())
                                 .areaM2()
@@ -66,12 +71,19 @@ final class ExplorationRequest {
                 spacingM,
                 coverage.areaM2(),
                 new Exploration.Left(
-                        planned.map(paths -> coverage.left(
-                                        paths.stream().map(GeoPath::points).toList())
-                                .areaM2()),
+                        left.get(0).map(AreaCoverage.Left::areaM2),
                         Optional.of(reported.areaM2()),
                         truly.map(AreaCoverage.Left::areaM2)),
                 uncovered);
+    }
+
+    /** What sets of tracks leave, computed side by side: each takes as long as some hundred simulated seconds. */
+    private List<Optional<AreaCoverage.Left>> left(List<Optional<List<List<GeoPoint>>>> sets) {
+        return sets.parallelStream().map(set -> set.map(coverage::left)).toList();
+    }
+
+    private static List<List<GeoPoint>> points(Collection<GeoPath> paths) {
+        return paths.stream().map(GeoPath::points).toList();
     }
 
     private List<List<GeoPoint>> since(List<BoatResult> boats) {

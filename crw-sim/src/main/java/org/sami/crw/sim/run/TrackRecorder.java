@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.LinkResult;
 import org.sami.crw.sim.report.NoteResult;
@@ -123,7 +124,7 @@ public final class TrackRecorder {
     }
 
     private static double moved(TrackPoint from, BoatState to) {
-        return Math.hypot(to.eastM() - from.eastM(), to.northM() - from.northM());
+        return PlaneMath.length(to.eastM() - from.eastM(), to.northM() - from.northM());
     }
 
     private static TrackPoint point(long nowMillis, BoatState boat) {

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Deque;
 import java.util.List;
+import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.crw.sim.report.TrackPoint;
 
 /**
@@ -51,7 +52,7 @@ final class TrackThinning {
             double part = (double) (point.atMillis() - from.atMillis()) / Math.max(1, to.atMillis() - from.atMillis());
             double east = from.eastM() + part * (to.eastM() - from.eastM());
             double north = from.northM() + part * (to.northM() - from.northM());
-            double off = Math.hypot(point.eastM() - east, point.northM() - north);
+            double off = PlaneMath.length(point.eastM() - east, point.northM() - north);
             if (off > most) {
                 most = off;
                 farthest = i;

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.LocationResult.Truth;
 import org.sami.crw.sim.report.LocationResult.Visit;
@@ -47,7 +48,7 @@ final class TrueVisits {
                                     1,
                                     ((eastM - from.eastM) * alongEast + (northM - from.northM) * alongNorth) / square));
             double distanceM =
-                    Math.hypot(from.eastM + part * alongEast - eastM, from.northM + part * alongNorth - northM);
+                    PlaneMath.length(from.eastM + part * alongEast - eastM, from.northM + part * alongNorth - northM);
             nearestM = Math.min(nearestM, distanceM);
             if (visit.isEmpty() && distanceM <= Truth.RADIUS_M) {
                 visit = Optional.of(by);

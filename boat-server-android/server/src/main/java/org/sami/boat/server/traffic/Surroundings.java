@@ -1,9 +1,7 @@
 package org.sami.boat.server.traffic;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import org.sami.boat.link.NearbyBoat;
 import org.sami.boat.link.Traffic;
@@ -22,7 +20,7 @@ public final class Surroundings {
 
     private final String ownId;
     private final List<OtherBoat> others = new ArrayList<>(); // in the order in which they came
-    private final Map<String, OtherBoat> byId = new HashMap<>();
+    private int nextHeard; // where among them the one is looked for first
     private long oldestSeenMs = Long.MAX_VALUE; // or earlier: nobody is too old before it is
     private LocalFrame plane = new LocalFrame(0, 0);
     private NoGoBorder border = NoGoBorder.NONE;
@@ -38,7 +36,6 @@ public final class Surroundings {
             if (!row.boatId().equals(ownId) && row.ageMs() < OLDEST_MS && Math.abs(row.latDeg()) <= 85) {
                 if (!(plane.distanceM(row.latDeg(), row.lonDeg()) < REACH_M)) {
                     others.clear(); // they are those of another water
-                    byId.clear();
                     border = NoGoBorder.NONE;
                     plane = new LocalFrame(row.latDeg(), row.lonDeg());
                 }
@@ -56,17 +53,26 @@ public final class Surroundings {
     }
 
     private void take(NearbyBoat row, long nowMs) {
-        OtherBoat other = byId.get(row.boatId());
-        if (other == null) {
-            other = new OtherBoat(row.boatId());
-            byId.put(row.boatId(), other);
-            others.add(other);
-        }
+        OtherBoat other = known(row.boatId());
         long seenMs = nowMs - row.ageMs();
         if (seenMs >= other.seenMs()) {
             other.see(row, plane, seenMs);
         }
         oldestSeenMs = Math.min(oldestSeenMs, seenMs);
+    }
+
+    /** The boat of that name; looked for after the one before, as a base mostly names them in the same order. */
+    private OtherBoat known(String boatId) {
+        for (int i = 0; i < others.size(); i++) {
+            int at = (nextHeard + i) % others.size();
+            if (others.get(at).boatId().equals(boatId)) {
+                nextHeard = at + 1;
+                return others.get(at);
+            }
+        }
+        OtherBoat other = new OtherBoat(boatId);
+        others.add(other);
+        return other;
     }
 
     /** Forgets what is old. */
@@ -79,7 +85,6 @@ public final class Surroundings {
             OtherBoat other = others.get(i);
             if (nowMs - other.seenMs() > OLDEST_MS) {
                 others.remove(i);
-                byId.remove(other.boatId());
             } else {
                 oldestSeenMs = Math.min(oldestSeenMs, other.seenMs());
             }
