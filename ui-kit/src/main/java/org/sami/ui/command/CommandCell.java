@@ -2,30 +2,49 @@ package org.sami.ui.command;
 
 import java.awt.BorderLayout;
 import java.awt.Component;
+import java.awt.Dimension;
+import java.util.List;
 import javax.swing.Action;
 import javax.swing.BorderFactory;
 import javax.swing.Icon;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
+import javax.swing.JTextArea;
 import javax.swing.ListCellRenderer;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
-/** A command in a list: icon, title, why it cannot be run now, key. */
+/** A command in a list: icon, title and key, and below them why it cannot be run now. */
 final class CommandCell extends JPanel implements ListCellRenderer<Command> {
     private final JLabel title = new JLabel();
-    private final JLabel side = new JLabel();
+    private final JLabel key = new JLabel();
+    private final JTextArea reason = new JTextArea();
+    private final int width;
 
-    CommandCell() {
+    /**
+     * A cell.
+     *
+     * @param width of the list in pixels: a reason goes on in further lines
+     */
+    CommandCell(int width) {
         super(new BorderLayout(Look.px(Spacing.WIDE), 0));
-        setBorder(BorderFactory.createEmptyBorder(0, Look.px(Spacing.NORMAL), 0, Look.px(Spacing.NORMAL)));
-        title.setIconTextGap(Look.px(Spacing.NORMAL));
-        side.setFont(Fonts.small());
+        int gap = Look.px(Spacing.NORMAL);
+        this.width = width - 2 * gap;
+        setBorder(BorderFactory.createEmptyBorder(0, gap, 0, gap));
+        title.setIconTextGap(gap);
+        key.setFont(Fonts.small());
+        reason.setLineWrap(true);
+        reason.setWrapStyleWord(true);
+        reason.setOpaque(false);
+        reason.setFont(Fonts.small());
+        reason.setBorder(BorderFactory.createEmptyBorder(0, 0, Look.px(Spacing.TIGHT), 0));
         add(title);
-        add(side, BorderLayout.EAST);
+        add(key, BorderLayout.EAST);
+        add(reason, BorderLayout.SOUTH);
     }
 
     @Override
@@ -36,8 +55,19 @@ final class CommandCell extends JPanel implements ListCellRenderer<Command> {
         title.setText(command.title());
         title.setIcon((Icon) command.getValue(Action.SMALL_ICON));
         title.setForeground((command.isEnabled() ? words : selected ? words : SemanticColor.DISABLED).get());
-        side.setText(command.whyNot().orElse(command.keyText()));
-        side.setForeground((selected ? SemanticColor.ON_SELECTION : SemanticColor.MUTED).get());
+        key.setText(command.keyText());
+        reason.setText(command.whyNot().orElse(""));
+        reason.setVisible(command.whyNot().isPresent());
+        reason.setSize(width, Short.MAX_VALUE); // so it knows how high it is
+        for (JComponent side : List.of(key, reason)) {
+            side.setForeground((selected ? SemanticColor.ON_SELECTION : SemanticColor.MUTED).get());
+        }
         return this;
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        Dimension size = super.getPreferredSize();
+        return new Dimension(size.width, Math.max(size.height, Look.px(Spacing.HIT_TARGET)));
     }
 }

@@ -27,14 +27,20 @@ import org.sami.ui.look.Spacing;
 
 /** Finds commands by typing: a field and the list of those that match. Enter runs the chosen one, Escape leaves. On the event thread. */
 public final class CommandSearch extends JPanel {
-    private static final int WIDTH = 560;
+    private static final int WIDTH = 640;
     private static final int ROWS = 11;
+    private static final int SCROLL_BAR = 16;
 
     private final CommandRegistry commands;
     private final Runnable leave;
     private final JTextField field = new JTextField();
     private final DefaultListModel<Command> found = new DefaultListModel<>();
-    private final JList<Command> list = new JList<>(found);
+    private final JList<Command> list = new JList<>(found) {
+        @Override
+        public boolean getScrollableTracksViewportWidth() {
+            return true; // nothing scrolls sideways
+        }
+    };
 
     /**
      * A search that has everything listed.
@@ -57,8 +63,7 @@ public final class CommandSearch extends JPanel {
         field.getAccessibleContext().setAccessibleName("Command search");
         list.setName("command-search-found");
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-        list.setCellRenderer(new CommandCell());
-        list.setFixedCellHeight(Look.px(Spacing.HIT_TARGET));
+        list.setCellRenderer(new CommandCell(Look.px(WIDTH) - 2 * inset - Look.px(SCROLL_BAR)));
         list.setFocusable(false);
         JScrollPane scroll = new JScrollPane(list);
         scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);

@@ -8,9 +8,14 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.Action;
 import javax.swing.JButton;
+import javax.swing.JList;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
+import org.sami.ui.check.Layout;
+import org.sami.ui.check.TextFit;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.Spacing;
 
 class CommandTest {
     private final List<String> ran = new ArrayList<>();
@@ -138,5 +143,23 @@ class CommandTest {
 
     private static void press(CommandSearch search, String key) {
         search.getActionMap().get(key).actionPerformed(null);
+    }
+
+    @Test
+    void reasonsAreReadToTheirEndInTheSearch() {
+        CommandRegistry commands = new CommandRegistry();
+        String reason =
+                "The transition accepted outside takes tokens from choose inside: select it, too, or leave choose"
+                        + " out; so does the transition rejected, which leads back to where locations are created";
+        commands.add(
+                new Command("net-extract", "Extract to a sub-mission", () -> {}).unless(() -> Optional.of(reason)));
+        CommandSearch search = new CommandSearch(commands, () -> {});
+
+        Layout.layOut(search, search.getPreferredSize().width, search.getPreferredSize().height);
+
+        JList<?> list = Layout.find(search, "command-search-found", JList.class).orElseThrow();
+        assertThat(list.getWidth()).isLessThanOrEqualTo(search.getWidth());
+        assertThat(TextFit.faults(search)).isEmpty();
+        assertThat(list.getCellBounds(0, 0).height).isGreaterThan(Look.px(Spacing.HIT_TARGET) + 12);
     }
 }
