@@ -3,7 +3,9 @@ package org.sami.dreamm.canvas;
 import java.awt.BorderLayout;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import javax.swing.JMenuItem;
@@ -15,6 +17,7 @@ import org.sami.dreamm.document.DocumentChange;
 import org.sami.dreamm.document.EditorListener;
 import org.sami.dreamm.profile.ProfileIds;
 import org.sami.spn.drawing.NetDetail;
+import org.sami.spn.drawing.NetDrawing;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.ui.command.Command;
@@ -159,8 +162,31 @@ public final class ModelView extends JPanel implements NetDropTarget {
             net.forget();
         }
         if (change.isOpened() || change.plans().contains(net.plan().id())) {
+            NetDrawing before = net.drawing();
             showPlan();
+            if (isBackOrForth(change) && isMostElsewhere(before)) {
+                view.fit();
+            }
         }
+    }
+
+    private static boolean isBackOrForth(DocumentChange change) {
+        return change.cause() == DocumentChange.Cause.UNDONE || change.cause() == DocumentChange.Cause.REDONE;
+    }
+
+    /** Whether half of the vertices or more lie elsewhere now, as when a layout is taken back. */
+    private boolean isMostElsewhere(NetDrawing before) {
+        Map<String, LayoutPoint> places = new HashMap<>();
+        before.vertices().forEach(vertex -> places.put(vertex.id(), vertex.centre()));
+        List<Vertex> now = net.drawing().vertices();
+        long moved = now.stream()
+                .filter(vertex -> isElsewhere(places.get(vertex.id()), vertex.centre()))
+                .count();
+        return moved > 1 && 2 * moved >= now.size();
+    }
+
+    private static boolean isElsewhere(LayoutPoint before, LayoutPoint now) {
+        return before != null && Math.hypot(before.x() - now.x(), before.y() - now.y()) > 1;
     }
 
     private void showOverlay() {

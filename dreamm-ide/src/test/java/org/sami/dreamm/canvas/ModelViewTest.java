@@ -30,6 +30,7 @@ import org.sami.spn.model.OutputEventSpec;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.ui.EventThread;
+import org.sami.ui.net.NetKey;
 import org.sami.ui.net.NetMode;
 import org.sami.ui.net.NetScene;
 
@@ -231,6 +232,30 @@ class ModelViewTest {
             assertThat(scene.vertex(id).centre().x()).as(id).isCloseTo(at.x(), within(0.2));
             assertThat(scene.vertex(id).centre().y()).as(id).isCloseTo(at.y() + down, within(0.2));
         });
+    }
+
+    @Test
+    void undoOfWhatMovedMostOfTheNetShowsAllOfItAgain() {
+        double before = scene.view.net().zoom();
+        Map<String, LayoutPoint> wide = new LinkedHashMap<>();
+        scene.plan().layout().forEach((id, at) -> wide.put(id, new LayoutPoint(3 * at.x(), 3 * at.y())));
+        scene.context.apply(new VertexEdit.MoveVertices("clv", wide));
+        scene.view.net().fit();
+        assertThat(scene.view.net().zoom()).isLessThan(before);
+
+        scene.run("undo");
+        assertThat(scene.view.net().zoom()).isCloseTo(before, within(0.01));
+    }
+
+    @Test
+    void undoOfWhatMovedOneVertexLeavesTheViewWhereItIs() {
+        scene.context.editor().select(Set.of("execute"));
+        scene.key("ctrl DOWN");
+        scene.view.net().press(NetKey.ZOOM_IN);
+        double before = scene.view.net().zoom();
+
+        scene.run("undo");
+        assertThat(scene.view.net().zoom()).isEqualTo(before);
     }
 
     private Map<String, LayoutPoint> centres() {
