@@ -5,6 +5,7 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.Optional;
+import javax.swing.JScrollPane;
 import javax.swing.SwingUtilities;
 
 /**
@@ -37,6 +38,11 @@ public final class CanvasMouse<P> extends MouseAdapter {
 
         /** Shows more of it for notches towards the person, less for those away; what is at the pixel stays there. */
         void zoom(double notches, int x, int y);
+
+        /** Whether the wheel scrolls the form in which the canvas lies, where that can be scrolled, unless the canvas has the focus or Ctrl is held. */
+        default boolean isInForm() {
+            return false;
+        }
 
         /** The pointer is elsewhere, or, with an empty one, has left. */
         default void pointed(Optional<P> pointer) {}
@@ -103,9 +109,21 @@ public final class CanvasMouse<P> extends MouseAdapter {
 
     @Override
     public void mouseWheelMoved(MouseWheelEvent e) {
-        if (e.getPreciseWheelRotation() != 0) {
+        Optional<JScrollPane> form = form(e);
+        if (form.isPresent()) {
+            form.get().dispatchEvent(SwingUtilities.convertMouseEvent(e.getComponent(), e, form.get()));
+        } else if (e.getPreciseWheelRotation() != 0) {
             surface.zoom(e.getPreciseWheelRotation(), e.getX(), e.getY());
             surface.pointed(Optional.of(surface.pointer(e)));
         }
+    }
+
+    /** The form that the wheel scrolls; empty where it zooms. */
+    private Optional<JScrollPane> form(MouseWheelEvent e) {
+        if (!surface.isInForm() || e.isControlDown() || e.getComponent().isFocusOwner()) {
+            return Optional.empty();
+        }
+        return Optional.ofNullable((JScrollPane) SwingUtilities.getAncestorOfClass(JScrollPane.class, e.getComponent()))
+                .filter(scroll -> scroll.getVerticalScrollBar().isVisible());
     }
 }

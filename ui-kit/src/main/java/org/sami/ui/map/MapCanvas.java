@@ -41,6 +41,7 @@ final class MapCanvas extends JXMapViewer {
     private transient Optional<GeoBounds> fitted = Optional.empty();
     private transient MapFrame fittedAt;
     private boolean grid = true;
+    private boolean inForm;
     private double magnification = 1; // of the zoom, less than 2
 
     MapCanvas() {
@@ -52,6 +53,14 @@ final class MapCanvas extends JXMapViewer {
         setTileFactory(new OfflineTiles(Optional.empty(), this::repaint, () -> {}, problem -> {}));
         setZoom(4);
         setOverlayPainter((g, map, width, height) -> paintLayers(g));
+    }
+
+    void setInForm(boolean inForm) {
+        this.inForm = inForm;
+    }
+
+    boolean isInForm() {
+        return inForm;
     }
 
     MapLayers layers() {

@@ -53,6 +53,11 @@ final class MapSurface implements CanvasMouse.Surface<MapPointer> {
     }
 
     @Override
+    public boolean isInForm() {
+        return canvas.isInForm();
+    }
+
+    @Override
     public void pointed(Optional<MapPointer> pointer) {
         pointing.accept(pointer);
         if (canvas.tool().snaps()) {

@@ -128,9 +128,13 @@ public final class MapView extends JPanel implements AutoCloseable {
         canvas.highlight(ids);
     }
 
-    /** Shows or hides the line below the map: one that is part of a form has no room for it. */
-    public void setStatusShown(boolean shown) {
-        status.setVisible(shown);
+    /**
+     * Makes it part of a form, or a panel of its own. In a form there is no room for the line below the map, and the wheel scrolls the form, where that can
+     * be scrolled, until the map has the focus or Ctrl is held.
+     */
+    public void setInForm(boolean inForm) {
+        status.setVisible(!inForm);
+        canvas.setInForm(inForm);
     }
 
     /** Shows or hides the grid. */

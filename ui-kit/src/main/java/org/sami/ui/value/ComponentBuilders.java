@@ -142,7 +142,7 @@ public final class ComponentBuilders {
             return Optional.empty();
         }
         MapView map = context.maps().make();
-        map.setStatusShown(false);
+        map.setInForm(true);
         new PlacesOnMap(map, request.field().componentName("preview"), context.names()::mark).show(List.of(solution));
         map.fitAll();
         return Optional.of(map);

@@ -37,7 +37,7 @@ final class PlaceEditor extends ValueEditor {
         panel.setOpaque(false);
         map.setName(field.componentName("map"));
         map.canvas().setName(field.componentName("canvas"));
-        map.setStatusShown(false);
+        map.setInForm(true);
         panel.add(map, "h 130:240:, wmin 120, grow");
         panel.add(text.component(), "wmin 120, aligny top");
         places = new PlacesOnMap(map, field.componentName("places"), robot -> new IdentityMark(0));

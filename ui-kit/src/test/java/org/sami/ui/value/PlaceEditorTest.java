@@ -3,7 +3,9 @@ package org.sami.ui.value;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Container;
+import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
 import javax.swing.JComponent;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
@@ -41,6 +43,41 @@ class PlaceEditorTest {
         click(map().canvas(), 40, 30);
 
         assertThat(text().getText().lines()).hasSize(1);
+    }
+
+    @Test
+    void theWheelScrollsTheFormWhereItCanBeScrolledAndElseZooms() {
+        JScrollPane form = new JScrollPane(area.component());
+        Layout.layOut(form, 620, 100);
+        double before = map().frame().worldPx();
+
+        turnWheel(0);
+        assertThat(form.getViewport().getViewPosition().y).isPositive();
+        assertThat(map().frame().worldPx()).isEqualTo(before);
+
+        turnWheel(InputEvent.CTRL_DOWN_MASK);
+        assertThat(map().frame().worldPx()).as("with Ctrl held").isNotEqualTo(before);
+
+        Layout.layOut(form, 620, 600);
+        double shown = map().frame().worldPx();
+        turnWheel(0);
+        assertThat(map().frame().worldPx()).as("all of the form is in sight").isNotEqualTo(shown);
+    }
+
+    private void turnWheel(int modifiers) {
+        JComponent canvas = map().canvas();
+        canvas.dispatchEvent(new MouseWheelEvent(
+                canvas,
+                MouseEvent.MOUSE_WHEEL,
+                0,
+                modifiers,
+                40,
+                30,
+                0,
+                false,
+                MouseWheelEvent.WHEEL_UNIT_SCROLL,
+                3,
+                1));
     }
 
     private static void click(JComponent canvas, int x, int y) {
