@@ -36,6 +36,17 @@ class NewProjectTest {
     }
 
     @Test
+    void newProjectEndsInEachOfTheConditions() {
+        Path file = folder.resolve("survey.json");
+        CommandResult.crw("new", file.toString());
+
+        CommandResult ran = CommandResult.crw("experiment", file.toString(), "--seeds", "1..5");
+
+        assertThat(ran.exitCode()).as(ran.out()).isZero();
+        assertThat(ran.err()).endsWith("15 of 15 runs ended\n");
+    }
+
+    @Test
     void projectCanNameTheSchemaThatLiesBesideIt() throws Exception {
         Path file = folder.resolve("survey.json");
         Path schema = folder.resolve("project-1.schema.json");
