@@ -5,9 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.sami.crw.operator.MessageSink;
 import org.sami.crw.operator.OperatorMessage;
-import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatPose;
-import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.reach.WayDanger;
 import org.sami.crw.service.water.CrossTrackError;
@@ -46,7 +44,7 @@ final class ClearWays {
             String boat = move.addressee().boat();
             Optional<GeoPoint> from =
                     boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
-            List<GeoPoint> points = points(move.command());
+            List<GeoPoint> points = move.command().unvisitedPoints();
             Optional<Water> water =
                     points.isEmpty() ? Optional.empty() : water(from, points, avoid, within, errors.of(boat));
             limited.add(
@@ -56,14 +54,6 @@ final class ClearWays {
             }
         }
         return limited;
-    }
-
-    /** The points of a command that the boat has not visited. */
-    private static List<GeoPoint> points(BoatCommand command) {
-        if (command instanceof FollowPath path) {
-            return path.points().subList(path.startIndex(), path.points().size());
-        }
-        return command.points();
     }
 
     /**

@@ -22,13 +22,11 @@ import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.BoatStatus;
 import org.sami.crw.proxy.FollowPath;
-import org.sami.crw.proxy.KeepStation;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.reach.Way;
 import org.sami.crw.service.reach.WayBack;
 import org.sami.crw.service.reach.WayCheck;
 import org.sami.crw.service.reach.WayDoubt;
-import org.sami.crw.service.water.Water;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.host.HostListener;
@@ -149,15 +147,7 @@ final class WayQuestions implements HostListener {
     }
 
     private Optional<Way> way(Move move, List<GeoArea> avoid) {
-        List<GeoPoint> points = List.of();
-        Optional<Water> water = Optional.empty();
-        if (move.command() instanceof FollowPath path) {
-            water = path.water();
-            points = path.points().subList(path.startIndex(), path.points().size());
-        } else if (move.command() instanceof KeepStation station) {
-            water = station.water();
-            points = List.of(station.point());
-        }
+        List<GeoPoint> points = move.command().unvisitedPoints();
         String boat = move.addressee().boat();
         Optional<BoatStatus> status = boats.find(boat).map(BoatProxy::status);
         OptionalDouble percent = status.flatMap(BoatStatus::battery).map(BatteryState::percent).stream()
@@ -166,7 +156,12 @@ final class WayQuestions implements HostListener {
         return points.isEmpty()
                 ? Optional.empty()
                 : Optional.of(new Way(
-                        boat, status.flatMap(BoatStatus::pose).map(BoatPose::position), percent, points, avoid, water));
+                        boat,
+                        status.flatMap(BoatStatus::pose).map(BoatPose::position),
+                        percent,
+                        points,
+                        avoid,
+                        move.command().water()));
     }
 
     private void askUnlessAnswered(Held one) {

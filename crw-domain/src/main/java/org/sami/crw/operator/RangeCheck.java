@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.service.Geodesy;
-import org.sami.crw.service.reach.WayCheck;
+import org.sami.crw.service.reach.Range;
 import org.sami.spn.value.GeoPoint;
 
 /** Whether what is left of a boat's charge takes it to the end of its path. For one thread. */
@@ -31,7 +31,7 @@ final class RangeCheck {
 
     /** How far the charge of a boat takes it, in metres; empty where it has not said. */
     static Optional<Double> rangeM(BoatSnapshot boat) {
-        return boat.battery().map(battery -> battery.percent() * WayCheck.METRES_PER_PERCENT);
+        return boat.battery().map(battery -> battery.percent() * Range.METRES_PER_PERCENT);
     }
 
     void remove(String boat) {

@@ -35,6 +35,11 @@ public sealed interface BoatCommand permits FollowPath, KeepStation, Panorama, S
         return List.of();
     }
 
+    /** Those of the points that are not visited yet when it begins. */
+    default List<GeoPoint> unvisitedPoints() {
+        return points();
+    }
+
     /** Where the boat may go meanwhile; empty = everywhere. */
     default Optional<Water> water() {
         return Optional.empty();

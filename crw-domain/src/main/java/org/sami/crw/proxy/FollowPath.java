@@ -71,6 +71,11 @@ public record FollowPath(
         return startIndex == points.size();
     }
 
+    @Override
+    public List<GeoPoint> unvisitedPoints() {
+        return points.subList(startIndex, points.size());
+    }
+
     /** The same path, from its first unvisited point on. */
     public FollowPath startingAt(int index) {
         return new FollowPath(commandId, mission, activation, points, speedMps, index, priority, block, water);

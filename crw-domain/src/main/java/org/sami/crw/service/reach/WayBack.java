@@ -41,7 +41,7 @@ public record WayBack(String words, boolean isSure) {
         Optional<Water> around = way.water().map(water -> water.leaving(home));
         double homeM = Geodesy.lengthM(end, Detour.along(end, List.of(home), around));
         double percent = way.batteryPercent().getAsDouble();
-        double left = percent - (outM + homeM) / WayCheck.METRES_PER_PERCENT;
+        double left = percent - (outM + homeM) / Range.METRES_PER_PERCENT;
         double sureM = Range.sureM(percent);
         if (left >= PLENTY_PERCENT || outM > sureM) {
             return Optional.empty();

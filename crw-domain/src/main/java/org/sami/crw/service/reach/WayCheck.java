@@ -15,9 +15,6 @@ public final class WayCheck {
     /** A point farther from the boat than this, in metres, is nowhere that a boat of the fleet comes back from. */
     public static final double FAR_M = 5_000;
 
-    /** How far one percent of charge takes a boat of the fleet, in metres: about 3.5 km on a full battery. */
-    public static final double METRES_PER_PERCENT = 35;
-
     private WayCheck() {}
 
     /** What is wrong; empty where nothing is, or where the boat's position is not known. */

@@ -8,7 +8,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.decision.Asker;
 import org.sami.crw.decision.DecisionPresenter;
-import org.sami.crw.service.reach.WayCheck;
+import org.sami.crw.service.reach.Range;
 import org.sami.crw.sim.hull.HullConfig;
 import org.sami.crw.sim.report.DecisionResult;
 import org.sami.crw.sim.report.FiringResult;
@@ -136,6 +136,6 @@ class DoubtfulWayTest {
 
     @Test
     void simulatedBoatsGoAsFarAsTheQuestionSays() {
-        assertThat(1 / HullConfig.DEFAULT.batteryPercentPerM()).isEqualTo(WayCheck.METRES_PER_PERCENT);
+        assertThat(1 / HullConfig.DEFAULT.batteryPercentPerM()).isEqualTo(Range.METRES_PER_PERCENT);
     }
 }
