@@ -14,8 +14,9 @@ import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * How long the ways between some points are, around what is forbidden, all computed at once. As boats then drive: a way keeps its margin unless that costs more
- * than {@link PathProblem#DETOUR}; an end that lies in what is forbidden is left, or come to, on the shortest way. Immutable.
+ * The lengths of the ways between some points, around what is forbidden, all computed at once. They are those of the ways that boats drive: a
+ * way keeps its margin unless that makes it longer by more than {@link PathProblem#DETOUR}; an end that lies in what is forbidden is left, or
+ * come to, on the shortest way. Immutable.
  */
 public final class WayLengths {
     /** For more points lengths are straight. */
@@ -27,6 +28,29 @@ public final class WayLengths {
     private final Map<GeoPoint, Integer> indices;
     private final double[][] lengthM;
     private final Optional<String> shortfall;
+
+    /**
+     * Where ways from and to a point begin.
+     *
+     * @param place the point itself, or the nearest place at which ways keep clear
+     * @param wayM how far that is from the point; infinite where no way leads out
+     */
+    private record Access(Coordinate place, double wayM) {
+        static Access of(GeoPoint point, Water water, VisibilityGraph graph) {
+            Coordinate at = Areas.coordinate(point, water.plane());
+            boolean isBlocked = graph.isBlocked(at);
+            if (!isBlocked && !graph.isBehindCorners(at)) {
+                return new Access(at, 0);
+            }
+            Coordinate free = graph.nearestFree(at);
+            boolean isCut =
+                    water.clearanceM(point) > 0 && !water.allows(List.of(point, Areas.point(free, water.plane())));
+            if (isCut) {
+                return new Access(at, isBlocked ? Double.POSITIVE_INFINITY : 0);
+            }
+            return new Access(free, free.distance(at));
+        }
+    }
 
     private WayLengths(Map<GeoPoint, Integer> indices, double[][] lengthM, Optional<String> shortfall) {
         this.indices = indices;
@@ -72,21 +96,17 @@ public final class WayLengths {
     }
 
     private static double[][] lengths(List<GeoPoint> points, Water water, VisibilityGraph graph) {
-        List<Coordinate> places = new ArrayList<>();
-        double[] asideM = new double[points.size()];
-        for (GeoPoint point : points) {
-            Coordinate at = Areas.coordinate(point, water.plane());
-            Coordinate free = graph.isBlocked(at) || graph.isBehindCorners(at) ? graph.nearestFree(at) : at;
-            boolean isCut = !free.equals2D(at)
-                    && water.clearanceM(point) > 0
-                    && !water.allows(List.of(point, Areas.point(free, water.plane())));
-            asideM[places.size()] = isCut ? graph.isBlocked(at) ? Double.POSITIVE_INFINITY : 0 : free.distance(at);
-            places.add(isCut ? at : free);
-        }
+        List<Access> accesses =
+                points.stream().map(point -> Access.of(point, water, graph)).toList();
+        List<Coordinate> places = accesses.stream().map(Access::place).toList();
         double[][] lengthM = new ShortestWays(graph, places).lengthsM();
         for (int i = 0; i < lengthM.length; i++) {
             for (int j = 0; j < lengthM.length; j++) {
-                lengthM[i][j] = i == j ? 0 : lengthM[i][j] + asideM[i] + asideM[j];
+                lengthM[i][j] = i == j
+                        ? 0
+                        : lengthM[i][j]
+                                + accesses.get(i).wayM()
+                                + accesses.get(j).wayM();
             }
         }
         return lengthM;

@@ -8,11 +8,11 @@ import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Finds the ways on which a boat that is somewhere along a path comes home, clear of what is forbidden: for each leg those that can be taken from
- * wherever on the leg the boat is. A way is given by the turns before home.
+ * Finds the ways home from a path, clear of what is forbidden: for each leg those that a boat can take from anywhere on the leg. A way is a list of
+ * the points at which it turns before home.
  */
 public final class WaysHome {
-    /** A way that leads so many times as far as the straight one is compared with another one. */
+    /** A known way that is longer than the straight one by this factor is compared with a new search. */
     private static final double WORTH_A_SEARCH = 1.25;
 
     private final GeoPoint home;
@@ -24,8 +24,9 @@ public final class WaysHome {
     }
 
     /**
-     * The ways for each point of a path, from the leg that leads there: one that the whole leg sees the beginning of, else those from its two
-     * ends. None for legs that are not driven any more, and where there is no way. Empty where every leg has the straight way home.
+     * The ways home from each leg of a path, by the index of the point to which the leg leads. A leg has one way if all of it sees the way's first
+     * turn; else one from each of its ends; none if it is not driven any more, or if there is no way. Empty if every leg has the straight way
+     * home.
      *
      * @param from where the boat begins
      * @param first index of the point to which it drives first
@@ -55,7 +56,10 @@ public final class WaysHome {
         return isStraight ? List.of() : ofLegs;
     }
 
-    /** From a point: as from the one before it, as far on that way as it is seen, unless it leads far about; empty where there is none. */
+    /**
+     * The way home from a point: the way from the point before, from the last of its turns that is seen from here, unless that is far about; else a
+     * new one. Empty if there is none.
+     */
     private Optional<List<GeoPoint>> ofPoint(GeoPoint point, Optional<List<GeoPoint>> before) {
         if (Detour.isClear(point, home, water)) {
             return Optional.of(List.of());
@@ -95,7 +99,7 @@ public final class WaysHome {
         return ofEnds;
     }
 
-    /** What is left of a way from the last of its places that is seen from everywhere on a leg. */
+    /** The rest of a way from the last of its turns that is seen from everywhere on a leg; empty if none is. */
     private Optional<List<GeoPoint>> seen(GeoPoint start, GeoPoint end, List<GeoPoint> way) {
         double legM = water.clearanceM(List.of(start, end));
         for (int i = way.size(); i >= 0; i--) {
