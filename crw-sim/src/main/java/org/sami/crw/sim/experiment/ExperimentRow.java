@@ -29,6 +29,7 @@ import org.sami.crw.sim.report.RunReport;
  * @param insideM how deep a boat came into what was to be avoided; empty where nothing was
  * @param closestM how near two boats came to one another
  * @param underWayM the same, once both were under way
+ * @param nearMillis how long every two boats that came nearer than 3 m were so near, all taken together
  * @param emptyBoats how many boats ran out of charge
  * @param runHash equal for equal runs
  */
@@ -50,6 +51,7 @@ public record ExperimentRow(
         OptionalDouble insideM,
         OptionalDouble closestM,
         OptionalDouble underWayM,
+        long nearMillis,
         int emptyBoats,
         String runHash) {
     public ExperimentRow {
@@ -88,6 +90,7 @@ public record ExperimentRow(
                 NoGoDepth.of(report),
                 metres(report.map().closest().ever()),
                 metres(report.map().closest().underWay()),
+                report.map().closest().nearMillis(),
                 (int) report.boats().stream().filter(ExperimentRow::ranEmpty).count(),
                 report.result().runHash());
     }
@@ -112,6 +115,7 @@ public record ExperimentRow(
                 OptionalDouble.empty(),
                 OptionalDouble.empty(),
                 OptionalDouble.empty(),
+                0,
                 0,
                 "");
     }

@@ -29,6 +29,7 @@ public final class ExperimentTable {
             "inside",
             "closest",
             "under way",
+            "near",
             "empty");
 
     private static final String NONE = "-";
@@ -71,6 +72,7 @@ public final class ExperimentTable {
                 metres(most(group, ExperimentRow::insideM)),
                 metres(least(group, ExperimentRow::closestM)),
                 metres(least(group, ExperimentRow::underWayM)),
+                near(group),
                 String.valueOf(sum(group, ExperimentRow::emptyBoats)));
     }
 
@@ -100,6 +102,14 @@ public final class ExperimentTable {
                 .mapToDouble(row -> uncoveredM2.apply(row).getAsDouble())
                 .sum();
         return told.isEmpty() ? NONE : String.format(Locale.ROOT, "%.2f %%", 100 * (1 - leftM2 / areaM2));
+    }
+
+    /** Seconds of a run, on the average. */
+    private static String near(List<ExperimentRow> group) {
+        boolean isKnown = group.stream().anyMatch(row -> row.closestM().isPresent());
+        double seconds =
+                group.stream().mapToLong(ExperimentRow::nearMillis).average().orElse(0) / 1000;
+        return isKnown ? String.format(Locale.ROOT, "%.1f s", seconds) : NONE;
     }
 
     private static String metres(OptionalDouble value) {
@@ -162,6 +172,7 @@ public final class ExperimentTable {
                 "inside_m",
                 "closest_m",
                 "under_way_m",
+                "near_s",
                 "empty_boats",
                 "run_hash"));
         for (ExperimentRow row : rows) {
@@ -183,6 +194,7 @@ public final class ExperimentTable {
                     cell(row.insideM()),
                     cell(row.closestM()),
                     cell(row.underWayM()),
+                    CsvRow.fixed(row.nearMillis() / 1000.0, 3),
                     row.emptyBoats(),
                     row.runHash()));
         }

@@ -16,8 +16,10 @@ import org.sami.crw.sim.report.PairOfTracks.Track;
  * @param underWay the nearest from the moment on at which both of the two had left where they began, by {@link #LEFT_M}: boats mostly
  *     lie side by side at the start. Empty where no two had
  * @param near of every two that came nearer than {@link #NEAR_M} where they were nearest, the nearest first
+ * @param nearMillis how long every two of these were nearer than that, all taken together, in milliseconds
  */
-public record ClosestApproach(Optional<Approach> ever, Optional<Approach> underWay, List<Approach> near) {
+public record ClosestApproach(
+        Optional<Approach> ever, Optional<Approach> underWay, List<Approach> near, long nearMillis) {
     /** What boats keep from one another in still water, in metres (docs/decisions, 0320). */
     public static final double NEAR_M = 3;
 
@@ -35,6 +37,7 @@ public record ClosestApproach(Optional<Approach> ever, Optional<Approach> underW
         Optional<Approach> ever = Optional.empty();
         Optional<Approach> underWay = Optional.empty();
         List<Approach> near = new ArrayList<>();
+        double nearMillis = 0;
         List<Long> left = boats.stream().map(boat -> leftAt(boat.track())).toList();
         List<Track> tracks = boats.stream().map(Track::of).toList();
         for (int i = 0; i < boats.size(); i++) {
@@ -42,14 +45,17 @@ public record ClosestApproach(Optional<Approach> ever, Optional<Approach> underW
                 PairOfTracks pair = new PairOfTracks(tracks.get(i), tracks.get(j));
                 double nearestM = ever.map(Approach::distanceM).orElse(Double.MAX_VALUE);
                 Optional<Approach> nearest = pair.nearerThan(Math.max(NEAR_M, nearestM), 0);
-                nearest.filter(approach -> approach.distanceM() < NEAR_M).ifPresent(near::add);
+                if (nearest.isPresent() && nearest.get().distanceM() < NEAR_M) {
+                    near.add(nearest.get());
+                    nearMillis += pair.millisNearer(NEAR_M);
+                }
                 ever = nearest.filter(approach -> approach.distanceM() < nearestM)
                         .or(known(ever));
                 underWay = pair.nearer(underWay, Math.max(left.get(i), left.get(j)));
             }
         }
         near.sort(Comparator.comparingDouble(Approach::distanceM));
-        return new ClosestApproach(ever, underWay, near);
+        return new ClosestApproach(ever, underWay, near, Math.round(nearMillis));
     }
 
     private static Supplier<Optional<Approach>> known(Optional<Approach> approach) {

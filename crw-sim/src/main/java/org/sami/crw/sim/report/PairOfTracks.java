@@ -90,6 +90,47 @@ final class PairOfTracks {
         return least < before ? Optional.of(approach(Math.round(leastAt), least)) : Optional.empty();
     }
 
+    /** How long they were nearer than so many metres, in milliseconds. */
+    double millisNearer(double metres) {
+        if (one.points.isEmpty() || other.points.isEmpty()) {
+            return 0;
+        }
+        Way first = new Way(one.points);
+        Way second = new Way(other.points);
+        long end = Math.min(first.end(), second.end());
+        long at = Math.max(first.begin(), second.begin());
+        double millis = 0;
+        while (at < end) {
+            first.goTo(at);
+            second.goTo(at);
+            long next = Math.min(end, Math.min(first.nextAfter(at), second.nextAfter(at)));
+            double east = first.east(at) - second.east(at);
+            double north = first.north(at) - second.north(at);
+            double byEast = first.east(next) - second.east(next) - east;
+            double byNorth = first.north(next) - second.north(next) - north;
+            millis += partWithin(metres, east, north, byEast, byNorth) * (next - at);
+            at = next;
+        }
+        return millis;
+    }
+
+    /** Which part of a straight way from a place lies nearer to the origin than so far: 0 to 1. */
+    private static double partWithin(double metres, double east, double north, double byEast, double byNorth) {
+        double square = byEast * byEast + byNorth * byNorth;
+        double outside = east * east + north * north - metres * metres;
+        if (square == 0) {
+            return outside < 0 ? 1 : 0;
+        }
+        double half = (east * byEast + north * byNorth) / square;
+        double root = half * half - outside / square;
+        if (root <= 0) {
+            return 0;
+        }
+        double from = Math.max(0, -half - Math.sqrt(root));
+        double to = Math.min(1, -half + Math.sqrt(root));
+        return Math.max(0, to - from);
+    }
+
     private Approach approach(long atMillis, double distanceM) {
         TrackPoint a = new Way(one.points).at(atMillis);
         TrackPoint b = new Way(other.points).at(atMillis);

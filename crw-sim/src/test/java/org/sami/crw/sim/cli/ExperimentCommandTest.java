@@ -5,6 +5,8 @@ import static org.sami.crw.sim.cli.CommandResult.crw;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -14,7 +16,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.crw.sim.experiment.ExperimentCase;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.ProjectReader;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.model.VariableSpec;
 
 /** The command {@code crw experiment}. */
 class ExperimentCommandTest {
@@ -160,5 +165,27 @@ class ExperimentCommandTest {
                         .map(Plan::id)
                         .filter(id -> !children.contains(id))
                         .collect(Collectors.toCollection(TreeSet::new)));
+    }
+
+    /** What is mended in the library is mended in the copies that lie among rocks. */
+    @Test
+    void plansAmongRocksAreThoseOfTheLibrary() throws Exception {
+        DomainLibrary library = PlanSource.library();
+        Path folder = Path.of("../docs/experiments");
+        List<ExperimentCase> cases =
+                new ArrayList<>(new ExperimentRuns(library).read(folder.resolve("separation.runs")));
+        cases.addAll(new ExperimentRuns(library).read(folder.resolve("separation-areas.runs")));
+
+        assertThat(cases).hasSize(26);
+        Project rocks = new ProjectReader(library.vocabulary())
+                .read(folder.resolve("rocks.json"))
+                .orThrow();
+        assertThat(rocks.globals()).extracting(VariableSpec::name).containsExactly("@noGo");
+        for (Plan plan : rocks.plans()) {
+            Plan original = library.projectOf(plan.id())
+                    .flatMap(project -> project.plan(plan.id()))
+                    .orElseThrow();
+            assertThat(plan).as(plan.id()).isEqualTo(original.withTestCases(List.of()));
+        }
     }
 }

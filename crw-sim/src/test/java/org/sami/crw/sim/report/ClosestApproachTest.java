@@ -29,6 +29,20 @@ class ClosestApproachTest {
         assertThat(nearest.where().latDeg()).isCloseTo(45 - 0.75e-5, within(1e-9));
     }
 
+    /** 2.83 m/s by one another at 2.12 m: 4.24 m of the way of 200 m are within 3 m. */
+    @Test
+    void howLongPairsAreNearIsThatBetweenTheirPointsToo() {
+        BoatResult north = boat("north", at(0, 0, -100), at(100_000, 0, 100));
+        BoatResult east = boat("east", at(0, -97, 0), at(100_000, 103, 0));
+        BoatResult beside = boat("beside", at(0, 1, -100), at(50_000, 1, 0), at(100_000, 200, 0));
+
+        assertThat(ClosestApproach.of(List.of(north, east)).nearMillis()).isEqualTo(1500);
+        assertThat(ClosestApproach.of(List.of(north, beside)).nearMillis()).isBetween(50_000L, 51_000L);
+        assertThat(ClosestApproach.of(List.of(north, boat("far", at(0, 9, 0), at(100_000, 9, 0))))
+                        .nearMillis())
+                .isZero();
+    }
+
     @Test
     void everyPairThatComesNearIsNamedWhereItWasNearest() {
         BoatResult west = boat("west", at(0, 0, 0), at(10_000, 0, 100));

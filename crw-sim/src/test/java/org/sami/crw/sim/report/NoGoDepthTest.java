@@ -33,7 +33,7 @@ class NoGoDepthTest {
                 List.of(area),
                 List.of(),
                 List.of(),
-                new ClosestApproach(Optional.empty(), Optional.empty(), List.of()));
+                new ClosestApproach(Optional.empty(), Optional.empty(), List.of(), 0));
         return new RunReport(
                 sample.header(),
                 sample.result(),

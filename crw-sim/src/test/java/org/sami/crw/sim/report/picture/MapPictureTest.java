@@ -167,7 +167,7 @@ class MapPictureTest {
     }
 
     private static ClosestApproach nothingNear() {
-        return new ClosestApproach(Optional.empty(), Optional.empty(), List.of());
+        return new ClosestApproach(Optional.empty(), Optional.empty(), List.of(), 0);
     }
 
     private static MapArea area(MapArea.Kind kind, double eastM) {
