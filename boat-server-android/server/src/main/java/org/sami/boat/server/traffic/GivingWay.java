@@ -264,13 +264,15 @@ public final class GivingWay {
         double thenMps = speedMps + clamped(wantedMps - speedMps, gain);
         double most = TURNING_RAD_S * StoppingWay.REACTION_S;
         Course least = new Course(heading.rad() + clamped(turn, most / 3)); // where it hardly turns yet
-        Course farthest =
-                new Course(heading.rad() + clamped(turn, 1.5 * most)); // where it goes on turning while it stops
+        Course farthest = Math.abs(turn) <= most / 3
+                ? least
+                : new Course(heading.rad() + clamped(turn, 1.5 * most)); // where it goes on turning while it stops
         double wayM = (speedMps + thenMps) / 2 * StoppingWay.REACTION_S;
         double thenEastM = eastM + wayM * least.east();
         double thenNorthM = northM + wayM * least.north();
         return isClear(StoppingWay.of(thenEastM, thenNorthM, least, thenMps, 0), followsLine)
-                && isClear(StoppingWay.of(thenEastM, thenNorthM, farthest, thenMps, 0), followsLine);
+                && (farthest == least
+                        || isClear(StoppingWay.of(thenEastM, thenNorthM, farthest, thenMps, 0), followsLine));
     }
 
     /** Whether a boat that hardly moves can go that way once it has turned, which it can on the spot. */

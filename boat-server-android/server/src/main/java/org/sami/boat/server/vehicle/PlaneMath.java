@@ -14,17 +14,12 @@ public final class PlaneMath {
         return Math.sqrt(east * east + north * north);
     }
 
-    /** The same turn in -π to π. Exact, as {@link Math#IEEEremainder} is: up to two full turns a difference of doubles is not rounded. */
+    /** The same turn in -π to π. To the last bit that of {@link Math#IEEEremainder}: a difference of doubles of which one is up to twice the other is not rounded. */
     public static double sameTurn(double rad) {
         if (Math.abs(rad) <= Math.PI) {
             return rad;
         }
-        if (rad > 0 && rad <= FULL_TURN_RAD + Math.PI) {
-            return rad - FULL_TURN_RAD;
-        }
-        if (rad < 0 && rad >= -FULL_TURN_RAD - Math.PI) {
-            return rad + FULL_TURN_RAD;
-        }
-        return Math.IEEEremainder(rad, FULL_TURN_RAD);
+        double oneTurnLess = rad - Math.copySign(FULL_TURN_RAD, rad);
+        return Math.abs(oneTurnLess) <= Math.PI ? oneTurnLess : Math.IEEEremainder(rad, FULL_TURN_RAD);
     }
 }
