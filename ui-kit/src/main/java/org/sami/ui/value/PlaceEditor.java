@@ -72,6 +72,11 @@ final class PlaceEditor extends ValueEditor {
         }
     }
 
+    @Override
+    void leaveMessage() {
+        text.leaveMessage();
+    }
+
     /** Drawing never ends by itself: a form is left by other means. */
     private void draw() {
         map.edit(sketch, kept -> draw());

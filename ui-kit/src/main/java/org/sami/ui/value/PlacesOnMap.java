@@ -28,6 +28,7 @@ public final class PlacesOnMap {
     private static final IdentityMark NOBODY = new IdentityMark(0);
 
     private final Function<String, IdentityMark> marks;
+    private final Function<String, Optional<GeoPoint>> positions;
     private final AreaLayer areas;
     private final PathLayer paths;
     private final PointLayer points;
@@ -44,8 +45,22 @@ public final class PlacesOnMap {
      * @param marks of robots
      */
     public PlacesOnMap(MapView map, String id, Function<String, IdentityMark> marks) {
+        this(map, id, marks, robot -> Optional.empty());
+    }
+
+    /**
+     * The same, with paths that begin where their robots are.
+     *
+     * @param positions of robots, as far as they are known
+     */
+    public PlacesOnMap(
+            MapView map,
+            String id,
+            Function<String, IdentityMark> marks,
+            Function<String, Optional<GeoPoint>> positions) {
         this.id = id;
         this.marks = marks;
+        this.positions = positions;
         areas = map.layers().add(new AreaLayer(id + "-areas", "Areas of " + id));
         paths = map.layers().add(new PathLayer(id + "-paths", "Paths of " + id));
         points = map.layers().add(new PointLayer(id + "-points", "Points of " + id));
@@ -70,7 +85,10 @@ public final class PlacesOnMap {
         if (value instanceof GeoPoint point) {
             shownPoints.add(new PointLayer.MapPoint(newId(), String.valueOf(shownPoints.size() + 1), point));
         } else if (value instanceof GeoPath path) {
-            shownPaths.add(new PlannedPath(newId(), robot.map(marks).orElse(NOBODY), path.points(), 0));
+            List<GeoPoint> points = new ArrayList<>();
+            robot.flatMap(positions).ifPresent(points::add);
+            points.addAll(path.points());
+            shownPaths.add(new PlannedPath(newId(), robot.map(marks).orElse(NOBODY), points, 0));
         } else if (value instanceof GeoArea area) {
             shownAreas.add(new ShownArea(newId(), "", area, ShownArea.Kind.WORK));
         } else if (value instanceof ProxyValue proxy) {

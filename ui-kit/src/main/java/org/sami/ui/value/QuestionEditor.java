@@ -42,6 +42,7 @@ public final class QuestionEditor {
             ValueEditor editor = question instanceof Question.Approve
                     ? editors.build(chosen, ValueField.of(name, ValueType.Simple.BOOLEAN))
                     : chooser(name, chosen, editors);
+            editor.leaveMessage();
             single = Optional.of(editor);
             fields = null;
         }
@@ -51,6 +52,9 @@ public final class QuestionEditor {
         Map<String, ValueField> asked = new LinkedHashMap<>();
         fillIn.items().forEach(item -> asked.put(item.key(), ValueField.of(item)));
         FieldsPanel panel = editors.fields(chosen, asked);
+        if (asked.size() == 1) {
+            panel.editors().values().forEach(ValueEditor::leaveMessage);
+        }
         for (Question.Item item : fillIn.items()) {
             ValueEditor editor = panel.editors().get(item.key());
             item.defaultValue().ifPresent(editor::show);
@@ -68,7 +72,6 @@ public final class QuestionEditor {
                 : Offer.one(rows);
         ValueType option = question instanceof Question.ChooseProxies ? ValueType.Simple.PROXY : ValueType.Simple.ANY;
         ValueChooser chooser = editors.chooser(chosen, ValueField.of(name, new ValueType.ListOf(option)), offer);
-        chooser.leaveMessage();
         List<Integer> selected = IntStream.range(0, offered.size())
                 .filter(i -> offered.get(i).selected())
                 .boxed()
@@ -150,8 +153,11 @@ public final class QuestionEditor {
         }
     }
 
-    /** The values that are chosen or filled in so far, such as to show them on a map. */
+    /** The values that are chosen or filled in so far, such as to show them on a map; of a single option also before it is chosen. */
     public List<Value> values() {
+        if (question instanceof Question.ChooseOption && offered.size() == 1) {
+            return List.of(offered.get(0).row().value());
+        }
         return single.map(List::of).orElseGet(() -> List.copyOf(fields.editors().values())).stream()
                 .flatMap(editor -> editor.entry().value().stream())
                 .toList();

@@ -117,7 +117,7 @@ final class SolutionChooser extends ValueChooser {
     public Entry entry() {
         List<Integer> chosen = chosen();
         return chosen.isEmpty()
-                ? Entry.nothing("Choose one of " + options.size())
+                ? Entry.nothing(options.size() == 1 ? "Choose option 1" : "Choose one of " + options.size())
                 : Entry.of(options.get(chosen.get(0)));
     }
 

@@ -80,6 +80,11 @@ final class TextEditor extends ValueEditor {
         return text;
     }
 
+    @Override
+    void leaveMessage() {
+        panel.remove(message);
+    }
+
     /** Puts a text into the field, as if the operator had typed it. */
     void type(String typed) {
         text.setText(typed);

@@ -24,9 +24,6 @@ public abstract class ValueChooser extends ValueEditor {
         untouch();
     }
 
-    /** Leaves it to whoever asks to say what is missing, as the same is not to be read twice. */
-    void leaveMessage() {}
-
     /** Marks an option as chosen. */
     abstract void mark(int option);
 }

@@ -100,6 +100,9 @@ public abstract class ValueEditor {
         }
     }
 
+    /** Leaves it to whoever asks to say what is missing, as the same is not to be read twice. */
+    void leaveMessage() {}
+
     /** Puts the reason at the field after a change; called before the listeners. */
     protected void refresh() {}
 

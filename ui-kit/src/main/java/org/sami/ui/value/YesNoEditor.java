@@ -44,6 +44,11 @@ final class YesNoEditor extends ValueEditor {
         return button;
     }
 
+    @Override
+    void leaveMessage() {
+        panel.remove(message);
+    }
+
     /** Is told after the operator has pressed a button, and the entry is what it says. */
     void onPressed(Runnable listener) {
         pressed = listener;

@@ -2,11 +2,14 @@ package org.sami.crw.gui.map;
 
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.gui.decision.DecisionMap;
 import org.sami.crw.operator.PlacesInText;
 import org.sami.spn.protocol.Question;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 import org.sami.ui.geo.GeoSketch;
 import org.sami.ui.look.IdentityMarks;
@@ -24,9 +27,14 @@ final class DecisionOverlay implements DecisionMap {
     private long drawnFor;
     private long shownFor;
 
-    DecisionOverlay(MapView view, IdentityMarks marks) {
+    /**
+     * Adds its layers to a map.
+     *
+     * @param positions of boats, as far as they are known: the paths of an option begin there
+     */
+    DecisionOverlay(MapView view, IdentityMarks marks, Function<String, Optional<GeoPoint>> positions) {
         this.view = view;
-        places = new PlacesOnMap(view, "decision", marks::of);
+        places = new PlacesOnMap(view, "decision", marks::of, positions);
         named = new NamedPlaces(view, "question");
     }
 
