@@ -64,9 +64,12 @@ public final class BoatWords {
 
     /** Its speed in m/s. */
     public static String speed(BoatSnapshot boat) {
-        return boat.pose()
-                .map(pose -> String.format(Locale.ROOT, "%.1f m/s", pose.speedMps()))
-                .orElse(UNKNOWN);
+        return boat.pose().map(pose -> speed(pose.speedMps())).orElse(UNKNOWN);
+    }
+
+    /** A speed in m/s; one that is rounded to nothing has no sign. */
+    static String speed(double mps) {
+        return String.format(Locale.ROOT, "%.1f m/s", Math.round(mps * 10) / 10.0);
     }
 
     /** How far it is on its path. */
