@@ -3,6 +3,7 @@ package org.sami.crw.sim.boat;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -11,8 +12,11 @@ import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.water.CrossTrackError;
+import org.sami.crw.service.water.Water;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
 /** Boats behind TCP, in still water with exact instruments: what one knows of the other comes from the base alone. */
@@ -24,7 +28,11 @@ class GivingWayOverTcpTest {
     Path logs;
 
     private static GeoPoint north(double metres) {
-        return Geodesy.offset(TcpTestFleet.PIER, 0, metres);
+        return at(0, metres);
+    }
+
+    private static GeoPoint at(double eastM, double northM) {
+        return Geodesy.offset(TcpTestFleet.PIER, eastM, northM);
     }
 
     @Test
@@ -45,6 +53,35 @@ class GivingWayOverTcpTest {
             });
 
             assertThat(leastM[0]).isBetween(APART_M, 15.0);
+        }
+    }
+
+    /** The second boat has to give way, and would do so to starboard, where the rock lies. */
+    @Test
+    void boatThatGivesWayBesideARockStaysOutOfItByWhatItsBaseTells() throws Exception {
+        List<GeoPoint> rock = List.of(at(-6, -10), at(-0.9, -10), at(-0.9, 30), at(-6, 30)); // west of both ways
+        Water water = Water.of(TcpTestFleet.PIER, List.of(new GeoArea(rock, List.of())), Optional.empty())
+                .drivenWith(CrossTrackError.CALM);
+        try (TcpTestFleet fleet = new TcpTestFleet(logs)) {
+            BoatOnTcp anna = fleet.boat("anna", north(0));
+            BoatOnTcp bert = fleet.boat("bert", north(16));
+            Base base = fleet.base("base");
+            base.connect(anna.address(), "anna");
+            base.connect(bert.address(), "bert");
+            List<GeoPoint> driven = new ArrayList<>();
+
+            base.submit("anna", way("m1", 16).in(water));
+            base.submit("bert", way("m2", 0).in(water));
+            Await.until("they have passed each other", 90, () -> {
+                Optional<GeoPoint> first = base.status("anna").pose().map(BoatPose::position);
+                Optional<GeoPoint> second = base.status("bert").pose().map(BoatPose::position);
+                second.ifPresent(driven::add);
+                return first.isPresent()
+                        && second.isPresent()
+                        && first.get().latDeg() > second.get().latDeg();
+            });
+
+            assertThat(water.clearanceM(driven)).isPositive();
         }
     }
 
