@@ -2,6 +2,7 @@ package org.sami.crw.proxy;
 
 import java.util.List;
 import java.util.Optional;
+import org.sami.boat.link.BoatMode;
 import org.sami.crw.proxy.BoatExplanation.Cause;
 
 /** Answers "why is this boat not moving?" from its proxy's link and queue. */
@@ -36,7 +37,16 @@ final class BoatExplainer {
         }
         LastCommandOutcome last = driver.lastWord();
         String became = last.text(titles).map(text -> "; " + text).orElse("");
-        return still(last.cause(), "no mission wants anything of it" + became);
+        String nobody = "no mission wants anything of it" + became;
+        return isReturning()
+                ? new BoatExplanation(
+                        false, last.cause(), proxy.boatId() + " returns to its home, as its link was lost: " + nobody)
+                : still(last.cause(), nobody);
+    }
+
+    /** Whether the boat says that it is on its way home by itself. */
+    private boolean isReturning() {
+        return proxy.status().mode().filter(BoatMode.RETURN::equals).isPresent();
     }
 
     /** Nobody sees whether it moves: what it does by itself is what it was set to. */

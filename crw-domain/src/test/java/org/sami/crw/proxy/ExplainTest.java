@@ -65,6 +65,16 @@ class ExplainTest {
     }
 
     @Test
+    void boatThatReturnsByItselfIsNotSaidToStand() {
+        boat.says(new Welcome("boat1", "b1", Role.COMMANDER, ""));
+        boat.says(new Progress("", 0, false));
+        boat.says(new Telemetry(45, 10, 0, 1.5, 90, BoatMode.RETURN, 1));
+
+        assertThat(boat.proxy.explain().text())
+                .isEqualTo("boat1 returns to its home, as its link was lost: no mission wants anything of it");
+    }
+
+    @Test
     void everyCauseIsNamed() {
         assertWhy(Cause.NEVER_ANSWERED, "has not answered yet");
         boat.says(new Goodbye("boat1", "too many clients"));
