@@ -182,7 +182,7 @@ public final class BoatServer {
         } else if (message instanceof Teleoperate) {
             teleoperate(session, (Teleoperate) message, frame, nowMs);
         } else if (message instanceof Traffic && isCommander(session)) {
-            modes.surroundings().hear((Traffic) message, nowMs);
+            modes.surroundings().update((Traffic) message, nowMs);
         } // heartbeats have done their work by arriving; what only boats say is no concern of a boat
     }
 

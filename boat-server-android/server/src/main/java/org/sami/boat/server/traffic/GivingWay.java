@@ -1,41 +1,43 @@
 package org.sami.boat.server.traffic;
 
 import java.util.Arrays;
-import java.util.List;
 import java.util.Optional;
-import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
- * Has a boat give way to others. Of some courses and speeds around the one that is wanted it takes the cheapest that is safe, which is the wanted
- * one where nobody is in the way (a choice among a few behaviours, as T. A. Johansen, T. Perez and A. Cristofaro make it: Ship collision avoidance and
- * COLREGS compliance using simulation-based control behavior selection, 2016).
+ * Has a boat give way to others: of some courses and speeds around the wanted one it chooses the cheapest that is safe. That is the wanted one where
+ * nobody is in the way (after T. A. Johansen, T. Perez, A. Cristofaro, Ship collision avoidance and COLREGS compliance using simulation-based
+ * control behavior selection, 2016).
  *
- * <p>Safe is what leaves the way on which the boat could stop then apart from those on which others could stop now; where nothing is, it stops.
- * Cheap is what brings the boat on, keeps it near its line and away from where others will be. Of two boats under way the one whose name comes
- * first has the right of way; boats at rest, and those that a person drives, have it over all.
+ * <ul>
+ *   <li>A motion is safe if the segment on which the boat could stop then is apart from those on which others could stop now. Where none is safe, the
+ *       boat stops.
+ *   <li>A motion is cheap if it brings the boat on, keeps it near its line, and away from where others will be ({@link Neighbours}).
+ *   <li>Of two boats under way, the one whose name comes first has the right of way. Boats at rest, and those that a person drives, have it over all.
+ *   <li>Off its line the boat keeps out of what it is not to enter ({@link NoGoBorder}). Where that leaves no room to pass, one of two boats goes back
+ *       ({@link Retreat}).
+ * </ul>
  *
- * <p>What the boat is not to enter bounds what is safe wherever it is not on its line ({@link NoGoBorder}). Where that leaves no room to pass, one
- * of two boats goes back ({@link Retreat}).
+ * <p>For the thread that ticks the server.
  */
 public final class GivingWay {
-    /** Ways on which two boats stop are so far apart: 3 m, and what somebody may turn and speed up until that is known. */
+    /** Distance between the segments on which two boats stop, in metres: 3, and what a boat may turn and gain speed until others know. */
     static final double APART_M = 3.5;
 
-    /** In passing so much more is kept where there is room. */
+    /** What boats keep on top of it in passing where there is room, in metres. */
     private static final double ROOM_M = 1;
 
     /**
-     * Where positions err so many deviations of the distance between two boats are kept on top: with 2 boats in the field hold each other up for minutes, with
-     * 1 they are under 3 m for twice as long (docs/decisions, 0320).
+     * How many standard deviations of the distance between two boats are kept on top where positions err. With 2, boats in the field hold each other
+     * up for minutes; with 1 they are under 3 m for twice as long (docs/decisions, 0320).
      */
     private static final double DEVIATIONS = 1.5;
 
-    private static final double AHEAD_S = 8;
-    private static final double SOON_S = 2.5; // so long ahead also who has the right of way looks
-    private static final double AT_ONCE_S = 1; // nearer than that safety is looked at, and not cost
-    private static final double TURNING_RAD_S = 0.8;
-    private static final double GAINING_MPS2 = 0.6;
+    private static final double SOON_S = 2.5; // so long ahead it looks how far it comes beside its line
+    private static final double ON_LINE_AHEAD_S = 1; // so long ahead it is to stay on its line
+    private static final double TURNING_RAD_S =
+            0.8; // what hulls do, or a little less: so they are safe by what they can
+    static final double GAINING_MPS2 = 0.6; // likewise
     private static final double ASIDE_MPS = 0.8; // so fast at least a boat goes aside
     private static final double ASTERN_MPS = 0.5;
     private static final double SLOW_MPS = 0.2; // turns on the spot
@@ -46,7 +48,7 @@ public final class GivingWay {
             Math.toRadians(30); // with less offset a boat goes no faster than it wants to
     private static final double[] PARTS = {1, 0.6, 0.3};
 
-    private static final double RISK = 8;
+    // weights of the cost, where getting on at full speed counts 1; found by trials (docs/decisions, 0320)
     private static final double BESIDE_PER_M = 0.15;
     private static final double TURNING_BACK = 0.15; // for another side than before
     private static final double TO_PORT = 0.04;
@@ -58,8 +60,7 @@ public final class GivingWay {
     private final Surroundings surroundings;
     private final Vehicle vehicle;
     private final Retreat retreat;
-    private final double apartM;
-    private final double wideM;
+    private final Neighbours neighbours;
     private double eastM; // of the boat, on the plane of the surroundings
     private double northM;
     private double speedMps;
@@ -68,14 +69,6 @@ public final class GivingWay {
     private double courseMps;
     private Course line = OFFSETS[0];
     private double besideM; // that line
-    private OtherBoat[] near = new OtherBoat[0];
-    private double[] nearEastM = new double[0]; // from the boat
-    private double[] nearNorthM = new double[0];
-    private double[] lookedAheadS = new double[0];
-    private StoppingWay[] stopping = new StoppingWay[0];
-    private double[] leastM = new double[0];
-    private int count;
-    private boolean allStopApart; // whatever this boat does for a moment
     private boolean isOnLine; // or nothing bounds where it may go
     private NoGoBorder border = NoGoBorder.NONE;
     private double chosenRad = Double.NaN; // while it gives way
@@ -90,8 +83,9 @@ public final class GivingWay {
     public GivingWay(Surroundings surroundings, Vehicle vehicle, double positionErrorM) {
         this.surroundings = surroundings;
         this.vehicle = vehicle;
-        apartM = APART_M + DEVIATIONS * Math.sqrt(2) * positionErrorM;
-        wideM = apartM + ROOM_M;
+        double apartM = APART_M + DEVIATIONS * Math.sqrt(2) * positionErrorM;
+        double wideM = apartM + ROOM_M;
+        neighbours = new Neighbours(surroundings, apartM, wideM);
         retreat = new Retreat(surroundings, wideM);
     }
 
@@ -110,23 +104,23 @@ public final class GivingWay {
      */
     public CourseAndSpeed choose(CourseAndSpeed wanted, LineAhead along, boolean hasWay, long nowMs, double seconds) {
         if (hasWay) {
-            retreat.comeTo(vehicle.latDeg(), vehicle.lonDeg());
+            retreat.record(vehicle.latDeg(), vehicle.lonDeg());
         }
         isOnLine = surroundings.border().isEmpty() || isOn(along);
         if (surroundings.isEmpty() && isOnLine) {
             forget();
             return wanted;
         }
-        look(Math.max(wanted.speedMps(), ASIDE_MPS), hasWay, nowMs);
-        if (count > 0 || !border.isEmpty()) {
+        update(Math.max(wanted.speedMps(), ASIDE_MPS), hasWay, nowMs);
+        if (!neighbours.isEmpty() || !border.isEmpty()) {
             heading = new Course(vehicle.headingRad());
             course = new Course(wanted.courseRad());
             courseMps = wanted.speedMps();
         }
-        boolean isRisky = risk(course, courseMps, 0) > 0;
-        boolean isFree = !isRisky && allStopApart && isOnLine; // most of the time
+        boolean isRisky = neighbours.risk(course, courseMps, 0) > 0;
+        boolean isFree = !isRisky && neighbours.allStopApart() && isOnLine; // most of the time
         if (!isFree) {
-            lookWhereToStop(along);
+            measureStopping(along);
         }
         boolean isBarred = !isOnLine && !border.seesLine();
         Optional<LineAhead> back =
@@ -167,14 +161,15 @@ public final class GivingWay {
         courseMps = ASIDE_MPS;
         line = course;
         besideM = 0;
-        lookWhereToStop(along);
+        measureStopping(along);
         return best();
     }
 
     /** Whether the boat is on its line, and goes on along it: then that keeps it clear of what it is not to enter. */
     private boolean isOn(LineAhead along) {
         double nowM = along.besideM();
-        double thenM = nowM + vehicle.speedMps() * StrictMath.sin(vehicle.headingRad() - along.courseRad()) * AT_ONCE_S;
+        double thenM =
+                nowM + vehicle.speedMps() * StrictMath.sin(vehicle.headingRad() - along.courseRad()) * ON_LINE_AHEAD_S;
         return Math.abs(nowM) <= ON_LINE_M && Math.abs(thenM) <= ON_LINE_M;
     }
 
@@ -188,11 +183,11 @@ public final class GivingWay {
     // ---- who is there
 
     /**
-     * Sees who can come near.
+     * Takes up where this boat is, what it is not to enter, and who can come near.
      *
-     * @param fastestMps the most that this boat goes, whatever it chooses
+     * @param fastestMps the most that this boat goes, whatever it chooses, in m/s
      */
-    private void look(double fastestMps, boolean hasWay, long nowMs) {
+    private void update(double fastestMps, boolean hasWay, long nowMs) {
         eastM = surroundings.plane().eastM(vehicle.latDeg(), vehicle.lonDeg());
         northM = surroundings.plane().northM(vehicle.latDeg(), vehicle.lonDeg());
         if (surroundings.border().isPast(eastM, northM)) {
@@ -200,53 +195,15 @@ public final class GivingWay {
         }
         border = surroundings.border();
         speedMps = vehicle.speedMps();
-        List<OtherBoat> others = surroundings.others();
-        makeRoom(others.size());
-        count = 0;
-        double gainedMps = Math.max(fastestMps, Math.abs(speedMps) + GAINING_MPS2 * StoppingWay.REACTION_S);
-        double ownM = StoppingWay.lengthM(gainedMps, StoppingWay.REACTION_S);
-        allStopApart = true;
-        for (int i = 0; i < others.size(); i++) {
-            OtherBoat other = others.get(i);
-            double awayEastM = other.eastM(nowMs) - eastM;
-            double awayNorthM = other.northM(nowMs) - northM;
-            double awayM = Math.sqrt(awayEastM * awayEastM + awayNorthM * awayNorthM);
-            double spareM = awayM - ownM - other.stopsWithinM() - apartM;
-            if (spareM < 0 || awayM - (fastestMps + Math.abs(other.speedMps())) * AHEAD_S < wideM) {
-                near[count] = other;
-                nearEastM[count] = awayEastM;
-                nearNorthM[count] = awayNorthM;
-                boolean precedes = hasWay
-                        && other.isUnderWay()
-                        && !other.isSlow()
-                        && surroundings.ownId().compareTo(other.boatId()) < 0;
-                lookedAheadS[count] = precedes ? SOON_S : AHEAD_S;
-                allStopApart &= spareM >= 0;
-                count++;
-            }
-        }
+        neighbours.update(eastM, northM, speedMps, fastestMps, hasWay, nowMs);
     }
 
-    /** Sees where the others can stop, and how far to keep off what is not to be entered, before it is asked what is safe. */
-    private void lookWhereToStop(LineAhead along) {
-        StoppingWay own = StoppingWay.of(eastM, northM, heading, speedMps, 0);
-        for (int i = 0; i < count; i++) {
-            stopping[i] = near[i].stoppingAt(eastM + nearEastM[i], northM + nearNorthM[i]);
-            leastM[i] = own.distanceM(stopping[i], apartM);
-        }
-        double soonM = Math.abs(StoppingWay.lengthM(speedMps, 2 * StoppingWay.REACTION_S)) + 1;
-        border.look(eastM, northM, own, along, soonM);
-    }
-
-    private void makeRoom(int size) {
-        if (near.length < size) {
-            near = new OtherBoat[size];
-            nearEastM = new double[size];
-            nearNorthM = new double[size];
-            lookedAheadS = new double[size];
-            stopping = new StoppingWay[size];
-            leastM = new double[size];
-        }
+    /** Measures where the others can stop, and how far to keep off what is not to be entered, before it is asked what is safe. */
+    private void measureStopping(LineAhead along) {
+        Segment own = Stopping.segment(eastM, northM, heading, speedMps, 0);
+        neighbours.measureStopping(eastM, northM, own);
+        double soonM = Math.abs(Stopping.distanceM(speedMps, 2 * Stopping.REACTION_S)) + 1;
+        border.measure(eastM, northM, own, along, soonM);
     }
 
     // ---- what is safe and what it costs
@@ -260,76 +217,35 @@ public final class GivingWay {
     private boolean isSafe(Course direction, double atMps, boolean followsLine) {
         double turn = direction.turnFrom(heading.rad());
         double wantedMps = atMps * Math.max(0, direction.along(heading));
-        double gain = GAINING_MPS2 * StoppingWay.REACTION_S;
+        double gain = GAINING_MPS2 * Stopping.REACTION_S;
         double thenMps = speedMps + clamped(wantedMps - speedMps, gain);
-        double most = TURNING_RAD_S * StoppingWay.REACTION_S;
+        double most = TURNING_RAD_S * Stopping.REACTION_S;
         Course least = new Course(heading.rad() + clamped(turn, most / 3)); // where it hardly turns yet
         Course farthest = Math.abs(turn) <= most / 3
                 ? least
                 : new Course(heading.rad() + clamped(turn, 1.5 * most)); // where it goes on turning while it stops
-        double wayM = (speedMps + thenMps) / 2 * StoppingWay.REACTION_S;
+        double wayM = (speedMps + thenMps) / 2 * Stopping.REACTION_S;
         double thenEastM = eastM + wayM * least.east();
         double thenNorthM = northM + wayM * least.north();
-        return isClear(StoppingWay.of(thenEastM, thenNorthM, least, thenMps, 0), followsLine)
+        return isClear(Stopping.segment(thenEastM, thenNorthM, least, thenMps, 0), followsLine)
                 && (farthest == least
-                        || isClear(StoppingWay.of(thenEastM, thenNorthM, farthest, thenMps, 0), followsLine));
+                        || isClear(Stopping.segment(thenEastM, thenNorthM, farthest, thenMps, 0), followsLine));
     }
 
     /** Whether a boat that hardly moves can go that way once it has turned, which it can on the spot. */
     private boolean isSafeOnceTurned(Course direction, boolean followsLine) {
-        return isClear(StoppingWay.of(eastM, northM, direction, ASTERN_MPS, StoppingWay.REACTION_S), followsLine);
+        return isClear(Stopping.segment(eastM, northM, direction, ASTERN_MPS, Stopping.REACTION_S), followsLine);
     }
 
     private static double clamped(double value, double most) {
         return Math.max(-most, Math.min(most, value));
     }
 
-    private boolean isClear(StoppingWay own, boolean followsLine) {
-        for (int i = 0; i < count; i++) {
-            if (own.distanceM(stopping[i], leastM[i]) < leastM[i]) {
-                return false;
-            }
-        }
-        return followsLine || border.allows(own);
+    private boolean isClear(Segment own, boolean followsLine) {
+        return neighbours.isClear(own) && (followsLine || border.allows(own));
     }
 
-    /** How near others come, and how soon; zero where they do not. Where it is more than enough, it may be more than that. */
-    private double risk(Course direction, double atMps, double enough) {
-        double eastMps = atMps * direction.east();
-        double northMps = atMps * direction.north();
-        double risk = 0;
-        for (int i = 0; i < count && risk <= enough; i++) {
-            double byEast = near[i].eastMps() - eastMps;
-            double byNorth = near[i].northMps() - northMps;
-            double square = byEast * byEast + byNorth * byNorth;
-            double closestS = square > 0 ? -(nearEastM[i] * byEast + nearNorthM[i] * byNorth) / square : 0;
-            double atS = Math.max(AT_ONCE_S, Math.min(lookedAheadS[i], closestS));
-            double thenEastM = nearEastM[i] + atS * byEast;
-            double thenNorthM = nearNorthM[i] + atS * byNorth;
-            if (Math.abs(thenEastM) >= wideM || Math.abs(thenNorthM) >= wideM) {
-                continue;
-            }
-            double away = PlaneMath.length(thenEastM, thenNorthM);
-            if (away < wideM) {
-                double part = (wideM - away) / wideM;
-                risk += RISK * part * part / (1 + atS / 5);
-            }
-        }
-        return risk;
-    }
-
-    /** Whether a boat that lies still is on that course, or so near to it that it cannot be passed. */
-    private boolean isBlocked(Course direction) {
-        for (int i = 0; i < count; i++) {
-            double aheadM = nearEastM[i] * direction.east() + nearNorthM[i] * direction.north();
-            double asideM = Math.abs(nearEastM[i] * direction.north() - nearNorthM[i] * direction.east());
-            if (near[i].isSlow() && aheadM > 0 && asideM < apartM) {
-                return true;
-            }
-        }
-        return false;
-    }
-
+    /** The cheapest safe motion; to stop where none is safe. */
     private CourseAndSpeed best() {
         Course best = Math.abs(speedMps) > 0.3 ? heading : course;
         double bestMps = 0;
@@ -358,13 +274,13 @@ public final class GivingWay {
     }
 
     private boolean isSafeAstern() {
-        return isClear(StoppingWay.of(eastM, northM, heading, -ASTERN_MPS, StoppingWay.REACTION_S), false);
+        return isClear(Stopping.segment(eastM, northM, heading, -ASTERN_MPS, Stopping.REACTION_S), false);
     }
 
-    /** What a motion costs. Of one that costs more than the cheapest anyway, it is not looked at how much more. */
+    /** The cost of a motion; exact only where it is less than {@code leastCost}. */
     private double cost(Course direction, double mps, double leastCost) {
         double onward = mps * direction.along(course) / Math.max(courseMps, ASIDE_MPS);
-        if (onward > 0 && waitedS > HELD_UP_S && isBlocked(direction)) {
+        if (onward > 0 && waitedS > HELD_UP_S && neighbours.isBlocked(direction)) {
             onward = 0;
         }
         double thenM = Math.abs(besideM + mps * direction.across(line) * SOON_S);
@@ -377,7 +293,9 @@ public final class GivingWay {
                 ? 0
                 : TURNING_BACK * Math.abs(direction.turnFrom(chosenRad)) / (Math.PI / 2);
         double withoutRisk = 1 - onward + beside + tooFar + waiting + turning;
-        return withoutRisk < leastCost ? withoutRisk + risk(direction, mps, leastCost - withoutRisk) : withoutRisk;
+        return withoutRisk < leastCost
+                ? withoutRisk + neighbours.risk(direction, mps, leastCost - withoutRisk)
+                : withoutRisk;
     }
 
     private static Course[] offsets(double... degrees) {

@@ -13,21 +13,21 @@ import org.sami.boat.server.vehicle.PlaneMath;
  */
 final class NoGoBorder {
     /** Nothing is near. */
-    static final NoGoBorder NONE = new NoGoBorder(0, new StoppingWay[0]);
+    static final NoGoBorder NONE = new NoGoBorder(0, new Segment[0]);
 
-    /** What is heard of is so much more than what is near, in metres; who has come farther knows nothing of what is near now. */
+    /** How far a boat may have come since it was told of the edges, in metres: they reach that much farther than what is near. */
     private static final double KNOWN_WITHIN_M = 20;
 
-    /** Straight back to its line a boat keeps off by this part of what it else keeps. */
+    /** The part of its distance that a boat keeps on the straight way back to its line. */
     private static final double BACK = 0.5;
 
     private static final double ROUNDING_M = 1e-6;
 
     private final double keepM;
-    private final StoppingWay[] edges;
+    private final Segment[] edges;
     private final double[] leastM; // to each edge
     private final double[] backM; // from each edge to the straight way back to the line
-    private double knownEastM = Double.NaN; // where the boat was when it looked first
+    private double knownEastM = Double.NaN; // where the boat was when it was told of them
     private double knownNorthM;
     private LineAhead line;
     private double eastM;
@@ -36,20 +36,20 @@ final class NoGoBorder {
     private double alongNorth;
     private boolean seesLine = true;
 
-    private NoGoBorder(double keepM, StoppingWay[] edges) {
+    private NoGoBorder(double keepM, Segment[] edges) {
         this.keepM = keepM;
         this.edges = edges;
         leastM = new double[edges.length];
         backM = new double[edges.length];
     }
 
-    /** What a base tells of. */
+    /** The edges that a base tells of. */
     static NoGoBorder of(NoGoEdges told, LocalFrame plane) {
         List<NoGoEdge> rows = told.edges();
-        StoppingWay[] edges = new StoppingWay[rows.size()];
+        Segment[] edges = new Segment[rows.size()];
         for (int i = 0; i < edges.length; i++) {
             NoGoEdge row = rows.get(i);
-            edges[i] = StoppingWay.between(
+            edges[i] = Segment.between(
                     plane.eastM(row.fromLatDeg(), row.fromLonDeg()),
                     plane.northM(row.fromLatDeg(), row.fromLonDeg()),
                     plane.eastM(row.toLatDeg(), row.toLonDeg()),
@@ -62,7 +62,7 @@ final class NoGoBorder {
         return edges.length == 0;
     }
 
-    /** Whether it was told of when the boat was elsewhere. */
+    /** Whether the boat was told of it so far from here that other edges may be near. */
     boolean isPast(double atEastM, double atNorthM) {
         if (Double.isNaN(knownEastM)) {
             knownEastM = atEastM;
@@ -72,23 +72,23 @@ final class NoGoBorder {
     }
 
     /**
-     * Sees how far the boat is to keep off, before it is asked what that allows.
+     * Measures how far the boat is to keep off, before {@link #allows} is asked.
      *
      * @param own where the boat can stop
      * @param withinM as far along the line as it matters how near the line is
      */
-    void look(double atEastM, double atNorthM, StoppingWay own, LineAhead along, double withinM) {
+    void measure(double atEastM, double atNorthM, Segment own, LineAhead along, double withinM) {
         line = along;
         eastM = atEastM;
         northM = atNorthM;
         alongEast = StrictMath.sin(line.courseRad());
         alongNorth = StrictMath.cos(line.courseRad());
-        StoppingWay near = StoppingWay.between(
+        Segment near = Segment.between(
                 lineEastM(line.onLineM(-withinM)),
                 lineNorthM(line.onLineM(-withinM)),
                 lineEastM(line.onLineM(withinM)),
                 lineNorthM(line.onLineM(withinM)));
-        StoppingWay back = back(eastM, northM);
+        Segment back = back(eastM, northM);
         seesLine = true;
         for (int i = 0; i < edges.length; i++) {
             backM[i] = back.distanceM(edges[i], BACK * keepM) - ROUNDING_M;
@@ -104,8 +104,8 @@ final class NoGoBorder {
     }
 
     /** Whether a boat may go where it stops on that way. */
-    boolean allows(StoppingWay way) {
-        StoppingWay back = back(way.toEastM(), way.toNorthM());
+    boolean allows(Segment way) {
+        Segment back = back(way.toEastM(), way.toNorthM());
         for (int i = 0; i < edges.length; i++) {
             if (way.distanceM(edges[i], keepM) < leastM[i] || back.distanceM(edges[i], keepM) < backM[i]) {
                 return false;
@@ -116,9 +116,9 @@ final class NoGoBorder {
 
     /** Whether a boat keeps off as far as where it is, or as it is to keep, on a straight way from there. */
     boolean allowsStraight(double fromEastM, double fromNorthM, double toEastM, double toNorthM) {
-        StoppingWay here = StoppingWay.between(fromEastM, fromNorthM, fromEastM, fromNorthM);
-        StoppingWay way = StoppingWay.between(fromEastM, fromNorthM, toEastM, toNorthM);
-        for (StoppingWay edge : edges) {
+        Segment here = Segment.between(fromEastM, fromNorthM, fromEastM, fromNorthM);
+        Segment way = Segment.between(fromEastM, fromNorthM, toEastM, toNorthM);
+        for (Segment edge : edges) {
             if (way.distanceM(edge, keepM) < here.distanceM(edge, keepM) - ROUNDING_M) {
                 return false;
             }
@@ -127,9 +127,9 @@ final class NoGoBorder {
     }
 
     /** From a place to what is nearest to it on the line. */
-    private StoppingWay back(double atEastM, double atNorthM) {
+    private Segment back(double atEastM, double atNorthM) {
         double onLineM = line.onLineM((atEastM - eastM) * alongEast + (atNorthM - northM) * alongNorth);
-        return StoppingWay.between(atEastM, atNorthM, lineEastM(onLineM), lineNorthM(onLineM));
+        return Segment.between(atEastM, atNorthM, lineEastM(onLineM), lineNorthM(onLineM));
     }
 
     /** A place on the line, so many metres farther along it than the boat. */

@@ -7,7 +7,7 @@ import org.sami.boat.server.vehicle.LocalFrame;
 /** Another boat as it was seen last, in metres of the plane of {@link Surroundings}. It is taken to go on as it did. For one thread. */
 final class OtherBoat {
     private static final double SLOW_MPS = 0.3;
-    private static final long FORETOLD_MS = 1500; // for longer nobody goes straight on for sure
+    private static final long FORETOLD_MS = 1500; // for longer it is not taken to go straight on
 
     private final String boatId;
     private BoatMode mode;
@@ -29,8 +29,8 @@ final class OtherBoat {
         seenMs = Long.MIN_VALUE;
     }
 
-    /** It was seen, later than before. */
-    void see(NearbyBoat row, LocalFrame plane, long atMs) {
+    /** Takes up where it was seen, which is later than before. */
+    void update(NearbyBoat row, LocalFrame plane, long atMs) {
         mode = row.mode();
         eastM = plane.eastM(row.latDeg(), row.lonDeg());
         northM = plane.northM(row.latDeg(), row.lonDeg());
@@ -39,7 +39,7 @@ final class OtherBoat {
         aheadNorth = row.headingNorth();
         eastMps = speedMps * aheadEast;
         northMps = speedMps * aheadNorth;
-        stopsM = StoppingWay.lengthM(speedMps, StoppingWay.REACTION_S);
+        stopsM = Stopping.distanceM(speedMps, Stopping.REACTION_S);
         seenMs = atMs;
         toEastM = row.isGoing() ? plane.eastM(row.toLatDeg(), row.toLonDeg()) : Double.NaN;
         toNorthM = row.isGoing() ? plane.northM(row.toLatDeg(), row.toLonDeg()) : Double.NaN;
@@ -101,8 +101,8 @@ final class OtherBoat {
     }
 
     /** The way on which it stops, if it is at a place. */
-    StoppingWay stoppingAt(double atEastM, double atNorthM) {
-        return StoppingWay.along(atEastM, atNorthM, stopsM, aheadEast, aheadNorth);
+    Segment stoppingAt(double atEastM, double atNorthM) {
+        return Segment.along(atEastM, atNorthM, stopsM, aheadEast, aheadNorth);
     }
 
     /** Whether it follows its way by itself, so that it gives way as this boat does. */

@@ -36,9 +36,9 @@ final class Retreat {
         this.roomM = roomM;
     }
 
-    /** The boat is there, on its way. */
-    void comeTo(double latDeg, double lonDeg) {
-        trail.comeTo(latDeg, lonDeg);
+    /** Records where the boat is on its way. */
+    void record(double latDeg, double lonDeg) {
+        trail.add(latDeg, lonDeg);
     }
 
     void end() {

@@ -19,8 +19,8 @@ public final class Surroundings {
     private static final double REACH_M = 2000; // of the plane
 
     private final String ownId;
-    private final List<OtherBoat> others = new ArrayList<>(); // in the order in which they came
-    private int nextHeard; // where among them the one is looked for first
+    private final List<OtherBoat> others = new ArrayList<>(); // in the order in which they were first told of
+    private int nextTold; // where among them the one is looked for first
     private long oldestSeenMs = Long.MAX_VALUE; // or earlier: nobody is too old before it is
     private LocalFrame plane = new LocalFrame(0, 0);
     private NoGoBorder border = NoGoBorder.NONE;
@@ -30,8 +30,8 @@ public final class Surroundings {
         this.ownId = Objects.requireNonNull(ownId, "ownId");
     }
 
-    /** The base has told of others; of each the newest counts. And of what this boat is not to enter, which counts until it tells of that anew. */
-    public void hear(Traffic traffic, long nowMs) {
+    /** Takes up what the base tells: of each boat the newest row counts, of what this boat is not to enter the newest message. */
+    public void update(Traffic traffic, long nowMs) {
         for (NearbyBoat row : traffic.boats()) {
             if (!row.boatId().equals(ownId) && row.ageMs() < OLDEST_MS && Math.abs(row.latDeg()) <= 85) {
                 if (!(plane.distanceM(row.latDeg(), row.lonDeg()) < REACH_M)) {
@@ -47,7 +47,7 @@ public final class Surroundings {
         }
     }
 
-    /** The boat is to do something else, which the base may allow it elsewhere. */
+    /** Forgets what this boat is not to enter: it has another command, or has come elsewhere. */
     public void forgetBorder() {
         border = NoGoBorder.NONE;
     }
@@ -56,7 +56,7 @@ public final class Surroundings {
         OtherBoat other = known(row.boatId());
         long seenMs = nowMs - row.ageMs();
         if (seenMs >= other.seenMs()) {
-            other.see(row, plane, seenMs);
+            other.update(row, plane, seenMs);
         }
         oldestSeenMs = Math.min(oldestSeenMs, seenMs);
     }
@@ -64,9 +64,9 @@ public final class Surroundings {
     /** The boat of that name; looked for after the one before, as a base mostly names them in the same order. */
     private OtherBoat known(String boatId) {
         for (int i = 0; i < others.size(); i++) {
-            int at = (nextHeard + i) % others.size();
+            int at = (nextTold + i) % others.size();
             if (others.get(at).boatId().equals(boatId)) {
-                nextHeard = at + 1;
+                nextTold = at + 1;
                 return others.get(at);
             }
         }

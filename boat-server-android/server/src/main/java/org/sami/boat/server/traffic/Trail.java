@@ -14,8 +14,8 @@ final class Trail {
 
     private final Deque<double[]> places = new ArrayDeque<>(); // latitude and longitude in degrees, the newest first
 
-    /** The boat is there, on its way. */
-    void comeTo(double latDeg, double lonDeg) {
+    /** Adds a place, if it is some metres from the last. */
+    void add(double latDeg, double lonDeg) {
         double[] last = places.peekFirst();
         if (last == null || Math.abs(latDeg - last[0]) > STEP_DEG || Math.abs(lonDeg - last[1]) > STEP_DEG) {
             places.addFirst(new double[] {latDeg, lonDeg});

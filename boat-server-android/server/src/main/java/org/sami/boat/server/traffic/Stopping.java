@@ -1,0 +1,27 @@
+package org.sami.boat.server.traffic;
+
+/** How small hulls stop: straight on, some of the way before they begin to. */
+final class Stopping {
+    /** Seconds until a decision shows and others know of it. */
+    static final double REACTION_S = 0.3;
+
+    /** Deceleration with motors astern, in m/s². */
+    private static final double BRAKING_MPS2 = 0.5;
+
+    private Stopping() {}
+
+    /**
+     * The stopping distance in metres; negative astern.
+     *
+     * @param speedMps m/s ahead, negative astern
+     * @param reactionS for how long the boat goes on as it does before it begins to stop, in seconds
+     */
+    static double distanceM(double speedMps, double reactionS) {
+        return speedMps * reactionS + speedMps * Math.abs(speedMps) / (2 * BRAKING_MPS2);
+    }
+
+    /** Where a boat is from now until it has stopped, on the plane of {@link Surroundings}. */
+    static Segment segment(double eastM, double northM, Course heading, double speedMps, double reactionS) {
+        return Segment.along(eastM, northM, distanceM(speedMps, reactionS), heading.east(), heading.north());
+    }
+}
