@@ -18,10 +18,10 @@ import org.sami.spn.value.GeoPoint;
 
 /** Finds the edges of what a boat is not to enter that are near it, so that it keeps off them while it gives way. For one thread. */
 final class NearbyEdges {
-    /** Farther away, in metres, a boat gets at no speed before it is told again. */
+    /** How far edges matter, in metres: farther than a boat gets before it is told again. */
     static final double REACH_M = 30;
 
-    /** So far, in metres, a boat may go until they are looked for again. */
+    /** How far a boat may go until edges are looked for again, in metres. */
     private static final double MOVED_M = 5;
 
     private final Water water;
@@ -66,7 +66,7 @@ final class NearbyEdges {
                 : Optional.of(new NoGoEdges(water.error().marginM(), rows));
     }
 
-    /** What of an edge lies in the circle around the boat: edges may be as long as the world. */
+    /** The part of an edge that lies in the circle around the boat: edges may be as long as the world. */
     private static Optional<LineSegment> cut(LineSegment edge, Coordinate at) {
         double lengthM = edge.getLength();
         double awayM = edge.distancePerpendicular(at);

@@ -12,8 +12,8 @@ import org.sami.boat.link.Traffic;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Tells each boat which others are near it and how they move, so that boats give way to one another, and what it is not to enter thereby. Once a second where others are within
- * {@link #NEAR_M}, as often as they tell where they are where some are within {@link #CLOSE_M}, and nothing where nobody is or all lie still.
+ * Tells each boat which others are near it, how they move, and what it is not to enter while it gives way to them. A boat is told once a second while
+ * others are within {@link #NEAR_M}, and at each look while some are within {@link #CLOSE_M}; nothing while nobody is near or all lie still.
  * For the thread that drives the proxies.
  */
 public final class TrafficRelay {
@@ -92,7 +92,7 @@ public final class TrafficRelay {
         }
     }
 
-    /** Lets time pass, and tells who is to be told. To be called ten times a second; it looks five times. */
+    /** Lets time pass, and tells the boats that are due. To be called ten times a second; it looks at the boats five times a second. */
     public void tick(Collection<BoatProxy> boats, long nowMs) {
         if (boats.size() < 2 || nowMs - lookedMs < LOOK_MS) {
             return;
@@ -134,7 +134,7 @@ public final class TrafficRelay {
         return seen;
     }
 
-    /** Who is near whom: gone through from west to east, so that not all pairs are looked at. */
+    /** Finds the pairs of boats that are near each other. Boats are sorted from west to east, so that not all pairs are looked at. */
     private void pairUp() {
         fromWest.sort(FROM_WEST);
         for (int i = 0; i < fromWest.size(); i++) {
@@ -163,7 +163,7 @@ public final class TrafficRelay {
         }
     }
 
-    /** The nearest ones, as many as a message takes. */
+    /** The rows of the nearest boats, as many as a message takes. */
     private static List<NearbyBoat> rows(Seen seen, long nowMs) {
         List<Seen> near = seen.near;
         if (near.size() > Traffic.MOST_BOATS) {
