@@ -7,7 +7,9 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalLong;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
@@ -31,16 +33,16 @@ class CrashTest {
         List<String> commands = new ArrayList<>();
         RunReport whole = uninterrupted(commands);
         assertThat(whole.result().outcome()).isEqualTo(RunOutcome.ENDED);
-        int crashes = 0;
+        Map<Long, Path> crashes = new LinkedHashMap<>();
+        Path file = folder.resolve("crash");
+        try (WrittenJournal journal = WrittenJournal.create(file, record())) {
+            sample(CrashingJournal.leaving(journal, file, crashes)).run(Pacer.UNPACED, RunObserver.NONE);
+        }
 
-        for (long entry = 1; ; entry++) {
-            Path file = folder.resolve("crash-" + entry);
-            if (!crashAfter(entry, file)) {
-                break;
-            }
-            crashes++;
-            try (ResumedJournal journal = ResumedJournal.open(file)) {
-                assertThat(journal.resumedFrom().orElseThrow()).isGreaterThanOrEqualTo(entry);
+        for (Map.Entry<Long, Path> crash : crashes.entrySet()) {
+            long entry = crash.getKey();
+            try (ResumedJournal journal = ResumedJournal.open(crash.getValue())) {
+                assertThat(journal.resumedFrom()).hasValue(entry);
                 InProcessRun run = sample(journal);
 
                 RunReport resumed = run.run(Pacer.UNPACED, RunObserver.NONE);
@@ -55,7 +57,7 @@ class CrashTest {
             }
         }
 
-        assertThat(crashes).isGreaterThan(25);
+        assertThat(crashes).hasSizeGreaterThan(25);
         assertThat(new HashSet<>(commands)).hasSameSizeAs(commands);
     }
 
@@ -106,7 +108,7 @@ class CrashTest {
                     new RunSettings.Fleet(3, 5, 120, 12),
                     Speed.MAX,
                     OptionalLong.of(3_600_000),
-                    java.util.Map.of(),
+                    Map.of(),
                     4_000,
                     "");
             RunReport refused = new InProcessRun(TestRuns.sample(), other, TestRuns.sampleAnswers(), journal)

@@ -1,24 +1,58 @@
 package org.sami.crw.sim.run;
 
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalLong;
 import java.util.function.Supplier;
 import org.sami.spn.host.Durability;
 import org.sami.spn.host.InputJournal;
 import org.sami.spn.host.JournalEntry;
 
-/** A journal whose process dies as soon as so many entries are in it. */
+/** A journal whose process dies as soon as so many entries are in it, or that leaves what its death at any entry would have left. */
 final class CrashingJournal implements RunJournal {
     /** The death of the process: nothing catches it on its way out of the run. */
     static final class Crash extends Error {}
 
+    private interface AfterAppend {
+        void accept(long lastIndex) throws IOException;
+    }
+
     private final RunJournal real;
-    private final long after;
+    private final AfterAppend then;
 
     CrashingJournal(RunJournal real, long after) {
+        this(real, lastIndex -> {
+            if (lastIndex >= after) {
+                throw new Crash();
+            }
+        });
+    }
+
+    private CrashingJournal(RunJournal real, AfterAppend then) {
         this.real = real;
-        this.after = after;
+        this.then = then;
+    }
+
+    /**
+     * A journal that lives on. Whenever entries are in its file it copies that, and the log beside it, as they are: what the process would have left, had it
+     * been killed then.
+     *
+     * @param left gets the copies, by the last entry in each
+     */
+    static CrashingJournal leaving(RunJournal real, Path file, Map<Long, Path> left) {
+        return new CrashingJournal(real, lastIndex -> {
+            Path copy = file.resolveSibling(file.getFileName() + "-" + lastIndex);
+            Files.copy(file, copy);
+            Files.copy(log(file), log(copy));
+            left.put(lastIndex, copy);
+        });
+    }
+
+    private static Path log(Path file) {
+        return file.resolveSibling(file.getFileName() + "-wal");
     }
 
     @Override
@@ -38,9 +72,7 @@ final class CrashingJournal implements RunJournal {
             @Override
             public void append(List<JournalEntry> entries, Durability durability) throws IOException {
                 inputs.append(entries, durability);
-                if (inputs.lastIndex() >= after) {
-                    throw new Crash();
-                }
+                then.accept(inputs.lastIndex());
             }
 
             @Override

@@ -3,6 +3,7 @@ package org.sami.crw.sim.run;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalLong;
@@ -40,15 +41,15 @@ class InterruptCrashTest {
         assertThat(whole.result().outcome()).isEqualTo(RunOutcome.ENDED);
         assertThat(whole.interrupts()).hasSize(5);
         assertThat(whole.interrupts()).filteredOn(InterruptResult::taken).hasSize(4);
-        int crashes = 0;
+        Map<Long, Path> crashes = new LinkedHashMap<>();
+        Path file = folder.resolve("crash");
+        try (WrittenJournal journal = WrittenJournal.create(file, record())) {
+            run(CrashingJournal.leaving(journal, file, crashes));
+        }
 
-        for (long entry = 1; ; entry++) {
-            Path file = folder.resolve("crash-" + entry);
-            if (!crashAfter(entry, file)) {
-                break;
-            }
-            crashes++;
-            try (ResumedJournal journal = ResumedJournal.open(file)) {
+        for (Map.Entry<Long, Path> crash : crashes.entrySet()) {
+            long entry = crash.getKey();
+            try (ResumedJournal journal = ResumedJournal.open(crash.getValue())) {
                 RunReport resumed = run(journal);
 
                 assertThat(resumed.result().reason())
@@ -63,22 +64,15 @@ class InterruptCrashTest {
             }
         }
 
-        assertThat(crashes).isGreaterThan(40);
+        assertThat(crashes).hasSizeGreaterThan(40);
     }
 
-    /** Whether it came to that entry; false: the run ended before. */
-    private static boolean crashAfter(long entry, Path file) throws Exception {
-        RunRecord record = new RunRecord(
+    private static RunRecord record() {
+        return new RunRecord(
                 SETTINGS,
                 "clv-interrupts.json",
                 new ProjectWriter(PLAN.vocabulary()).text(PLAN.project()),
                 TestRuns.LIBRARY.files().texts());
-        try (WrittenJournal journal = WrittenJournal.create(file, record)) {
-            run(new CrashingJournal(journal, entry));
-            return false;
-        } catch (CrashingJournal.Crash crash) {
-            return true;
-        }
     }
 
     private static RunReport run(RunJournal journal) {
