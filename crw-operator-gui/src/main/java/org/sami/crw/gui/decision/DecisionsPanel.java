@@ -40,6 +40,7 @@ public final class DecisionsPanel extends JPanel {
     private static final int BLINK_MS = 500;
     private static final int LOW = 230;
     private static final int NARROW = 440;
+    private static final int WIDE = 600;
 
     private final DecisionActions actions;
     private final DecisionMap map;
@@ -150,7 +151,7 @@ public final class DecisionsPanel extends JPanel {
         problem.setVisible(!low);
         problemLine.setVisible(low);
         position.setVisible(!narrow);
-        draw.setHideActionText(narrow);
+        draw.setHideActionText(getWidth() < Look.px(WIDE));
         super.doLayout();
     }
 
