@@ -75,6 +75,11 @@ final class SteeringControl {
         vehicle.setMotors(ahead + rudder, ahead - rudder);
     }
 
+    /** Forgets what the speed's loop has learned: it keeps a boat going that is to stop at once. */
+    void forgetSpeed() {
+        speed.reset();
+    }
+
     /** Motors to zero; the loops forget. */
     void rest() {
         vehicle.setMotors(0, 0);

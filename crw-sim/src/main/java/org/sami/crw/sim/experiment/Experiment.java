@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.CompletionService;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorCompletionService;
@@ -55,10 +56,10 @@ public final class Experiment {
 
     /**
      * Makes the runs, and returns what came of them in the order of cases, conditions and seeds. Those that are under way when it is to
-     * stop are left out, as are those that have not begun.
+     * stop are left out, as are those that have not begun; it does not wait until they have come to their end.
      *
      * @param threads how many runs go at a time
-     * @param stop asked often, from several threads: whether somebody wants it to stop
+     * @param stop asked often, from several threads: whether somebody wants it to stop; who wants it at once interrupts the caller's thread as well
      * @param progress hears on the caller's thread how many runs are done
      */
     public List<ExperimentRow> run(int threads, BooleanSupplier stop, IntConsumer progress) {
@@ -73,8 +74,11 @@ public final class Experiment {
             List<List<ExperimentRow>> rows = new ArrayList<>();
             trials.forEach(trial -> rows.add(List.of()));
             for (int count = 1; count <= trials.size(); count++) {
-                Done done = done(runs);
-                rows.set(done.index(), done.row());
+                Optional<Done> done = next(runs, stop);
+                if (done.isEmpty()) {
+                    break;
+                }
+                rows.set(done.get().index(), done.get().row());
                 progress.accept(count);
             }
             return rows.stream().flatMap(List::stream).toList();
@@ -105,20 +109,20 @@ public final class Experiment {
         }
     }
 
-    /** Waits for the next run that is done. An interrupt only says that somebody wants an end, which runs are told by themselves. */
-    private static Done done(CompletionService<Done> runs) {
+    /** Waits for the next run that is done; empty if it is to stop and none is. An interrupt only says that somebody wants an end. */
+    private static Optional<Done> next(CompletionService<Done> runs, BooleanSupplier stop) {
         boolean interrupted = false;
         try {
             while (true) {
                 try {
-                    Future<Done> done = runs.take();
-                    return done.get();
+                    Future<Done> done = stop.getAsBoolean() ? runs.poll() : runs.take();
+                    return done == null ? Optional.empty() : Optional.of(done.get());
                 } catch (InterruptedException wantsAnEnd) {
                     interrupted = true;
-                } catch (ExecutionException broken) {
-                    throw new IllegalStateException(broken.getCause());
                 }
             }
+        } catch (ExecutionException broken) {
+            throw new IllegalStateException(broken.getCause());
         } finally {
             if (interrupted) {
                 Thread.currentThread().interrupt();

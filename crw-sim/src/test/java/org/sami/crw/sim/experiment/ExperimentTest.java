@@ -78,6 +78,32 @@ class ExperimentTest {
     }
 
     @Test
+    void runsThatAreLongUnderWayAreNotWaitedForWhenItStops() {
+        Thread caller = Thread.currentThread();
+        AtomicBoolean first = new AtomicBoolean();
+        AtomicBoolean over = new AtomicBoolean();
+        ExperimentCase exploring = new ExperimentCase(
+                "explore",
+                CASES.get(2).plan(),
+                CASES.get(2).settings().withFleet(new RunSettings.Fleet(200, 9, 1300, 1)),
+                AnswersFile.EMPTY);
+        Experiment experiment =
+                new Experiment(List.of(CASES.get(0), exploring), Map.of("calm", Conditions.CALM), List.of(1L));
+
+        List<ExperimentRow> rows;
+        try {
+            rows = experiment.run(
+                    1,
+                    () -> over.get() || (first.get() && Thread.currentThread() == caller), // runs do not heed it
+                    done -> first.set(true));
+        } finally {
+            over.set(true);
+        }
+
+        assertThat(rows).extracting(ExperimentRow::label).containsExactly("clv");
+    }
+
+    @Test
     void tableNamesEachRunThatDidNotEnd() {
         ExperimentCase tooShort = new ExperimentCase(
                 "clv",

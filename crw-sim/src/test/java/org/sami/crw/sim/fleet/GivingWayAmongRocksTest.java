@@ -211,6 +211,30 @@ class GivingWayAmongRocksTest {
         assertThat(seconds).isLessThan(400);
     }
 
+    /** Too many for such a gap: some may wait long, but what their control has learned may not carry one on into a rock where it is to stop. */
+    @ParameterizedTest
+    @CsvSource({
+        "boat1, boat2, boat3, 1.2, 45",
+        "boat2, boat1, boat3, 1.2, 45",
+        "boat2, boat3, boat1, 1.2, 80",
+        "boat2, boat3, boat1, 1.6, 60"
+    })
+    void threeBoatsInAGapForOneStayOutOfTheRocks(String first, String second, String other, double halfM, double toM) {
+        launch(3);
+        gap(halfM, 30, toM);
+        begin(second, 0, toM + 60);
+        begin(first, 0, toM + 50);
+        begin(other, 0, 0);
+
+        drive(other, 0, toM + 80);
+        drive(first, 0, -10);
+        drive(second, -10, -20);
+        watch(500, boats());
+
+        assertThat(deepestM).as(deepest).isZero();
+        assertThat(leastM).isGreaterThanOrEqualTo(APART_M);
+    }
+
     /** Two rocks that leave a gap from south to north. */
     private void gap(double halfM, double fromM, double toM) {
         avoid(List.of(

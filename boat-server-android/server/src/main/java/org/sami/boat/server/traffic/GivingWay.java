@@ -73,6 +73,7 @@ public final class GivingWay {
     private NoGoBorder border = NoGoBorder.NONE;
     private double chosenRad = Double.NaN; // while it gives way
     private double waitedS;
+    private boolean stays; // where it has gone back to
     private double stoodS; // the same, however long it lasts
 
     /**
@@ -94,6 +95,11 @@ public final class GivingWay {
         return !Double.isNaN(chosenRad);
     }
 
+    /** Whether a boat that is to stop is not to go on at all: it has gone back and stays, or what it is not to enter is near. */
+    public boolean isToStopAtOnce() {
+        return stays || border.isNear();
+    }
+
     /**
      * Where the boat goes now.
      *
@@ -106,6 +112,7 @@ public final class GivingWay {
         if (hasWay) {
             retreat.record(vehicle.latDeg(), vehicle.lonDeg());
         }
+        stays = false;
         isOnLine = surroundings.border().isEmpty() || isOn(along);
         if (surroundings.isEmpty() && isOnLine) {
             forget();
@@ -135,7 +142,9 @@ public final class GivingWay {
     private CourseAndSpeed goOn(CourseAndSpeed wanted, double seconds) {
         chosenRad = Double.NaN;
         waitedS = Math.max(0, waitedS - seconds);
-        stoodS = 0;
+        if (Math.abs(speedMps) >= SLOW_MPS) { // else it may only turn
+            stoodS = 0;
+        }
         return wanted;
     }
 
@@ -152,6 +161,7 @@ public final class GivingWay {
 
     private CourseAndSpeed goBack(LineAhead along) {
         stoodS = 0;
+        stays = along.aheadM() == 0;
         chosenRad = along.courseRad();
         isOnLine = false; // nobody has planned that line
         if (along.aheadM() == 0) {

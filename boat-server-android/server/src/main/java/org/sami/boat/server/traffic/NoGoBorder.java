@@ -21,6 +21,12 @@ final class NoGoBorder {
     /** The part of its distance that a boat keeps on the straight way back to its line. */
     private static final double BACK = 0.5;
 
+    /** What a boat that is outside keeps even where it can hardly stop before an edge, in metres; half its distance where that is less. */
+    private static final double CLOSE_M = 0.3;
+
+    /** Nearer than that to an edge, in metres, a boat that is to stop is not to go on at all. */
+    private static final double NEAR_M = 1;
+
     private static final double ROUNDING_M = 1e-6;
 
     private final double keepM;
@@ -35,6 +41,7 @@ final class NoGoBorder {
     private double alongEast; // unit vector of the line
     private double alongNorth;
     private boolean seesLine = true;
+    private boolean isNear;
 
     private NoGoBorder(double keepM, Segment[] edges) {
         this.keepM = keepM;
@@ -88,12 +95,17 @@ final class NoGoBorder {
                 lineNorthM(line.onLineM(-withinM)),
                 lineEastM(line.onLineM(withinM)),
                 lineNorthM(line.onLineM(withinM)));
+        Segment here = Segment.between(eastM, northM, eastM, northM);
         Segment back = back(eastM, northM);
         seesLine = true;
+        isNear = false;
         for (int i = 0; i < edges.length; i++) {
             backM[i] = back.distanceM(edges[i], BACK * keepM) - ROUNDING_M;
             double mostM = near.distanceM(edges[i], own.distanceM(edges[i], keepM)) - ROUNDING_M;
-            leastM[i] = backM[i] > 0 ? back.distanceM(edges[i], mostM) : mostM;
+            double hereM = here.distanceM(edges[i], NEAR_M);
+            double closeM = Math.min(CLOSE_M, hereM / 2);
+            isNear |= hereM < NEAR_M;
+            leastM[i] = Math.max(closeM, backM[i] > 0 ? back.distanceM(edges[i], mostM) : mostM);
             seesLine &= backM[i] > 0;
         }
     }
@@ -101,6 +113,11 @@ final class NoGoBorder {
     /** Whether nothing bars the boat from going straight back to its line. */
     boolean seesLine() {
         return seesLine;
+    }
+
+    /** Whether an edge is within a metre. */
+    boolean isNear() {
+        return isNear;
     }
 
     /** Whether a boat may go where it stops on that way. */
@@ -124,6 +141,17 @@ final class NoGoBorder {
             }
         }
         return true;
+    }
+
+    /** Whether a straight way crosses an edge, or nearly so. */
+    boolean bars(double fromEastM, double fromNorthM, double toEastM, double toNorthM) {
+        Segment way = Segment.between(fromEastM, fromNorthM, toEastM, toNorthM);
+        for (Segment edge : edges) {
+            if (way.distanceM(edge, CLOSE_M) < CLOSE_M) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** From a place to what is nearest to it on the line. */

@@ -11,6 +11,9 @@ import org.sami.boat.server.vehicle.PlaneMath;
 final class Retreat {
     private static final double STOOD_S = 6;
     private static final double STOOD_FIRST_S = 30; // who goes first goes back too where the other one cannot
+    private static final double STOOD_BESIDE_S = 12; // likewise beside another one that stands and has the right of way
+    private static final double AWAY_M = 3; // so far at a time a boat makes room for that one
+    private static final double[] AWAY_DEG = {0, 45, -45, 90, -90};
     private static final long LONGEST_WAIT_MS = 20_000; // who is not past by then waits too
     private static final double NEAR_M = 10;
     private static final double FORGOTTEN_M = 30;
@@ -23,6 +26,7 @@ final class Retreat {
     private final double roomM;
     private final Trail trail = new Trail();
     private String fromId = ""; // the boat from which it goes back
+    private boolean makesRoom; // for that boat, which does not come towards it
     private boolean returns; // to where it sees its line
     private long waitsSinceMs = Long.MAX_VALUE;
 
@@ -43,6 +47,7 @@ final class Retreat {
 
     void end() {
         fromId = "";
+        makesRoom = false;
         returns = false;
         waitsSinceMs = Long.MAX_VALUE;
     }
@@ -59,10 +64,12 @@ final class Retreat {
         Optional<OtherBoat> coming = coming(eastM, northM, wantedRad, stoodS, nowMs);
         fromId = coming.map(OtherBoat::boatId).orElse("");
         if (!coming.isPresent()) {
+            makesRoom = false;
             returns = isBarred && (returns || stoodS >= STOOD_S);
-            return returns ? trail.back(surroundings.plane(), eastM, northM) : Optional.empty();
+            return returns ? trail.back(surroundings, eastM, northM) : Optional.empty();
         }
-        LineAhead back = back(coming.get(), eastM, northM, nowMs);
+        LineAhead back =
+                makesRoom ? away(coming.get(), eastM, northM, nowMs) : back(coming.get(), eastM, northM, nowMs);
         waitsSinceMs = back == STAY ? Math.min(waitsSinceMs, nowMs) : Long.MAX_VALUE;
         if (back == STAY && nowMs - waitsSinceMs > LONGEST_WAIT_MS) {
             end();
@@ -94,12 +101,19 @@ final class Retreat {
         double toEastM = other.eastM(nowMs) - eastM;
         double toNorthM = other.northM(nowMs) - northM;
         double awayM = PlaneMath.length(toEastM, toNorthM);
+        makesRoom = !isFirst && stoodS >= STOOD_BESIDE_S && other.isSlow() && awayM < NEAR_M;
         double onMyWayM = toEastM * StrictMath.sin(wantedRad) + toNorthM * StrictMath.cos(wantedRad);
-        return awayM < NEAR_M && onMyWayM > TOWARDS * awayM && isAhead(other, eastM, northM, TOWARDS * awayM, nowMs);
+        return makesRoom
+                || awayM < NEAR_M
+                        && onMyWayM > TOWARDS * awayM
+                        && isAhead(other, eastM, northM, TOWARDS * awayM, nowMs);
     }
 
-    private static boolean isStillComing(OtherBoat other, double eastM, double northM, long nowMs) {
+    private boolean isStillComing(OtherBoat other, double eastM, double northM, long nowMs) {
         double awayM = PlaneMath.length(eastM - other.eastM(nowMs), northM - other.northM(nowMs));
+        if (makesRoom) {
+            return other.isUnderWay() && awayM < NEAR_M;
+        }
         return other.isUnderWay() && awayM < FORGOTTEN_M && isAhead(other, eastM, northM, -PASSED_M, nowMs);
     }
 
@@ -132,7 +146,22 @@ final class Retreat {
                         StrictMath.atan2(shiftM * starboardEast, shiftM * starboardNorth), Math.abs(shiftM));
             }
         }
-        return trail.back(surroundings.plane(), eastM, northM).orElse(STAY);
+        return trail.back(surroundings, eastM, northM).orElse(STAY);
+    }
+
+    /** Away from the other, where there is room. */
+    private LineAhead away(OtherBoat other, double eastM, double northM, long nowMs) {
+        double awayRad = StrictMath.atan2(eastM - other.eastM(nowMs), northM - other.northM(nowMs));
+        for (double offsetDeg : AWAY_DEG) {
+            double courseRad = awayRad + Math.toRadians(offsetDeg);
+            double toEastM = eastM + AWAY_M * StrictMath.sin(courseRad);
+            double toNorthM = northM + AWAY_M * StrictMath.cos(courseRad);
+            if (surroundings.border().allowsStraight(eastM, northM, toEastM, toNorthM)
+                    && isFree(toEastM, toNorthM, nowMs)) {
+                return LineAhead.straight(courseRad, AWAY_M);
+            }
+        }
+        return STAY;
     }
 
     /** Whether nobody is there. */

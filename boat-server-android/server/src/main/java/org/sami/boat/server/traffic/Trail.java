@@ -11,6 +11,7 @@ final class Trail {
     private static final double STEP_DEG = 2e-5; // some 2 m
     private static final int MOST_PLACES = 100;
     private static final double PASSED_M = 2;
+    private static final double REACHED_M = 0.7; // of a place before which the boat may not turn to the next one
 
     private final Deque<double[]> places = new ArrayDeque<>(); // latitude and longitude in degrees, the newest first
 
@@ -25,18 +26,31 @@ final class Trail {
         }
     }
 
-    /** The line to where the boat was before; what it has come back to is forgotten. Empty where nothing is left. */
-    Optional<LineAhead> back(LocalFrame plane, double eastM, double northM) {
+    /**
+     * The line to where the boat was before; what it has come back to is forgotten, at a corner not before it has come quite there. Empty where nothing
+     * is left.
+     */
+    Optional<LineAhead> back(Surroundings surroundings, double eastM, double northM) {
+        LocalFrame plane = surroundings.plane();
         while (!places.isEmpty()) {
-            double[] place = places.peekFirst();
+            double[] place = places.removeFirst();
             double toEastM = plane.eastM(place[0], place[1]) - eastM;
             double toNorthM = plane.northM(place[0], place[1]) - northM;
             double lengthM = PlaneMath.length(toEastM, toNorthM);
-            if (lengthM > PASSED_M) {
+            if (lengthM > PASSED_M || (lengthM > REACHED_M && isNextBarred(surroundings, eastM, northM))) {
+                places.addFirst(place);
                 return Optional.of(LineAhead.straight(StrictMath.atan2(toEastM, toNorthM), lengthM));
             }
-            places.removeFirst();
         }
         return Optional.empty();
+    }
+
+    private boolean isNextBarred(Surroundings surroundings, double eastM, double northM) {
+        double[] next = places.peekFirst();
+        LocalFrame plane = surroundings.plane();
+        return next != null
+                && surroundings
+                        .border()
+                        .bars(eastM, northM, plane.eastM(next[0], next[1]), plane.northM(next[0], next[1]));
     }
 }
