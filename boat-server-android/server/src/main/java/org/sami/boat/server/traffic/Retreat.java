@@ -101,12 +101,12 @@ final class Retreat {
         double toEastM = other.eastM(nowMs) - eastM;
         double toNorthM = other.northM(nowMs) - northM;
         double awayM = PlaneMath.length(toEastM, toNorthM);
-        makesRoom = !isFirst && stoodS >= STOOD_BESIDE_S && other.isSlow() && awayM < NEAR_M;
+        if (awayM >= NEAR_M) {
+            return false;
+        }
+        makesRoom = !isFirst && stoodS >= STOOD_BESIDE_S && other.isSlow();
         double onMyWayM = toEastM * StrictMath.sin(wantedRad) + toNorthM * StrictMath.cos(wantedRad);
-        return makesRoom
-                || awayM < NEAR_M
-                        && onMyWayM > TOWARDS * awayM
-                        && isAhead(other, eastM, northM, TOWARDS * awayM, nowMs);
+        return makesRoom || (onMyWayM > TOWARDS * awayM && isAhead(other, eastM, northM, TOWARDS * awayM, nowMs));
     }
 
     private boolean isStillComing(OtherBoat other, double eastM, double northM, long nowMs) {
