@@ -21,7 +21,7 @@ final class NoGoBorder {
     /** The part of its distance that a boat keeps on the straight way back to its line. */
     private static final double BACK = 0.5;
 
-    /** What a boat that is outside keeps even where it can hardly stop before an edge, in metres; half its distance where that is less. */
+    /** A way that passes an edge nearer than that, in metres, is barred. */
     private static final double CLOSE_M = 0.3;
 
     /** Nearer than that to an edge, in metres, a boat that is to stop is not to go on at all. */
@@ -102,10 +102,8 @@ final class NoGoBorder {
         for (int i = 0; i < edges.length; i++) {
             backM[i] = back.distanceM(edges[i], BACK * keepM) - ROUNDING_M;
             double mostM = near.distanceM(edges[i], own.distanceM(edges[i], keepM)) - ROUNDING_M;
-            double hereM = here.distanceM(edges[i], NEAR_M);
-            double closeM = Math.min(CLOSE_M, hereM / 2);
-            isNear |= hereM < NEAR_M;
-            leastM[i] = Math.max(closeM, backM[i] > 0 ? back.distanceM(edges[i], mostM) : mostM);
+            isNear |= here.distanceM(edges[i], NEAR_M) < NEAR_M;
+            leastM[i] = backM[i] > 0 ? back.distanceM(edges[i], mostM) : mostM;
             seesLine &= backM[i] > 0;
         }
     }

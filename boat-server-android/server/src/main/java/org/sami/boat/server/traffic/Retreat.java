@@ -6,7 +6,7 @@ import org.sami.boat.server.vehicle.PlaneMath;
 /**
  * Finds where a boat goes back to when another one comes towards it and what is not to be entered leaves no room to pass: as it came, until there is
  * room aside, and there it waits until the other one is past. Who has no right of way goes back first. Likewise a boat goes back that has got where
- * its line is out of sight.
+ * its line is out of sight, and one makes room that has stood long beside another one with the right of way.
  */
 final class Retreat {
     private static final double STOOD_S = 6;
@@ -62,6 +62,9 @@ final class Retreat {
     Optional<LineAhead> way(
             double eastM, double northM, double wantedRad, double stoodS, boolean isBarred, long nowMs) {
         Optional<OtherBoat> coming = coming(eastM, northM, wantedRad, stoodS, nowMs);
+        if (fromId.isEmpty()) {
+            makesRoom = coming.filter(other -> isToMakeRoom(other, stoodS)).isPresent();
+        }
         fromId = coming.map(OtherBoat::boatId).orElse("");
         if (!coming.isPresent()) {
             makesRoom = false;
@@ -104,9 +107,15 @@ final class Retreat {
         if (awayM >= NEAR_M) {
             return false;
         }
-        makesRoom = !isFirst && stoodS >= STOOD_BESIDE_S && other.isSlow();
         double onMyWayM = toEastM * StrictMath.sin(wantedRad) + toNorthM * StrictMath.cos(wantedRad);
-        return makesRoom || (onMyWayM > TOWARDS * awayM && isAhead(other, eastM, northM, TOWARDS * awayM, nowMs));
+        return isToMakeRoom(other, stoodS)
+                || (onMyWayM > TOWARDS * awayM && isAhead(other, eastM, northM, TOWARDS * awayM, nowMs));
+    }
+
+    /** Whether this boat is to make room for another one that has the right of way and stands as well, whether it comes or not. */
+    private boolean isToMakeRoom(OtherBoat other, double stoodS) {
+        boolean isFirst = surroundings.ownId().compareTo(other.boatId()) < 0;
+        return !isFirst && stoodS >= STOOD_BESIDE_S && other.isSlow();
     }
 
     private boolean isStillComing(OtherBoat other, double eastM, double northM, long nowMs) {
