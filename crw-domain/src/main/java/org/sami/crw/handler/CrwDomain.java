@@ -10,7 +10,7 @@ import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
 import org.sami.crw.fleet.FleetEvents;
-import org.sami.crw.operator.MessageSink;
+import org.sami.crw.operator.message.MessageSink;
 import org.sami.crw.proxy.BatteryState;
 import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.BoatListener;

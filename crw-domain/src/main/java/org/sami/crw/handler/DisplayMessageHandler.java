@@ -2,9 +2,9 @@ package org.sami.crw.handler;
 
 import org.sami.crw.markup.MapRelevance;
 import org.sami.crw.markup.MarkupReader;
-import org.sami.crw.operator.MessageSink;
-import org.sami.crw.operator.OperatorMessage;
 import org.sami.crw.operator.manipulation.ManipulationLimit;
+import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;

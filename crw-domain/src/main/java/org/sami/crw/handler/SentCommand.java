@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.sami.crw.operator.OperatorMessage;
+import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;

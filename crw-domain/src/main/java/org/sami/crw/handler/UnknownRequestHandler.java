@@ -1,7 +1,7 @@
 package org.sami.crw.handler;
 
-import org.sami.crw.operator.MessageSink;
-import org.sami.crw.operator.OperatorMessage;
+import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;

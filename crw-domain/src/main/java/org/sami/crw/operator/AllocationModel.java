@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import org.sami.crw.operator.mission.AllocationSnapshot;
 import org.sami.crw.task.TaskQueue;
 import org.sami.crw.task.TaskQueues;
 import org.sami.spn.protocol.Effect;

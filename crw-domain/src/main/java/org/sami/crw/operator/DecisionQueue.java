@@ -10,6 +10,8 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.ToLongFunction;
 import java.util.function.UnaryOperator;
+import org.sami.crw.operator.message.DecisionListener;
+import org.sami.crw.operator.message.PendingDecision;
 import org.sami.spn.engine.DecisionCheck;
 import org.sami.spn.host.ListenerList;
 import org.sami.spn.host.Registration;

@@ -2,6 +2,7 @@ package org.sami.crw.operator;
 
 import java.util.List;
 import java.util.Optional;
+import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.NoteKind;

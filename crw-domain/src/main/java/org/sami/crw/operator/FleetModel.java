@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
+import org.sami.crw.operator.boat.BoatSnapshot;
 
 /**
  * The boats, as they were known last: each at most ten times a second. What a slow owner's thread has not looked at yet is replaced by

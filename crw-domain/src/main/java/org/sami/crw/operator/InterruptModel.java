@@ -1,6 +1,7 @@
 package org.sami.crw.operator;
 
 import java.util.List;
+import org.sami.crw.operator.mission.InterruptChoice;
 
 /** The buttons for interrupts of running missions, in order of missions and plans; those that cannot be pressed now say why. */
 public final class InterruptModel extends Model<List<InterruptChoice>> {

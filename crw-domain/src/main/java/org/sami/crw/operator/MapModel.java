@@ -15,16 +15,26 @@ import java.util.function.LongSupplier;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.markup.MapRelevance;
 import org.sami.crw.markup.MapRelevance.Visualization;
+import org.sami.crw.markup.MarkedEvent;
+import org.sami.crw.operator.area.AreaVariables;
+import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.crw.operator.map.LayerChoice;
 import org.sami.crw.operator.map.LayerState;
+import org.sami.crw.operator.map.MapBounds;
+import org.sami.crw.operator.map.MapEvents;
 import org.sami.crw.operator.map.MapSnapshot;
+import org.sami.crw.operator.map.MapTracks;
+import org.sami.crw.operator.map.MapViews;
 import org.sami.crw.operator.map.NamedArea;
 import org.sami.crw.operator.map.SensorChannel;
+import org.sami.crw.operator.map.SensorFields;
 import org.sami.crw.operator.map.SensorLayer;
 import org.sami.crw.operator.map.ShownBoat;
 import org.sami.crw.operator.map.ShownLayer;
 import org.sami.crw.operator.map.ShownPath;
 import org.sami.crw.operator.map.ShownPlace;
 import org.sami.crw.operator.map.ShownTrack;
+import org.sami.crw.operator.map.WayAhead;
 import org.sami.crw.proxy.BatteryState;
 import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatPose;
@@ -41,9 +51,9 @@ import org.sami.spn.value.GeoPoint;
 public final class MapModel extends Model<MapSnapshot> {
     private final Consumer<Runnable> inbox;
     private final CommandModel commands;
-    private final GeoVariables variables;
+    private final AreaVariables variables;
     private MapEvents events;
-    private final MapLayers layers = new MapLayers();
+    private final LayerChoice layers = new LayerChoice();
     private final LongSupplier nowMillis;
     private final MapViews views = new MapViews();
     private final MapTracks tracks = new MapTracks();
@@ -62,7 +72,7 @@ public final class MapModel extends Model<MapSnapshot> {
     MapModel(
             Consumer<Runnable> inbox,
             CommandModel commands,
-            GeoVariables variables,
+            AreaVariables variables,
             Executor computing,
             LongSupplier nowMillis) {
         super(MapSnapshot.EMPTY);

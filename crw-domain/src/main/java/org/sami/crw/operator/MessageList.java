@@ -12,6 +12,9 @@ import java.util.function.LongSupplier;
 import java.util.function.UnaryOperator;
 import org.sami.crw.operator.manipulation.ManipulationPolicy;
 import org.sami.crw.operator.manipulation.Ruling;
+import org.sami.crw.operator.message.MessageEntry;
+import org.sami.crw.operator.message.MessageGroup;
+import org.sami.crw.operator.message.OperatorMessage;
 
 /**
  * The messages to the operator: the highest priority first, of equal ones the newest first, so that news of little weight does

@@ -19,7 +19,15 @@ import java.util.function.LongSupplier;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.decision.DecisionPresenter;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.markup.MarkedEvent;
 import org.sami.crw.operator.MissionModel.StartedPlan;
+import org.sami.crw.operator.area.AreaVariables;
+import org.sami.crw.operator.area.AvoidedAreas;
+import org.sami.crw.operator.area.OperatingArea;
+import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.task.TaskQueue;
 import org.sami.crw.task.TaskQueues;
@@ -64,7 +72,7 @@ public final class OperatorModels implements HostListener, MessageSink {
     private final AllocationModel allocation = new AllocationModel();
     private final ClickModel clicks = new ClickModel();
     private final Queue<CompletableFuture<Void>> awaitShown = new ArrayDeque<>(); // for the owner's thread
-    private final GeoVariables variables = new GeoVariables();
+    private final AreaVariables variables = new AreaVariables();
     private final MapModel map;
     private final RunningPlans plans = new RunningPlans(); // for the engine's thread
     private final AvoidedAreas avoided = new AvoidedAreas(); // likewise

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.sami.crw.operator.OperatorLogEntry.Kind;
+import org.sami.crw.operator.mission.EngineText;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;

@@ -2,6 +2,7 @@ package org.sami.crw.operator;
 
 import java.util.List;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.vocabulary.Vocabulary;
 

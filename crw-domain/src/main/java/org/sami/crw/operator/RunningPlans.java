@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.crw.markup.MarkedEvent;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.Plan;

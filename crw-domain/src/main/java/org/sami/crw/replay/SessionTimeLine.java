@@ -1,7 +1,7 @@
 package org.sami.crw.replay;
 
 import java.util.List;
-import org.sami.crw.operator.OperatorMessage;
+import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.session.SessionNote;
 import org.sami.crw.session.SessionTelemetry;
 import org.sami.spn.engine.Engine;

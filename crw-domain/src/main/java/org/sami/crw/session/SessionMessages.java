@@ -1,8 +1,8 @@
 package org.sami.crw.session;
 
 import java.util.function.Consumer;
-import org.sami.crw.operator.MessageSink;
-import org.sami.crw.operator.OperatorMessage;
+import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.spn.host.ListenerList;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Ids;

@@ -2,7 +2,7 @@ package org.sami.crw.session;
 
 import java.util.Locale;
 import java.util.Objects;
-import org.sami.crw.operator.OperatorMessage;
+import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.spn.protocol.Ids;
 
 /**

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.LongSupplier;
-import org.sami.crw.operator.OperatorMessage;
+import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.proxy.UploadCount;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.protocol.Ids;

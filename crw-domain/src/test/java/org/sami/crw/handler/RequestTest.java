@@ -8,7 +8,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.event.Allocation;
 import org.sami.crw.event.ProxyMaps;
-import org.sami.crw.operator.OperatorMessage;
+import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;

@@ -3,6 +3,7 @@ package org.sami.crw.operator;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.sami.crw.operator.mission.InterruptChoice;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.model.Project;

@@ -7,6 +7,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.operator.manipulation.ManipulationLimit;
 import org.sami.crw.operator.manipulation.ManipulationPolicy;
+import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.spn.protocol.Priority;
 
 /** What the meta-markup of an event may do to the list of messages (thesis 5.3, second scenario). */

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.window.OperatorWindow;
-import org.sami.crw.operator.MissionSnapshot;
+import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.ui.check.WindowRobot;
 
 /** The window dies in the middle of a mission, and another one goes on with what it left. */

@@ -1,7 +1,7 @@
 /**
- * What is to be drawn on the operator's map, as immutable values in WGS-84 degrees, radians and metres.
+ * What is to be drawn on the operator's map, as immutable values in WGS-84 degrees, radians and metres, and the parts from which {@code
+ * org.sami.crw.operator.MapModel} puts it together: layers, views, tracks, and what sensors measured.
  *
- * <p>Belongs here: layers and what lies on them. Does not belong here: how they come about ({@code org.sami.crw.operator.MapModel}),
- * colours, symbols and pixels.
+ * <p>Does not belong here: colours, symbols and pixels.
  */
 package org.sami.crw.operator.map;

@@ -3,7 +3,7 @@ package org.sami.crw.gui.boat;
 import java.util.Locale;
 import java.util.OptionalLong;
 import org.sami.boat.link.BatteryLevel;
-import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.LinkState;
 import org.sami.ui.look.SemanticColor;
 

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.function.Function;
 import javax.swing.JPanel;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;

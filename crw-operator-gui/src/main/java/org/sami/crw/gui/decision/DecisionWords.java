@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalLong;
 import org.sami.crw.decision.DecisionPresentation;
-import org.sami.crw.operator.PendingDecision;
+import org.sami.crw.operator.message.PendingDecision;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 

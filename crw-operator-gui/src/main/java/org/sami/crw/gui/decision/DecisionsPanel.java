@@ -16,7 +16,7 @@ import javax.swing.JScrollPane;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.markup.Attention;
-import org.sami.crw.operator.PendingDecision;
+import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.session.RefusedException;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.Interactions;

@@ -8,7 +8,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
-import org.sami.crw.operator.PendingDecision;
+import org.sami.crw.operator.message.PendingDecision;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.SemanticColor;

@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.function.Function;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.gui.decision.DecisionMap;
-import org.sami.crw.operator.PlacesInText;
+import org.sami.crw.operator.map.PlacesInText;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.atomic.AtomicLong;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.FollowPath;

@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.sami.crw.gui.boat.CommandWords;
-import org.sami.crw.operator.MissionEnd;
-import org.sami.crw.operator.MissionEnd.BoatChange;
-import org.sami.crw.operator.MissionSnapshot;
+import org.sami.crw.operator.mission.MissionEnd;
+import org.sami.crw.operator.mission.MissionEnd.BoatChange;
+import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.proxy.MissionTitles;
 
 /** What an abort or a completion will do, in lines. */

@@ -18,7 +18,7 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.value.SidesPanel;
-import org.sami.crw.operator.EngineText;
+import org.sami.crw.operator.mission.EngineText;
 import org.sami.crw.session.RefusedException;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.protocol.Ids;

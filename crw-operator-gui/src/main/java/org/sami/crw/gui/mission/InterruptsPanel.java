@@ -9,7 +9,7 @@ import javax.swing.JButton;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.operator.InterruptChoice;
+import org.sami.crw.operator.mission.InterruptChoice;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.ScrolledPanel;
 import org.sami.ui.value.WrappedText;

@@ -10,7 +10,7 @@ import java.util.function.IntFunction;
 import javax.swing.JComponent;
 import javax.swing.JTable;
 import javax.swing.TransferHandler;
-import org.sami.crw.operator.TaskGift;
+import org.sami.crw.operator.mission.TaskGift;
 import org.sami.spn.value.TaskId;
 
 /** Lets a task be dragged within the table of tasks; what a drop would change is said while it is dragged. */

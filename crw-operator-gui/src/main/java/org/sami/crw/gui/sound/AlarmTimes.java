@@ -5,7 +5,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import org.sami.crw.operator.Alarm;
+import org.sami.crw.operator.alarm.Alarm;
 
 /** Which alarm is heard when: the worst that sounds, at once when it begins, and again as often as its tone says. For one thread. */
 public final class AlarmTimes {

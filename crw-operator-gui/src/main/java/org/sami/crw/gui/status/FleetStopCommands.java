@@ -5,7 +5,7 @@ import java.util.Optional;
 import javax.swing.Timer;
 import org.sami.boat.link.BoatMode;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.ui.command.Command;
 
 /**

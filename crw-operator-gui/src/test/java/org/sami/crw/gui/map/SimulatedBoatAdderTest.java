@@ -10,7 +10,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.SessionWorld;
-import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.map.MapView;

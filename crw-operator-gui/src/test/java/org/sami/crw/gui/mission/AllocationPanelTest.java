@@ -14,7 +14,7 @@ import javax.swing.JPopupMenu;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.SessionWorld;
-import org.sami.crw.operator.AllocationSnapshot;
+import org.sami.crw.operator.mission.AllocationSnapshot;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.TaskId;

@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.sami.crw.operator.Alarm;
-import org.sami.crw.operator.Alarm.Kind;
+import org.sami.crw.operator.alarm.Alarm;
+import org.sami.crw.operator.alarm.Alarm.Kind;
 
 class AlarmTimesTest {
     private static final Alarm LOW_BATTERY = alarm(1, Kind.BATTERY_LOW);

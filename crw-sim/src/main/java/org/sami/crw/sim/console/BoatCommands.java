@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.concurrent.CompletionStage;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
-import org.sami.crw.operator.BoatSnapshot;
+import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Fleet;
 import org.sami.spn.value.GeoPoint;

@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.decision.MixedInitiative;
-import org.sami.crw.operator.MessageEntry;
-import org.sami.crw.operator.PendingDecision;
+import org.sami.crw.operator.message.MessageEntry;
+import org.sami.crw.operator.message.PendingDecision;
 import org.sami.spn.protocol.Answer;
 
 /** Commands about what the operator is asked and told: decisions and messages. */

@@ -2,7 +2,7 @@ package org.sami.crw.sim.legacy;
 
 import java.util.List;
 import java.util.Objects;
-import org.sami.crw.operator.Wait;
+import org.sami.crw.operator.mission.Wait;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.spn.finding.Finding;
 

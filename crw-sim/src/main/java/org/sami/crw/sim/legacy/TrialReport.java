@@ -9,7 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import org.sami.crw.operator.Wait;
+import org.sami.crw.operator.mission.Wait;
 import org.sami.crw.sim.report.ReportWords;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.spn.finding.Finding;

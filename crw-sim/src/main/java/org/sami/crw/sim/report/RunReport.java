@@ -3,7 +3,7 @@ package org.sami.crw.sim.report;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import org.sami.crw.operator.Wait;
+import org.sami.crw.operator.mission.Wait;
 
 /**
  * Everything that is told about one run. Immutable; all writers read only this.

@@ -2,8 +2,8 @@ package org.sami.crw.sim.run;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.sami.crw.operator.Alarm;
 import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.spn.protocol.Ids;
 

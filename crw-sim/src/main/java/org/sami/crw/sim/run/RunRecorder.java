@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.crw.operator.ClickCount;
-import org.sami.crw.operator.EngineText;
+import org.sami.crw.operator.mission.EngineText;
 import org.sami.crw.sim.report.DecisionResult;
 import org.sami.crw.sim.report.FiringResult;
 import org.sami.crw.sim.report.NoteResult;

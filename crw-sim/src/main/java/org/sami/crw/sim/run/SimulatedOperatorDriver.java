@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.operator.DecisionQueue;
-import org.sami.crw.operator.PendingDecision;
+import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.session.Scheduler;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionOperator;

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.sami.crw.operator.DecisionQueue;
-import org.sami.crw.operator.PendingDecision;
+import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.session.Session;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;

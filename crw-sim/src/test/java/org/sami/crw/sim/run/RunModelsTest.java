@@ -7,8 +7,8 @@ import java.util.Set;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.decision.AnswersFile;
-import org.sami.crw.operator.BoatCommands.End;
 import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.operator.boat.BoatCommands.End;
 import org.sami.crw.sim.report.DecisionResult;
 import org.sami.crw.sim.report.RunReport;
 

@@ -11,7 +11,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.Optional;
-import org.sami.crw.operator.Wait;
+import org.sami.crw.operator.mission.Wait;
 import org.sami.crw.sim.report.Approach;
 import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.DecisionResult;

@@ -1,0 +1,109 @@
+package org.sami.crw.operator.alarm;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.sami.crw.proxy.BoatPose;
+import org.sami.crw.service.LocalPlane;
+
+/**
+ * Whether boats come too near to each other, by their closest point of approach if both keep course and speed. For one thread.
+ */
+public final class ApproachCheck {
+    private static final double NEAR_M = 3;
+    private static final double WITHIN_S =
+            3; // boats give way to one another from 8 s on: what is left then they did not see to
+    private static final double MOVING_MPS = 0.3;
+    private static final long PERIOD_MILLIS = 1000;
+
+    private final Map<String, Moving> boats = new LinkedHashMap<>();
+    private final Map<String, Long> lookedAtMillis = new HashMap<>();
+    private final Map<String, Set<String>> near = new HashMap<>(); // who comes too near to whom, both ways
+    private Optional<LocalPlane> plane = Optional.empty();
+
+    private record Moving(double x, double y, double east, double north, boolean stands) {
+        static Moving of(LocalPlane plane, BoatPose pose) {
+            double east = pose.speedMps() * Math.sin(pose.headingRad());
+            double north = pose.speedMps() * Math.cos(pose.headingRad());
+            return new Moving(
+                    plane.x(pose.position()),
+                    plane.y(pose.position()),
+                    east,
+                    north,
+                    Math.abs(pose.speedMps()) < MOVING_MPS);
+        }
+    }
+
+    /**
+     * A boat has said where it is and how it moves. Gives in words each other boat that it comes too near to, and without words those of whom that is so
+     * no longer. Nobody is looked at again a moment after the last look.
+     */
+    public Map<String, Optional<String>> at(String boat, BoatPose pose, long atMillis) {
+        LocalPlane at = plane.orElseGet(() -> new LocalPlane(pose.position()));
+        plane = Optional.of(at);
+        Moving one = Moving.of(at, pose);
+        boats.put(boat, one);
+        if (atMillis - lookedAtMillis.getOrDefault(boat, Long.MIN_VALUE / 2) < PERIOD_MILLIS) {
+            return Map.of();
+        }
+        lookedAtMillis.put(boat, atMillis);
+        Map<String, Optional<String>> found = new LinkedHashMap<>();
+        Set<String> neighbours = neighbours(boat);
+        boats.forEach((other, two) -> {
+            if (!other.equals(boat)) {
+                Optional<String> words = approach(boat, one, other, two);
+                if (words.isPresent()) {
+                    neighbours.add(other);
+                    neighbours(other).add(boat);
+                    found.put(other, words);
+                } else if (neighbours.remove(other)) {
+                    neighbours(other).remove(boat);
+                    found.put(other, words);
+                }
+            }
+        });
+        return found;
+    }
+
+    public void remove(String boat) {
+        boats.remove(boat);
+        lookedAtMillis.remove(boat);
+        near.remove(boat);
+        near.values().forEach(others -> others.remove(boat));
+    }
+
+    private Set<String> neighbours(String boat) {
+        return near.computeIfAbsent(boat, id -> new HashSet<>());
+    }
+
+    private static Optional<String> approach(String boat, Moving one, String other, Moving two) {
+        if (one.stands() && two.stands()) {
+            return Optional.empty(); // boats that lie at the quay
+        }
+        double x = two.x() - one.x();
+        double y = two.y() - one.y();
+        double east = two.east() - one.east();
+        double north = two.north() - one.north();
+        double squared = east * east + north * north;
+        double closestS = squared == 0 ? 0 : -(x * east + y * north) / squared;
+        if (closestS < 0 || closestS > WITHIN_S) {
+            return Optional.empty(); // they part, or there is time
+        }
+        double atX = x + closestS * east;
+        double atY = y + closestS * north;
+        double closestM = Math.sqrt(atX * atX + atY * atY);
+        return closestM >= NEAR_M
+                ? Optional.empty()
+                : Optional.of(String.format(
+                        Locale.ROOT,
+                        "%s and %s come within %.0f m of each other in %.0f s",
+                        boat,
+                        other,
+                        closestM,
+                        closestS));
+    }
+}

@@ -1,0 +1,82 @@
+package org.sami.crw.operator.alarm;
+
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import org.sami.boat.link.BatteryLevel;
+import org.sami.crw.operator.alarm.Alarm.Kind;
+import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.crw.proxy.BoatExplanation.Cause;
+import org.sami.crw.proxy.BoatPose;
+import org.sami.crw.proxy.CommandQueueSnapshot;
+import org.sami.crw.proxy.LinkState;
+
+/** Finds what is wrong with one boat, by what is known of it. For one thread. */
+public final class BoatAlarms {
+    /** A boat whose link stands says several times a second where it is. */
+    private static final long STALE_AFTER_MILLIS = 5_000;
+
+    private final PoseCheck poses = new PoseCheck();
+    private final RangeCheck ranges = new RangeCheck();
+    private final FenceCheck fence;
+
+    public BoatAlarms(FenceCheck fence) {
+        this.fence = fence;
+    }
+
+    public void remove(String boat) {
+        poses.remove(boat);
+        ranges.remove(boat);
+        fence.remove(boat);
+    }
+
+    /** What is wrong with a boat that was just seen, for each kind that can be; empty where nothing is. */
+    public Map<Kind, Optional<String>> wrong(BoatSnapshot boat, CommandQueueSnapshot queue) {
+        Map<Kind, Optional<String>> wrong = new EnumMap<>(Kind.class);
+        String id = boat.boat();
+        Cause cause = boat.why().cause();
+        wrong.put(
+                Kind.LINK_LOST,
+                when(boat.link() == LinkState.LOST, "The link to " + id + " is lost; its commands wait"));
+        wrong.put(Kind.BATTERY_CRITICAL, battery(boat, BatteryLevel.CRITICAL, "critical"));
+        wrong.put(Kind.BATTERY_LOW, battery(boat, BatteryLevel.LOW, "low"));
+        wrong.put(Kind.RANGE, ranges.of(boat));
+        wrong.put(
+                Kind.BOAT_CRITICAL,
+                when(
+                        cause == Cause.STARTED_ANEW || cause == Cause.REFUSES || cause == Cause.BATTERY_EMPTY,
+                        boat.why().text()));
+        wrong.put(Kind.NO_PROGRESS, when(cause == Cause.NO_PROGRESS, id + " comes no nearer to its next point"));
+        Optional<PoseCheck.Doubt> doubt = boat.pose().map(pose -> poses.at(id, pose));
+        wrong.put(Kind.POSITION_DOUBTFUL, doubt.flatMap(PoseCheck.Doubt::position));
+        wrong.put(Kind.COMPASS_DOUBTFUL, doubt.flatMap(PoseCheck.Doubt::heading));
+        wrong.put(Kind.FENCE, boat.pose().flatMap(pose -> fence.position(id, pose.position(), queue)));
+        wrong.put(Kind.FENCE_AHEAD, fence.path(id, boat.pose().map(BoatPose::position), queue));
+        return wrong;
+    }
+
+    private static Optional<String> battery(BoatSnapshot boat, BatteryLevel level, String word) {
+        return boat.battery()
+                .filter(battery -> battery.level() == level)
+                .map(battery -> "The battery of " + boat.boat() + " is " + word + ": "
+                        + Math.round(battery.percent()) + " %, for about "
+                        + Math.round(RangeCheck.rangeM(boat).orElse(0.0) / 100) * 100 + " m");
+    }
+
+    /**
+     * What is wrong with the age of a boat's pose.
+     *
+     * @param sampledEveryMillis so much older it may be than the base was told
+     */
+    public static Optional<String> stale(BoatSnapshot boat, long nowMillis, long sampledEveryMillis) {
+        OptionalLong age = boat.poseAgeMillis(nowMillis);
+        return when(
+                boat.link() == LinkState.LINKED && age.orElse(0) > STALE_AFTER_MILLIS + sampledEveryMillis,
+                boat.boat() + " has not said where it is for " + age.orElse(0) / 1000 + " s, though its link stands");
+    }
+
+    private static Optional<String> when(boolean is, String text) {
+        return is ? Optional.of(text) : Optional.empty();
+    }
+}

@@ -1,0 +1,207 @@
+package org.sami.crw.operator.alarm;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.LostLinkAction;
+import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.crw.proxy.BoatTuning;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.LostLinkWords;
+
+/**
+ * What is to be so before a boat is put into the water, as far as it is known now.
+ *
+ * @param items in the order in which they are gone through
+ */
+public record LaunchCheck(List<Item> items) {
+    private static final long FRESH_MS = 3500;
+    private static final double MOVES_MPS = 0.1;
+
+    /** How one item stands. */
+    public enum State {
+        GOOD,
+        /** The boat can go, and the operator is to know of it. */
+        DOUBTFUL,
+        BAD,
+        /** Nothing has been heard of it yet. */
+        UNKNOWN
+    }
+
+    /** What is looked at. */
+    public enum Subject {
+        LINK,
+        COMMANDER,
+        POSITION,
+        COMPASS,
+        MOTOR,
+        BATTERY,
+        LOST_LINK
+    }
+
+    /**
+     * One item.
+     *
+     * @param text how it is, and where it is not good what to do
+     */
+    public record Item(Subject subject, State state, String text) {
+        public Item {
+            Objects.requireNonNull(subject, "subject");
+            Objects.requireNonNull(state, "state");
+            Objects.requireNonNull(text, "text");
+        }
+    }
+
+    public LaunchCheck {
+        items = List.copyOf(items);
+    }
+
+    /**
+     * Goes through a boat.
+     *
+     * @param alarms of the session
+     * @param settings what the boat said is in force on it
+     * @param triedMps the greatest speed in m/s during a trial of its motor; empty where it was not tried
+     */
+    public static LaunchCheck of(
+            BoatSnapshot boat,
+            List<Alarm> alarms,
+            Optional<BoatTuning> settings,
+            OptionalDouble triedMps,
+            long nowMillis) {
+        List<Item> items = new ArrayList<>();
+        items.add(link(boat, nowMillis));
+        items.add(commander(boat));
+        items.add(position(boat, alarms, nowMillis));
+        items.add(compass(boat, alarms));
+        items.add(motor(boat, triedMps));
+        items.add(battery(boat));
+        items.add(lostLink(settings));
+        return new LaunchCheck(items);
+    }
+
+    /** Whether all is good, or at worst doubtful. */
+    public boolean mayLaunch() {
+        return items.stream().allMatch(item -> item.state() == State.GOOD || item.state() == State.DOUBTFUL);
+    }
+
+    /** How many items are good. */
+    public long good() {
+        return items.stream().filter(item -> item.state() == State.GOOD).count();
+    }
+
+    private static Item link(BoatSnapshot boat, long now) {
+        OptionalLong age = boat.linkAgeMillis(now);
+        if (age.isEmpty()) {
+            return new Item(Subject.LINK, State.UNKNOWN, "it has not answered yet");
+        }
+        boolean fresh = boat.link() == LinkState.LINKED && age.getAsLong() <= FRESH_MS;
+        return new Item(
+                Subject.LINK,
+                fresh ? State.GOOD : State.BAD,
+                String.format(Locale.ROOT, "heard %.1f s ago", age.getAsLong() / 1000.0)
+                        + (fresh ? "" : ": bring it into reach of the router"));
+    }
+
+    private static Item commander(BoatSnapshot boat) {
+        return switch (boat.commander()) {
+            case THIS_BASE -> new Item(Subject.COMMANDER, State.GOOD, "commanded from here");
+            case BY_HAND -> new Item(Subject.COMMANDER, State.DOUBTFUL, "driven by hand: give it back to the missions");
+            case SOMEBODY_ELSE -> new Item(Subject.COMMANDER, State.BAD, "another base commands it: take its command");
+            case UNKNOWN -> new Item(Subject.COMMANDER, State.UNKNOWN, "it has not said who commands it");
+        };
+    }
+
+    private static Item position(BoatSnapshot boat, List<Alarm> alarms, long now) {
+        if (boat.pose().isEmpty()) {
+            return new Item(Subject.POSITION, State.UNKNOWN, "it has not said where it is");
+        }
+        Optional<String> wrong =
+                alarm(boat, alarms, Alarm.Kind.POSITION_DOUBTFUL).or(() -> alarm(boat, alarms, Alarm.Kind.FENCE));
+        if (wrong.isPresent()) {
+            return new Item(Subject.POSITION, State.BAD, wrong.get());
+        }
+        long age = boat.poseAgeMillis(now).orElse(0);
+        String text = String.format(
+                Locale.ROOT,
+                "%.6f, %.6f",
+                boat.pose().get().position().latDeg(),
+                boat.pose().get().position().lonDeg());
+        return age <= FRESH_MS
+                ? new Item(Subject.POSITION, State.GOOD, text)
+                : new Item(
+                        Subject.POSITION,
+                        State.BAD,
+                        String.format(Locale.ROOT, "%s was %.0f s ago: wait for its satellites", text, age / 1000.0));
+    }
+
+    private static Item compass(BoatSnapshot boat, List<Alarm> alarms) {
+        if (boat.pose().isEmpty()) {
+            return new Item(Subject.COMPASS, State.UNKNOWN, "it has not said how it heads");
+        }
+        Optional<String> wrong = alarm(boat, alarms, Alarm.Kind.COMPASS_DOUBTFUL);
+        double degrees = Math.toDegrees(boat.pose().get().headingRad());
+        return wrong.map(text -> new Item(Subject.COMPASS, State.BAD, text))
+                .orElseGet(() -> new Item(
+                        Subject.COMPASS,
+                        State.GOOD,
+                        String.format(
+                                Locale.ROOT,
+                                "heads %03.0f°: turn the hull, the value must follow",
+                                (degrees + 360) % 360)));
+    }
+
+    private static Item motor(BoatSnapshot boat, OptionalDouble triedMps) {
+        if (boat.mode().map(mode -> mode == BoatMode.FLEET_STOP).orElse(false)) {
+            return new Item(Subject.MOTOR, State.BAD, "its motors are stopped: release it first");
+        }
+        boolean moves =
+                boat.pose().map(pose -> Math.abs(pose.speedMps()) >= MOVES_MPS).orElse(false);
+        if (moves) {
+            return new Item(Subject.MOTOR, State.GOOD, "it moves");
+        } else if (triedMps.isEmpty()) {
+            return new Item(Subject.MOTOR, State.UNKNOWN, "not tried: keep clear of the propeller and try it");
+        }
+        return triedMps.getAsDouble() >= MOVES_MPS
+                ? new Item(
+                        Subject.MOTOR,
+                        State.GOOD,
+                        String.format(Locale.ROOT, "tried, it went %.1f m/s", triedMps.getAsDouble()))
+                : new Item(Subject.MOTOR, State.DOUBTFUL, "tried, and it went nowhere: look whether it turns");
+    }
+
+    private static Item battery(BoatSnapshot boat) {
+        return boat.battery()
+                .map(battery -> {
+                    String percent = String.format(Locale.ROOT, "%.0f %%", battery.percent());
+                    return switch (battery.level()) {
+                        case NOMINAL -> new Item(Subject.BATTERY, State.GOOD, percent);
+                        case LOW -> new Item(Subject.BATTERY, State.DOUBTFUL, percent + ", low: a short way only");
+                        case CRITICAL -> new Item(Subject.BATTERY, State.BAD, percent + ": put a full one in");
+                    };
+                })
+                .orElseGet(() -> new Item(Subject.BATTERY, State.UNKNOWN, "it has said nothing of its battery"));
+    }
+
+    private static Item lostLink(Optional<BoatTuning> settings) {
+        return settings.map(BoatTuning::lostLinkAction)
+                .map(action -> new Item(
+                        Subject.LOST_LINK,
+                        action == LostLinkAction.DRIFT ? State.DOUBTFUL : State.GOOD,
+                        LostLinkWords.of(action)))
+                .orElseGet(() -> new Item(Subject.LOST_LINK, State.UNKNOWN, "it has not said what it does then"));
+    }
+
+    private static Optional<String> alarm(BoatSnapshot boat, List<Alarm> alarms, Alarm.Kind kind) {
+        return alarms.stream()
+                .filter(alarm ->
+                        alarm.active() && alarm.kind() == kind && alarm.boat().equals(boat.boat()))
+                .map(Alarm::text)
+                .findFirst();
+    }
+}

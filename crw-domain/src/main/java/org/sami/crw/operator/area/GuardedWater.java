@@ -1,0 +1,103 @@
+package org.sami.crw.operator.area;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.proxy.CommandQueueSnapshot.Entry;
+import org.sami.crw.service.path.Detour;
+import org.sami.crw.service.water.Water;
+import org.sami.spn.value.GeoPoint;
+
+/** Water in which boats may go, and where the paths that they have leave it. For one thread. */
+public final class GuardedWater {
+    private final Water ofPositions;
+    private final Water ofPaths;
+    private final Map<String, Map<String, int[]>> breaches = new HashMap<>(); // by boat and command; segments in order
+
+    /**
+     * Water with what is forbidden in it.
+     *
+     * @param ofPositions where boats may be, by the positions that they tell
+     * @param ofPaths where they may be sent
+     */
+    public GuardedWater(Water ofPositions, Water ofPaths) {
+        this.ofPositions = ofPositions;
+        this.ofPaths = ofPaths;
+    }
+
+    public void remove(String boat) {
+        breaches.remove(boat);
+    }
+
+    /** Forgets the paths of commands that the boat no longer has. */
+    public void retain(String boat, List<String> commands) {
+        breaches.getOrDefault(boat, Map.of()).keySet().retainAll(commands);
+    }
+
+    public boolean isForbidden(GeoPoint position) {
+        return !ofPositions.allows(List.of(position));
+    }
+
+    /** Whether a boat that was at one allowed point and is at another went through what is forbidden. */
+    public boolean isForbiddenBetween(GeoPoint before, GeoPoint now) {
+        return !before.equals(now) && !isForbidden(before) && !ofPositions.allows(List.of(before, now));
+    }
+
+    /** The point to which the boat goes next, where its way there leads through what is forbidden. */
+    public Optional<GeoPoint> wayThere(Optional<GeoPoint> position, Entry entry) {
+        List<GeoPoint> points = entry.command().points();
+        if (position.isEmpty() || entry.visited() >= points.size()) {
+            return Optional.empty();
+        }
+        GeoPoint next = points.get(entry.visited());
+        List<GeoPoint> way = List.of(position.get(), next); // it begins where the boat seems to be
+        boolean forbidden = ofPositions.allows(List.of(position.get())) && leaves(ofPositions, way, entry.command());
+        return forbidden ? Optional.of(next) : Optional.empty();
+    }
+
+    /** Where the first segment ahead begins that is forbidden. */
+    public Optional<GeoPoint> segment(String boat, Entry entry) {
+        List<GeoPoint> points = entry.command().points();
+        int[] wrong = breaches.computeIfAbsent(boat, id -> new HashMap<>())
+                .computeIfAbsent(entry.command().commandId(), id -> breaches(points, entry.command()));
+        for (int segment : wrong) {
+            if (segment >= entry.visited()) {
+                return Optional.of(points.get(segment));
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** The segments, by the index of the point at which they begin, and the last point alone. */
+    private int[] breaches(List<GeoPoint> points, BoatCommand command) {
+        List<Integer> wrong = new ArrayList<>();
+        if (!points.isEmpty() && !ofPaths.allows(points)) {
+            for (int i = 0; i < points.size(); i++) {
+                if (leaves(ofPaths, points.subList(i, Math.min(i + 2, points.size())), command)) {
+                    wrong.add(i);
+                }
+            }
+        }
+        return wrong.stream().mapToInt(Integer::intValue).toArray();
+    }
+
+    /** Whether a segment, or a point alone, leads through what is forbidden, also as it is driven: around what the command's water bars. */
+    private static boolean leaves(Water allowed, List<GeoPoint> segment, BoatCommand command) {
+        return !allowed.allows(segment)
+                && (segment.size() < 2
+                        || command.water()
+                                .flatMap(limits -> Detour.between(segment.get(0), segment.get(1), limits))
+                                .filter(turns -> allowed.allows(joined(segment.get(0), turns, segment.get(1))))
+                                .isEmpty());
+    }
+
+    private static List<GeoPoint> joined(GeoPoint from, List<GeoPoint> turns, GeoPoint to) {
+        List<GeoPoint> way = new ArrayList<>(List.of(from));
+        way.addAll(turns);
+        way.add(to);
+        return way;
+    }
+}

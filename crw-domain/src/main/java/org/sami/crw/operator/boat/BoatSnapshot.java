@@ -1,0 +1,76 @@
+package org.sami.crw.operator.boat;
+
+import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalLong;
+import org.sami.boat.link.BoatMode;
+import org.sami.crw.proxy.BatteryState;
+import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.proxy.BoatExplanation;
+import org.sami.crw.proxy.BoatPose;
+import org.sami.crw.proxy.LinkState;
+
+/**
+ * One boat as it was known at a moment. Times are milliseconds on the session's clock.
+ *
+ * @param pose where it said it was; empty before it has
+ * @param poseAtMillis when that came; 0 before it has
+ * @param battery what it said of its battery last; empty before it has
+ * @param mode what its server does; empty before it has said so
+ * @param heardAtMillis when the last frame came; empty before one has
+ * @param commander who commands it
+ * @param command the command that it is to carry out now
+ * @param visited points of that command's path that are behind it
+ * @param points points of that path; 0 for a command that has none
+ * @param why why it moves or does not
+ */
+public record BoatSnapshot(
+        String boat,
+        LinkState link,
+        OptionalLong heardAtMillis,
+        Optional<BoatPose> pose,
+        long poseAtMillis,
+        Optional<BatteryState> battery,
+        Optional<BoatMode> mode,
+        Commander commander,
+        Optional<BoatCommand> command,
+        int visited,
+        int points,
+        BoatExplanation why) {
+
+    /** Who commands a boat. */
+    public enum Commander {
+        /** This base, for its missions. */
+        THIS_BASE,
+        /** A person at this base, by hand; what missions want waits. */
+        BY_HAND,
+        /** Another client, or nobody; this base watches. */
+        SOMEBODY_ELSE,
+        /** It has not said so yet. */
+        UNKNOWN
+    }
+
+    public BoatSnapshot {
+        Objects.requireNonNull(boat, "boat");
+        Objects.requireNonNull(link, "link");
+        Objects.requireNonNull(heardAtMillis, "heardAtMillis");
+        Objects.requireNonNull(pose, "pose");
+        Objects.requireNonNull(battery, "battery");
+        Objects.requireNonNull(mode, "mode");
+        Objects.requireNonNull(commander, "commander");
+        Objects.requireNonNull(command, "command");
+        Objects.requireNonNull(why, "why");
+    }
+
+    /** How old the pose is, in ms; empty where there is none. */
+    public OptionalLong poseAgeMillis(long nowMillis) {
+        return pose.isEmpty() ? OptionalLong.empty() : OptionalLong.of(Math.max(0, nowMillis - poseAtMillis));
+    }
+
+    /** For how long nothing has come over the link, in ms; empty where nothing ever has. */
+    public OptionalLong linkAgeMillis(long nowMillis) {
+        return heardAtMillis.isEmpty()
+                ? heardAtMillis
+                : OptionalLong.of(Math.max(0, nowMillis - heardAtMillis.getAsLong()));
+    }
+}

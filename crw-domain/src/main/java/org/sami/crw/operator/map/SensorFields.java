@@ -1,0 +1,158 @@
+package org.sami.crw.operator.map;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.concurrent.Executor;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.function.BiConsumer;
+import org.sami.crw.markup.MapRelevance.Visualization;
+import org.sami.crw.proxy.BoatReading;
+import org.sami.crw.service.LocalPlane;
+import org.sami.crw.service.field.ContourLine;
+import org.sami.crw.service.field.FieldGrid;
+import org.sami.crw.service.field.Legend;
+import org.sami.crw.service.field.SampledField;
+
+/**
+ * What sensors measured, by channel and boat, and the layers that are computed of it: at most one computation a second, on an executor
+ * that is no window's. May be called from any thread.
+ */
+public final class SensorFields {
+    private static final long PERIOD_MILLIS = 1000;
+
+    private final Executor computing;
+    private final BiConsumer<List<SensorChannel>, List<SensorLayer>> computed;
+    private volatile List<Wanted> wanted = List.of();
+
+    // what follows is for the computing executor
+    private final Map<SensorChannel, Map<String, SampledField>> fields = new TreeMap<>();
+    private Optional<LocalPlane> plane = Optional.empty();
+    private List<Wanted> answered = List.of();
+    private boolean measured;
+    private long computedAtMillis = Long.MIN_VALUE / 2;
+
+    /**
+     * A layer that somebody wants.
+     *
+     * @param word names the sensor or channel; empty text for the first channel of the boats
+     * @param boats whose readings; empty for all
+     * @param threshold for that visualization; empty for the middle between least and greatest
+     */
+    record Wanted(String word, Visualization visualization, Set<String> boats, OptionalDouble threshold, String why) {
+        Wanted {
+            Objects.requireNonNull(word, "word");
+            Objects.requireNonNull(visualization, "visualization");
+            boats = Set.copyOf(boats);
+            Objects.requireNonNull(threshold, "threshold");
+            Objects.requireNonNull(why, "why");
+        }
+    }
+
+    /**
+     * No readings.
+     *
+     * @param computing does what it is given one after the other
+     * @param computed is given all channels and the layers that are wanted, on that executor
+     */
+    public SensorFields(Executor computing, BiConsumer<List<SensorChannel>, List<SensorLayer>> computed) {
+        this.computing = computing;
+        this.computed = computed;
+    }
+
+    /** A boat has measured; the first value of a reading counts. */
+    public void measured(String boat, BoatReading reading) {
+        execute(() -> {
+            if (plane.isEmpty()) {
+                plane = Optional.of(new LocalPlane(reading.position()));
+            }
+            SensorChannel channel = new SensorChannel(reading.sensor(), reading.channel(), reading.unit());
+            fields.computeIfAbsent(channel, one -> new TreeMap<>())
+                    .computeIfAbsent(boat, one -> new SampledField(plane.orElseThrow()))
+                    .add(reading.position(), reading.values().get(0));
+            measured = true;
+        });
+    }
+
+    /** Forgets what was measured. */
+    public void clear() {
+        execute(() -> {
+            fields.clear();
+            plane = Optional.empty();
+            measured = true;
+            computedAtMillis = Long.MIN_VALUE / 2;
+        });
+    }
+
+    /** These layers are wanted from now on. */
+    public void want(List<Wanted> layers) {
+        wanted = List.copyOf(layers);
+    }
+
+    /** Computes what is wanted, if something has changed and the last time is long enough ago. To be called often. */
+    public void look(long nowMillis) {
+        execute(() -> {
+            List<Wanted> now = wanted;
+            boolean changed = measured || !now.equals(answered);
+            if (changed && nowMillis - computedAtMillis >= PERIOD_MILLIS) {
+                measured = false;
+                answered = now;
+                computedAtMillis = nowMillis;
+                computed.accept(List.copyOf(fields.keySet()), layers(now));
+            }
+        });
+    }
+
+    private void execute(Runnable work) {
+        try {
+            computing.execute(work);
+        } catch (RejectedExecutionException stopped) {
+            // the session has ended: nobody looks at the map
+        }
+    }
+
+    private List<SensorLayer> layers(List<Wanted> now) {
+        List<SensorLayer> layers = new ArrayList<>();
+        for (Wanted one : now) {
+            fields.entrySet().stream()
+                    .filter(channel -> isMeant(channel, one))
+                    .findFirst()
+                    .flatMap(channel -> layer(channel.getKey(), channel.getValue(), one))
+                    .ifPresent(layers::add);
+        }
+        return layers;
+    }
+
+    private static boolean isMeant(Map.Entry<SensorChannel, Map<String, SampledField>> channel, Wanted one) {
+        boolean called = one.word().isEmpty() || channel.getKey().isCalled(one.word());
+        return called
+                && (one.boats().isEmpty()
+                        || channel.getValue().keySet().stream().anyMatch(one.boats()::contains));
+    }
+
+    private Optional<SensorLayer> layer(SensorChannel channel, Map<String, SampledField> byBoat, Wanted one) {
+        SampledField all = new SampledField(plane.orElseThrow());
+        for (Map.Entry<String, SampledField> boat : byBoat.entrySet()) {
+            if (one.boats().isEmpty() || one.boats().contains(boat.getKey())) {
+                all = all.and(boat.getValue());
+            }
+        }
+        return all.grid().map(grid -> layer(channel, grid, one));
+    }
+
+    private static SensorLayer layer(SensorChannel channel, FieldGrid grid, Wanted one) {
+        Legend legend = Legend.of(grid, channel.unit());
+        List<ContourLine> contours = one.visualization() == Visualization.CONTOUR
+                ? legend.marks().stream()
+                        .map(mark -> ContourLine.of(grid, mark))
+                        .toList()
+                : List.of();
+        double threshold = one.threshold().orElse((grid.least() + grid.greatest()) / 2);
+        return new SensorLayer(channel, one.visualization(), grid, contours, threshold, legend, one.why());
+    }
+}

@@ -1,0 +1,97 @@
+package org.sami.crw.operator.mission;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.Set;
+import org.sami.spn.engine.PendingAnswer;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Outcome;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.protocol.TokenMove;
+import org.sami.spn.value.Value;
+
+/**
+ * A mission or sub-mission as it stood at a moment.
+ *
+ * @param parent the mission whose place runs it, or {@code Ids.NONE}
+ * @param parentPlace id of that place; empty text for a root mission
+ * @param plan id of its plan
+ * @param title what people call the plan
+ * @param startedAtMillis on the session's clock
+ * @param outcome how it ended, or that it was halted; empty while it goes on
+ * @param endedAtMillis when it ended; empty while it goes on
+ * @param marking tokens of each marked place in order of entry, by place id
+ * @param visitedByNobody ids of places that nobody's visit keeps awake
+ * @param firings how many there were
+ * @param lastFirings the latest of them, oldest first
+ * @param variables the latest values of those that it owns, as far as they were written
+ * @param details what only the engine can say, as it was told last
+ */
+public record MissionSnapshot(
+        long id,
+        long parent,
+        String parentPlace,
+        String plan,
+        String title,
+        String name,
+        long startedAtMillis,
+        Optional<Outcome> outcome,
+        OptionalLong endedAtMillis,
+        Map<String, List<Token>> marking,
+        Set<String> visitedByNobody,
+        long firings,
+        List<Firing> lastFirings,
+        Map<String, Value> variables,
+        Details details) {
+
+    /**
+     * One firing.
+     *
+     * @param number of all firings of the session, from 1
+     * @param transition id of the transition
+     * @param used input events that it used up
+     */
+    public record Firing(long number, long atMillis, String transition, List<Occurrence> used, List<TokenMove> moves) {
+        public Firing {
+            Objects.requireNonNull(transition, "transition");
+            used = List.copyOf(used);
+            moves = List.copyOf(moves);
+        }
+    }
+
+    /**
+     * What only the engine can say; looked up a little later than the rest.
+     *
+     * @param pending input events that transitions have received and keep
+     * @param blocked what the mission waits for, place by place
+     */
+    public record Details(List<PendingAnswer> pending, List<Wait> blocked) {
+        public static final Details NONE = new Details(List.of(), List.of());
+
+        public Details {
+            pending = List.copyOf(pending);
+            blocked = List.copyOf(blocked);
+        }
+    }
+
+    public MissionSnapshot {
+        Objects.requireNonNull(parentPlace, "parentPlace");
+        Objects.requireNonNull(plan, "plan");
+        Objects.requireNonNull(title, "title");
+        Objects.requireNonNull(name, "name");
+        marking = Collections.unmodifiableMap(new LinkedHashMap<>(marking));
+        lastFirings = List.copyOf(lastFirings);
+        variables = Collections.unmodifiableMap(new LinkedHashMap<>(variables));
+        Objects.requireNonNull(details, "details");
+    }
+
+    /** Whether it is over or was halted. */
+    public boolean hasEnded() {
+        return outcome.isPresent();
+    }
+}

@@ -1,0 +1,34 @@
+package org.sami.crw.operator.mission;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.spn.value.Value;
+
+/**
+ * The missions of a session at a moment.
+ *
+ * @param missions those that go on and the latest that have ended, sub-missions included, in order of creation
+ * @param globals the latest values of global variables, as far as they were written or a running plan reads them
+ * @param firings how many firings there were in the session up to the last that is known here
+ */
+public record MissionsSnapshot(List<MissionSnapshot> missions, Map<String, Value> globals, long firings) {
+    public static final MissionsSnapshot EMPTY = new MissionsSnapshot(List.of(), Map.of(), 0);
+
+    public MissionsSnapshot {
+        missions = List.copyOf(missions);
+        globals = Collections.unmodifiableMap(new LinkedHashMap<>(globals));
+    }
+
+    /** One mission. */
+    public Optional<MissionSnapshot> mission(long id) {
+        return missions.stream().filter(mission -> mission.id() == id).findFirst();
+    }
+
+    /** The missions that go on, in order of creation. */
+    public List<MissionSnapshot> running() {
+        return missions.stream().filter(mission -> !mission.hasEnded()).toList();
+    }
+}
