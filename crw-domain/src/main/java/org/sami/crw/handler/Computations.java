@@ -10,6 +10,7 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.sami.crw.operator.message.MessageSink;
@@ -213,11 +214,15 @@ final class Computations implements HostListener {
                 ""));
     }
 
-    /** Takes back what a mission's computations will have boats do; no boats named = all. For the fleet's thread. */
-    void withdraw(long mission, List<String> named, MotionCommands motion) {
+    /**
+     * Takes back what a mission's computations will have boats do; no boats named = all. For the fleet's thread.
+     *
+     * @param takeBack is given each activation whose commands are not to be sent, with the boats for which they are not
+     */
+    void withdraw(long mission, List<String> named, BiConsumer<Long, List<String>> takeBack) {
         for (Running one : running.values()) {
             if (one.activation.mission() == mission && one.task.commandsBoats()) {
-                motion.takeBack(one.activation.id(), named.isEmpty() ? one.activation.proxies() : named);
+                takeBack.accept(one.activation.id(), named.isEmpty() ? one.activation.proxies() : named);
             }
         }
     }

@@ -52,7 +52,11 @@ public final class CrwDomain implements AutoCloseable {
             Optional<ServiceThreads> threads) {
         this.events = events;
         NewBoats newBoats = new NewBoats();
-        WayQuestions ways = new WayQuestions(boats, messages, fleet);
+        WayQuestions ways = new WayQuestions(
+                boats,
+                messages,
+                fleet,
+                Set.of(ExecutePathHandler.TYPE, ExecutePathHandler.BLOCKING_TYPE, ExploreAreaHandler.TYPE));
         BoatErrors errors = new BoatErrors(boats, services.error());
         ClearWays clearWays = new ClearWays(boats, messages, errors);
         MotionCommands motion = new MotionCommands(boats, messages, ways, clearWays);

@@ -44,13 +44,12 @@ import org.sami.spn.value.GeoPoint;
  * that goes on does not ask again. For the fleet's thread; what it hears of the engine it brings there.
  */
 final class WayQuestions implements HostListener {
-    private static final Set<String> WITH_WAY_HOME =
-            Set.of(ExecutePathHandler.TYPE, ExecutePathHandler.BLOCKING_TYPE, ExploreAreaHandler.TYPE);
     private static final int NAMED = 3;
 
     private final ProxyRegistry boats;
     private final MessageSink messages;
     private final Executor fleet;
+    private final Set<String> withWayHome;
     private final Map<String, Held> held = new LinkedHashMap<>(); // by kind and activation
 
     /** What becomes of moves that were asked about. */
@@ -75,10 +74,16 @@ final class WayQuestions implements HostListener {
         }
     }
 
-    WayQuestions(ProxyRegistry boats, MessageSink messages, Executor fleet) {
+    /**
+     * Asks about the ways of some boats.
+     *
+     * @param withWayHome types of the output events whose boats need charge for the way home too
+     */
+    WayQuestions(ProxyRegistry boats, MessageSink messages, Executor fleet, Set<String> withWayHome) {
         this.boats = boats;
         this.messages = messages;
         this.fleet = fleet;
+        this.withWayHome = Set.copyOf(withWayHome);
     }
 
     /** Keeps the moves that are doubted and asks about them; the others are returned. */
@@ -117,8 +122,8 @@ final class WayQuestions implements HostListener {
      * Whether the operator is asked where a charge does not last for the way home: of paths and explorations that begin, unless the plan says
      * otherwise, or has batteries swapped on the way.
      */
-    private static boolean asksForWayHome(Activation activation, HandlerContext context, Move move) {
-        return WITH_WAY_HOME.contains(activation.type())
+    private boolean asksForWayHome(Activation activation, HandlerContext context, Move move) {
+        return withWayHome.contains(activation.type())
                 && move.command() instanceof FollowPath path
                 && path.startIndex() == 0
                 && PlannedSwaps.keepWaysHome(activation, context);

@@ -47,7 +47,7 @@ final class Withdrawals implements HostListener {
 
     private void withdraw(Effect.CommandsWithdrawn withdrawn, List<Activation> askedBefore) {
         motion.withdraw(withdrawn.mission(), withdrawn.proxies());
-        computations.withdraw(withdrawn.mission(), withdrawn.proxies(), motion);
+        computations.withdraw(withdrawn.mission(), withdrawn.proxies(), motion::takeBack);
         for (Activation activation : askedBefore) {
             motion.takeBack(
                     activation.id(), withdrawn.proxies().isEmpty() ? activation.proxies() : withdrawn.proxies());
