@@ -1,5 +1,6 @@
 package org.sami.crw.handler;
 
+import org.sami.crw.handler.activation.ActivationFields;
 import org.sami.crw.markup.MapRelevance;
 import org.sami.crw.markup.MarkupReader;
 import org.sami.crw.operator.manipulation.ManipulationLimit;

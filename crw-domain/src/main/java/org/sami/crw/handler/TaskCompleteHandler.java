@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.task.TaskQueues;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;

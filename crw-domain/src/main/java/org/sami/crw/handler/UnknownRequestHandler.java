@@ -1,5 +1,6 @@
 package org.sami.crw.handler;
 
+import org.sami.crw.handler.activation.ActivationFields;
 import org.sami.crw.operator.message.MessageSink;
 import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.spn.host.ActivationHandler;

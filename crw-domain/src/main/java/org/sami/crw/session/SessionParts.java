@@ -16,7 +16,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.sami.crw.fleet.FleetEvents;
 import org.sami.crw.handler.CrwDomain;
-import org.sami.crw.handler.ServiceThreads;
+import org.sami.crw.handler.planning.ServiceThreads;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;

@@ -2,7 +2,7 @@ package org.sami.crw.session;
 
 import java.io.IOException;
 import java.util.Objects;
-import org.sami.crw.handler.CrwServices;
+import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.ProjectReader;

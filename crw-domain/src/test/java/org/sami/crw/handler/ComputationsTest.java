@@ -11,6 +11,8 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.sami.crw.handler.planning.CrwServices;
+import org.sami.crw.handler.planning.ServiceThreads;
 import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.service.Geodesy;

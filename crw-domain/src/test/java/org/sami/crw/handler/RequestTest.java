@@ -8,6 +8,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.event.Allocation;
 import org.sami.crw.event.ProxyMaps;
+import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Input;

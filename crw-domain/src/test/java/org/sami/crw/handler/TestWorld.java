@@ -15,6 +15,8 @@ import java.util.function.Consumer;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.ServerSession;
+import org.sami.crw.handler.planning.CrwServices;
+import org.sami.crw.handler.planning.ServiceThreads;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.BoatProxy;

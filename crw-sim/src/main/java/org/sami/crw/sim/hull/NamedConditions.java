@@ -2,7 +2,7 @@ package org.sami.crw.sim.hull;
 
 import java.util.Map;
 import java.util.Optional;
-import org.sami.crw.handler.CrwServices;
+import org.sami.crw.handler.planning.CrwServices;
 
 /** The conditions that have a name (docs/decisions, 0302); options print and read the constants as they are written. */
 public enum NamedConditions {

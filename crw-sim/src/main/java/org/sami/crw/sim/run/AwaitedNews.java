@@ -3,7 +3,7 @@ package org.sami.crw.sim.run;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import org.sami.crw.handler.EventNames;
+import org.sami.crw.handler.activation.EventNames;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.model.InEdge;

@@ -5,7 +5,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import org.sami.crw.handler.ExplorationShares;
+import org.sami.crw.handler.planning.ExplorationShares;
 import org.sami.crw.service.coverage.AreaCoverage;
 import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.Exploration;

@@ -9,7 +9,7 @@ import java.util.function.Function;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.OperatorDefaults;
 import org.sami.crw.decision.SimulatedOperator;
-import org.sami.crw.handler.CrwServices;
+import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.session.Session;

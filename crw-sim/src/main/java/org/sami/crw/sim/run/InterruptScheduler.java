@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
-import org.sami.crw.handler.EventNames;
+import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.session.Scheduler;
 import org.sami.crw.sim.report.InterruptResult;
 import org.sami.crw.sim.run.InterruptPress.State;

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.boat.server.vehicle.LocalFrame;
-import org.sami.crw.handler.PlanAreas;
+import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.operator.area.OperatingArea;
 import org.sami.crw.sim.report.BoatResult;
 import org.sami.crw.sim.report.ClosestApproach;

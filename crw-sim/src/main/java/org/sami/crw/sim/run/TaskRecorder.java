@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
-import org.sami.crw.handler.EventNames;
+import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.sim.report.TaskResult;
 import org.sami.crw.task.TaskQueues;
 import org.sami.spn.engine.EngineView;

@@ -1,0 +1,153 @@
+package org.sami.crw.handler.boat;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.sami.crw.handler.activation.EventNames;
+import org.sami.crw.handler.subscription.BatterySubscriptions;
+import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.proxy.BatteryState;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatStatus;
+import org.sami.crw.proxy.LinkState;
+import org.sami.spn.engine.MissionView;
+import org.sami.spn.host.EngineHost;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.RealValue;
+
+/**
+ * What boats report, as news to plans and messages to the operator. A boat joins when its link is up for the first time. Poses
+ * become inputs only while a transition waits for them; a battery is news when its class changes. For the fleet's
+ * thread.
+ */
+public final class BoatNews implements BoatListener {
+    private static final int MOST_FAULTS = 100;
+
+    private final EngineHost host;
+    private final NewBoats newBoats;
+    private final MessageSink messages;
+    private final BatterySubscriptions batteries;
+    private final Set<String> joined = new HashSet<>();
+    private final Set<String> observed = new HashSet<>();
+    private final Map<String, String> levels = new HashMap<>();
+    private final Set<String> faults = new HashSet<>();
+
+    public BoatNews(EngineHost host, NewBoats newBoats, MessageSink messages, BatterySubscriptions batteries) {
+        this.batteries = batteries;
+        this.host = host;
+        this.newBoats = newBoats;
+        this.messages = messages;
+    }
+
+    @Override
+    public void onStatus(BoatStatus status) {
+        host.postIfAwaited(Occurrence.news(EventNames.POSE_UPDATED, List.of(status.boatId()), Map.of()));
+    }
+
+    @Override
+    public void onLinkChange(BoatStatus status) {
+        String boat = status.boatId();
+        if (status.link() == LinkState.LOST) {
+            tell(boat, Priority.MEDIUM, "The link to " + boat + " is lost; its commands wait");
+        } else if (status.link() == LinkState.LINKED && !joined.add(boat)) {
+            tell(boat, Priority.LOW, "The link to " + boat + " is back");
+        } else if (status.link() == LinkState.LINKED
+                && !host.ask(view -> view.proxies().contains(boat))) {
+            host.post(newBoats.joined(boat, host.ask(view -> view.awaits(EventNames.PROXY_CREATED))));
+        }
+    }
+
+    @Override
+    public void onBattery(String boatId, BatteryState battery) {
+        String level = battery.level().name();
+        Optional<String> before = Optional.ofNullable(levels.put(boatId, level));
+        if (!before.or(() -> SessionMemory.BATTERY.of(boatId, host)).equals(Optional.of(level))) {
+            List<Input> inputs = new ArrayList<>(List.of(SessionMemory.BATTERY.remember(boatId, level)));
+            for (long mission : missionsWithoutSubscription(boatId)) {
+                inputs.add(new Input.Received(new Occurrence(
+                        EventNames.of(battery.level()),
+                        mission,
+                        Ids.NONE,
+                        List.of(boatId),
+                        List.of(),
+                        Map.of("percent", new RealValue(battery.percent())))));
+            }
+            host.post(inputs);
+        }
+    }
+
+    /** Whom the boat's own classes concern: nobody in particular, unless a mission has subscribed with thresholds of its own. */
+    private List<Long> missionsWithoutSubscription(String boatId) {
+        Set<Long> subscribers = batteries.subscribers(boatId);
+        return subscribers.isEmpty()
+                ? List.of(Ids.NONE)
+                : host.ask(view -> view.missions().stream()
+                        .map(MissionView::id)
+                        .filter(mission -> !subscribers.contains(mission))
+                        .toList());
+    }
+
+    /** If it comes again, it joins again where it was dropped meanwhile. */
+    @Override
+    public void onRetired(String boatId) {
+        joined.remove(boatId);
+    }
+
+    @Override
+    public void onRestarted(BoatStatus status) {
+        tell(
+                status.boatId(),
+                Priority.CRITICAL,
+                status.boatId() + " has started anew; it does not move until it is allowed to");
+    }
+
+    @Override
+    public void onCommanding(String boatId, boolean commands) {
+        if (!commands) {
+            observed.add(boatId);
+            tell(boatId, Priority.HIGH, "Another base commands " + boatId + " now; its commands wait");
+        } else if (observed.remove(boatId)) {
+            tell(boatId, Priority.LOW, "This base commands " + boatId + " again");
+        }
+    }
+
+    @Override
+    public void onRefused(String boatId, String reason) {
+        tell(boatId, Priority.HIGH, boatId + " refuses: " + reason);
+    }
+
+    /** Said once of each fault: a listener that fails may do so with every pose. */
+    @Override
+    public void onListenerFault(String listener, Throwable fault) {
+        if (faults.size() < MOST_FAULTS && faults.add(listener + ": " + fault)) {
+            messages.tell(new OperatorMessage(
+                    host.nowMillis(),
+                    Ids.NONE,
+                    OperatorMessage.Source.DOMAIN,
+                    Priority.HIGH,
+                    "A fault in this program: " + listener + " failed at news of a boat (" + fault
+                            + "); the news went to all others",
+                    List.of(),
+                    ""));
+        }
+    }
+
+    private void tell(String boat, Priority priority, String text) {
+        messages.tell(new OperatorMessage(
+                host.nowMillis(),
+                Ids.NONE,
+                OperatorMessage.Source.DOMAIN,
+                priority,
+                text,
+                List.of(boat),
+                "link/" + boat));
+    }
+}

@@ -1,0 +1,130 @@
+package org.sami.crw.handler.boat;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.concurrent.Executor;
+import org.sami.crw.decision.DomainQuestion;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.BoatStatus;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.EngineHost;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Priority;
+
+/**
+ * What the operator is asked about single boats outside of plans: whether one that has started anew may be moved again, and whether
+ * another base may have one. The answer is carried out on the boat. Which start of a boat was met last is kept in the session's
+ * journal, so that a boat that started anew while the base was down is noticed too. For the fleet's thread; what it hears
+ * of the engine it brings there.
+ */
+public final class BoatQuestions implements BoatListener, HostListener {
+    private final EngineHost host;
+    private final ProxyRegistry boats;
+    private final Executor fleet;
+    private final Map<String, String> askers = new TreeMap<>(); // by boat, the base that wishes to command it
+
+    public BoatQuestions(EngineHost host, ProxyRegistry boats, Executor fleet) {
+        this.host = host;
+        this.boats = boats;
+        this.fleet = fleet;
+    }
+
+    @Override
+    public void onLinkChange(BoatStatus status) {
+        if (status.link() == LinkState.LINKED) {
+            SessionMemory.BOOT
+                    .of(status.boatId(), host)
+                    .ifPresentOrElse(
+                            known -> boats.find(status.boatId()).ifPresent(proxy -> proxy.knownBoot(known)),
+                            () -> remember(status));
+        }
+    }
+
+    private void remember(BoatStatus status) {
+        host.post(SessionMemory.BOOT.remember(status.boatId(), status.bootId()));
+    }
+
+    @Override
+    public void onRestarted(BoatStatus status) {
+        host.post(new Input.AskOperator(
+                DomainQuestion.BOAT_RESTARTED.kind(),
+                status.boatId(),
+                status.boatId() + " has started anew and does not move. May it move again?",
+                Priority.CRITICAL));
+    }
+
+    @Override
+    public void onRestartAllowed(BoatStatus status) {
+        remember(status);
+        withdraw(DomainQuestion.BOAT_RESTARTED, status.boatId());
+    }
+
+    @Override
+    public void onCommandAsked(String boatId, String clientId) {
+        if (askers.put(boatId, clientId) != null) {
+            withdraw(DomainQuestion.COMMAND_ASKED, boatId);
+        }
+        host.post(new Input.AskOperator(
+                DomainQuestion.COMMAND_ASKED.kind(),
+                boatId,
+                clientId + " wishes to command " + boatId + ". Is it to have it?",
+                Priority.HIGH));
+    }
+
+    @Override
+    public void onCommanding(String boatId, boolean commands) {
+        if (askers.remove(boatId) != null) {
+            withdraw(DomainQuestion.COMMAND_ASKED, boatId);
+        }
+    }
+
+    @Override
+    public void onRetired(String boatId) {
+        askers.remove(boatId);
+        for (DomainQuestion question : DomainQuestion.values()) {
+            withdraw(question, boatId);
+        }
+    }
+
+    private void withdraw(DomainQuestion question, String boatId) {
+        boolean open = host.ask(view ->
+                view.decisions().stream().anyMatch(decision -> decision.type().equals(question.kind())));
+        if (open) {
+            host.post(new Input.WithdrawQuestion(question.kind(), boatId));
+        }
+    }
+
+    @Override
+    public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        for (Effect effect : effects) {
+            if (effect instanceof Effect.QuestionAnswered answered) {
+                fleet.execute(() -> carryOut(answered));
+            }
+        }
+    }
+
+    private void carryOut(Effect.QuestionAnswered answered) {
+        Optional<BoatProxy> boat = boats.find(answered.about());
+        if (boat.isEmpty()) {
+            return;
+        }
+        DomainQuestion.of(answered.kind()).ifPresent(question -> {
+            if (question == DomainQuestion.BOAT_RESTARTED) {
+                if (answered.yes()) {
+                    boat.get().confirmRestart();
+                }
+            } else if (question == DomainQuestion.COMMAND_ASKED) {
+                Optional.ofNullable(askers.remove(answered.about()))
+                        .filter(client -> answered.yes())
+                        .ifPresent(boat.get()::grantCommand);
+            }
+        });
+    }
+}

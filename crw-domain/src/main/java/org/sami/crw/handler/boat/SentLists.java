@@ -1,0 +1,43 @@
+package org.sami.crw.handler.boat;
+
+import java.util.HashSet;
+import java.util.Set;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatStatus;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.Upload;
+import org.sami.spn.host.EngineHost;
+
+/**
+ * Keeps in the session's journal which waypoint list each boat took last, so that a base that goes on after its death knows its own
+ * list in the boat, and has the boat go on with it (docs/decisions/0077). For the fleet's thread.
+ */
+public final class SentLists implements BoatListener {
+    private final EngineHost host;
+    private final ProxyRegistry boats;
+    private final Set<String> met = new HashSet<>();
+
+    public SentLists(EngineHost host, ProxyRegistry boats) {
+        this.host = host;
+        this.boats = boats;
+    }
+
+    @Override
+    public void onLinkChange(BoatStatus status) {
+        if (status.link() == LinkState.LINKED && met.add(status.boatId())) {
+            SessionMemory.LIST
+                    .of(status.boatId(), host)
+                    .ifPresent(listId -> boats.find(status.boatId()).ifPresent(proxy -> proxy.knownList(listId)));
+        }
+    }
+
+    /** Before it is started: what the boat drives along must be known. */
+    @Override
+    public void onUpload(String boatId, Upload upload) {
+        if (upload.state() == Upload.State.ACKNOWLEDGED) {
+            met.add(boatId);
+            host.post(SessionMemory.LIST.remember(boatId, upload.listId()));
+        }
+    }
+}

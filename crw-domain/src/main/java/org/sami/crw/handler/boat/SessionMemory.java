@@ -1,0 +1,35 @@
+package org.sami.crw.handler.boat;
+
+import java.util.Optional;
+import org.sami.spn.host.EngineHost;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.value.TextValue;
+
+/** What the base remembers of a boat in the session's journal, across its own restarts. */
+enum SessionMemory {
+    /** Which start of its server was met last and may be moved. */
+    BOOT("boot/"),
+    /** The class of its battery that was news last. */
+    BATTERY("battery/"),
+    /** The waypoint list that was sent to it last and that it took. */
+    LIST("list/"),
+    /** Who has taken it out of the missions' hands, as plans were told last; empty text if nobody has. */
+    TAKEN_OVER("taken-over/");
+
+    private final String prefix;
+
+    SessionMemory(String prefix) {
+        this.prefix = prefix;
+    }
+
+    Optional<String> of(String boatId, EngineHost host) {
+        return host.ask(view -> view.memory(Ids.NONE, prefix + boatId))
+                .filter(TextValue.class::isInstance)
+                .map(value -> ((TextValue) value).value());
+    }
+
+    Input remember(String boatId, String what) {
+        return new Input.Remember(Ids.NONE, prefix + boatId, new TextValue(what));
+    }
+}

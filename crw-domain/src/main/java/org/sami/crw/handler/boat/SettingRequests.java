@@ -1,0 +1,110 @@
+package org.sami.crw.handler.boat;
+
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.activation.OptionalAnswer;
+import org.sami.crw.handler.motion.MotionCommands;
+import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
+
+/**
+ * Settings that activations ask of boats, and one answer about each boat: it has taken over all of them, or not, and why. While a
+ * link is lost they wait. For the fleet's thread.
+ */
+public final class SettingRequests implements BoatListener {
+    private final ProxyRegistry boats;
+    private final MessageSink messages;
+    private final Map<Command, Asked> asked = new LinkedHashMap<>();
+
+    public SettingRequests(ProxyRegistry boats, MessageSink messages) {
+        this.boats = boats;
+        this.messages = messages;
+    }
+
+    /** Which input events answer. */
+    record Answers(String succeeded, String failed) {}
+
+    /**
+     * Asks every boat that an activation speaks to.
+     *
+     * @param settings sets what is to be set on a boat and names the commands; an {@link IllegalArgumentException} is the reason why
+     *     it cannot be set
+     */
+    void ask(
+            Activation activation, HandlerContext context, Answers answers, Function<BoatProxy, Set<String>> settings) {
+        for (Addressee addressee : Addressee.of(activation, context)) {
+            Asked one = new Asked(activation, context, addressee, answers, new HashSet<>());
+            Optional<BoatProxy> boat = boats.find(addressee.boat());
+            if (boat.isEmpty()) {
+                fail(one, MotionCommands.UNKNOWN_BOAT);
+                continue;
+            }
+            try {
+                one.waiting.addAll(settings.apply(boat.get()));
+                one.waiting.forEach(command -> asked.put(new Command(addressee.boat(), command), one));
+            } catch (IllegalArgumentException e) {
+                fail(one, e.getMessage());
+            }
+        }
+    }
+
+    @Override
+    public void onTuningTaken(String boatId, String commandId) {
+        Asked one = asked.remove(new Command(boatId, commandId));
+        if (one != null && one.waiting.remove(commandId) && one.waiting.isEmpty()) {
+            one.post(one.answers.succeeded, Map.of());
+        }
+    }
+
+    @Override
+    public void onTuningRefused(String boatId, String commandId, String reason) {
+        Asked one = asked.remove(new Command(boatId, commandId));
+        if (one != null) {
+            one.waiting.forEach(other -> asked.remove(new Command(boatId, other)));
+            fail(one, reason);
+        }
+    }
+
+    private void fail(Asked one, String reason) {
+        String boat = one.addressee.boat();
+        messages.tell(new OperatorMessage(
+                one.context.nowMillis(),
+                one.activation.mission(),
+                OperatorMessage.Source.DOMAIN,
+                Priority.HIGH,
+                boat + " has not taken over what " + one.activation.place() + " set: " + reason,
+                List.of(boat),
+                ""));
+        one.post(one.answers.failed, Map.of("reason", new TextValue(reason)));
+    }
+
+    /** A command; its id is unique on its boat alone. */
+    private record Command(String boat, String id) {}
+
+    /** What one activation asked of one boat, and the commands that it has not answered yet. */
+    private record Asked(
+            Activation activation, HandlerContext context, Addressee addressee, Answers answers, Set<String> waiting) {
+
+        void post(String event, Map<String, Value> values) {
+            List<Input> inputs = OptionalAnswer.of(addressee.answer(event, activation, values), context);
+            if (!inputs.isEmpty()) {
+                context.post(inputs);
+            }
+        }
+    }
+}

@@ -1,0 +1,101 @@
+package org.sami.crw.handler.boat;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.sami.crw.handler.activation.EventNames;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatStatus;
+import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.spn.host.EngineHost;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.value.TextValue;
+
+/**
+ * Tells plans when a boat is out of the missions' hands, because a person drives it or another base commands it, and when it is
+ * back: once each, also across a restart of the base, after which nobody drives by hand any longer. For the fleet's thread.
+ */
+public final class TakeOverNews implements BoatListener {
+    private static final String BY_HAND = "operator";
+    private static final String BY_OTHERS = "another base";
+
+    private final EngineHost host;
+    private final ProxyRegistry boats;
+    private final Set<String> byHand = new HashSet<>();
+    private final Set<String> byOthers = new HashSet<>();
+    private final Map<String, String> told =
+            new HashMap<>(); // by boat, who has it as plans know; begins with the session's memory
+
+    public TakeOverNews(EngineHost host, ProxyRegistry boats) {
+        this.host = host;
+        this.boats = boats;
+    }
+
+    @Override
+    public void onTakenOver(String boatId) {
+        byHand.add(boatId);
+        tell(boatId);
+    }
+
+    @Override
+    public void onReleased(String boatId) {
+        byHand.remove(boatId);
+        tell(boatId);
+    }
+
+    @Override
+    public void onCommanding(String boatId, boolean commands) {
+        hasOther(boatId, !commands);
+        tell(boatId);
+    }
+
+    /** When this base met the boat, another may have commanded it: then nothing has changed hands. */
+    @Override
+    public void onLinkChange(BoatStatus status) {
+        if (status.link() == LinkState.LINKED) {
+            boats.find(status.boatId()).ifPresent(proxy -> {
+                hasOther(proxy.boatId(), !proxy.isCommanding());
+                tell(proxy.boatId());
+            });
+        }
+    }
+
+    private void hasOther(String boatId, boolean has) {
+        if (has) {
+            byOthers.add(boatId);
+        } else {
+            byOthers.remove(boatId);
+        }
+    }
+
+    @Override
+    public void onRetired(String boatId) {
+        byHand.remove(boatId);
+        byOthers.remove(boatId);
+        if (!told(boatId).isEmpty()) {
+            told.put(boatId, "");
+            host.post(SessionMemory.TAKEN_OVER.remember(boatId, ""));
+        }
+    }
+
+    private String told(String boatId) {
+        return told.computeIfAbsent(
+                boatId, id -> SessionMemory.TAKEN_OVER.of(id, host).orElse(""));
+    }
+
+    private void tell(String boatId) {
+        String by = byHand.contains(boatId) ? BY_HAND : byOthers.contains(boatId) ? BY_OTHERS : "";
+        if (by.isEmpty() == told(boatId).isEmpty()) {
+            return;
+        }
+        told.put(boatId, by);
+        Occurrence news = by.isEmpty()
+                ? Occurrence.news(EventNames.RELEASED, List.of(boatId), Map.of())
+                : Occurrence.news(EventNames.TAKEN_OVER, List.of(boatId), Map.of("by", new TextValue(by)));
+        host.post(List.of(SessionMemory.TAKEN_OVER.remember(boatId, by), new Input.Received(news)));
+    }
+}

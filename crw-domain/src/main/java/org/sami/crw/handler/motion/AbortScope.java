@@ -1,0 +1,57 @@
+package org.sami.crw.handler.motion;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Token;
+
+/** Which missions a boat aborts (appendix .2.1, Abort). */
+public enum AbortScope {
+    /** Send Abort Mission: the one that asks. */
+    THIS("SendAbortMission"),
+    /** Send Proxy Abort All Missions: every one that has a command for the boat, or in which it stands. */
+    ALL("SendProxyAbortAllMissions"),
+    /** Send Proxy Abort Future Missions: every one whose commands wait in the boat's queue, but for the one it carries out. */
+    FUTURE("SendProxyAbortFutureMissions");
+
+    private final String type;
+
+    AbortScope(String type) {
+        this.type = type;
+    }
+
+    public String type() {
+        return type;
+    }
+
+    /** The missions that a boat aborts, each once. */
+    Set<Long> missions(String boat, Optional<BoatProxy> proxy, Activation activation, HandlerContext context) {
+        Set<Long> missions = new LinkedHashSet<>();
+        if (this == THIS) {
+            missions.add(activation.mission());
+            return missions;
+        }
+        Optional<Long> current = proxy.flatMap(BoatProxy::currentCommand).map(BoatCommand::mission);
+        proxy.map(BoatProxy::waitingCommands).orElse(List.of()).forEach(command -> missions.add(command.mission()));
+        if (this == FUTURE) {
+            current.ifPresent(missions::remove);
+        } else {
+            current.ifPresent(missions::add);
+            missions.addAll(whereItStands(boat, context));
+        }
+        return missions;
+    }
+
+    private static List<Long> whereItStands(String boat, HandlerContext context) {
+        return context.query(view -> view.missions().stream()
+                .filter(mission ->
+                        mission.marking().values().stream().anyMatch(tokens -> tokens.contains(new Token.Proxy(boat))))
+                .map(mission -> mission.id())
+                .toList());
+    }
+}

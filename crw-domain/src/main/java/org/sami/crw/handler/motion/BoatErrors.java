@@ -1,0 +1,30 @@
+package org.sami.crw.handler.motion;
+
+import java.util.List;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.service.water.CrossTrackError;
+
+/**
+ * How far boats may be beside their ways: what each has said of itself, and what is stated for those that say nothing (docs/decisions, 0336). For the
+ * fleet's thread.
+ */
+public final class BoatErrors {
+    private final ProxyRegistry boats;
+    private final CrossTrackError stated;
+
+    public BoatErrors(ProxyRegistry boats, CrossTrackError stated) {
+        this.boats = boats;
+        this.stated = stated;
+    }
+
+    /** That of a boat. */
+    public CrossTrackError of(String boat) {
+        return boats.find(boat).flatMap(BoatProxy::error).orElse(stated);
+    }
+
+    /** What none of some boats exceeds; what is stated where there are none. */
+    public CrossTrackError of(List<String> some) {
+        return some.stream().map(this::of).reduce(CrossTrackError::atLeast).orElse(stated);
+    }
+}

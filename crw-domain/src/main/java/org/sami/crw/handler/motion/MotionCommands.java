@@ -1,0 +1,245 @@
+package org.sami.crw.handler.motion;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.activation.EventNames;
+import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.Withdrawal;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.IntegerValue;
+import org.sami.spn.value.TaskId;
+
+/**
+ * The commands that activations have sent to boats, and what the plan hears of each: its progress, and one answer (path completed
+ * or path failed). A lost link is no failure: the command waits. A command whose id is with the boat already is not sent twice.
+ * For the fleet's thread.
+ */
+public final class MotionCommands implements BoatListener {
+    public static final String UNKNOWN_BOAT = "no boat of that name is known";
+
+    private final ProxyRegistry boats;
+    private final MessageSink messages;
+    private final WayQuestions questions;
+    private final ClearWays clearWays;
+    private final Map<String, SentCommand> sent = new LinkedHashMap<>();
+    private final Map<String, List<SentCommand>> again = new LinkedHashMap<>(); // by command, who had it sent once more
+    private final Map<Long, Set<String>> takenBack = new HashMap<>();
+
+    public MotionCommands(ProxyRegistry boats, MessageSink messages, WayQuestions questions, ClearWays clearWays) {
+        this.clearWays = clearWays;
+        this.boats = boats;
+        this.questions = questions;
+        this.messages = messages;
+    }
+
+    /** Gives commands to boats; those that are sent where something is wrong wait for the operator's answer. */
+    public void send(Activation activation, HandlerContext context, List<Move> moves) {
+        Set<String> without = takenBack.getOrDefault(activation.id(), Set.of());
+        takenBack.remove(activation.id());
+        List<Move> wanted = moves.stream()
+                .filter(move -> !without.contains(move.addressee().boat()))
+                .toList();
+        List<Move> limited = clearWays.limit(activation, context, wanted);
+        List<Move> clear = questions.hold(activation, context, limited, new WayQuestions.Sender() {
+            @Override
+            public void send(Activation asked, HandlerContext answerTo, List<Move> allowed) {
+                sendNow(asked, answerTo, allowed);
+            }
+
+            @Override
+            public void refuse(Activation asked, HandlerContext answerTo, Move move, String reason) {
+                SentCommand one = new SentCommand(asked, answerTo, move);
+                one.post(failed(one, reason));
+            }
+        });
+        sendNow(activation, context, clear);
+    }
+
+    /** What is settled at once is answered in one batch. */
+    private void sendNow(Activation activation, HandlerContext context, List<Move> moves) {
+        List<Input> settled = new ArrayList<>();
+        for (Move move : moves) {
+            SentCommand one = new SentCommand(activation, context, move);
+            Optional<BoatProxy> boat = boats.find(move.addressee().boat());
+            if (move.command() instanceof FollowPath path && path.nothingIsLeft() && !path.block()) {
+                settled.addAll(one.completed());
+            } else if (boat.isEmpty()) {
+                settled.addAll(failed(one, UNKNOWN_BOAT));
+            } else {
+                sent.put(move.command().commandId(), one);
+                boat.get().submit(SpeedChoice.of(activation, move.command(), boat.get()));
+            }
+        }
+        SpeedChoice.words(activation)
+                .filter(words -> !moves.isEmpty())
+                .ifPresent(words -> tell(activation, context, words));
+        if (!settled.isEmpty()) {
+            context.post(settled);
+        }
+    }
+
+    /**
+     * Has boats be sent the waypoints of their present command once more, whichever mission's that is. The plan hears of this
+     * command too what becomes of it; a boat that has no waypoints now has nothing left of them.
+     */
+    void sendAgain(Activation activation, HandlerContext context, List<Addressee> addressees) {
+        List<Input> settled = new ArrayList<>();
+        for (Addressee addressee : addressees) {
+            Optional<BoatProxy> boat = boats.find(addressee.boat());
+            Optional<BoatCommand> command = boat.flatMap(BoatProxy::sendPathAgain);
+            SentCommand one = new SentCommand(activation, context, addressee, Reply.WAY_IF_AWAITED);
+            if (boat.isEmpty()) {
+                settled.addAll(failed(one, UNKNOWN_BOAT));
+            } else if (command.isEmpty()) {
+                settled.addAll(one.completed());
+            } else {
+                again.computeIfAbsent(command.get().commandId(), id -> new ArrayList<>())
+                        .add(one);
+            }
+        }
+        if (!settled.isEmpty()) {
+            context.post(settled);
+        }
+    }
+
+    /** A boat cannot do what it was asked: it is answered before it gets a command. */
+    public void refuse(Activation activation, HandlerContext context, Addressee addressee, String reason) {
+        SentCommand one = new SentCommand(activation, context, addressee, Reply.WAY);
+        one.post(failed(one, reason));
+    }
+
+    /** Takes back for boats what an activation is about to ask: the step that asked went on to withdraw it. */
+    public void takeBack(long activation, List<String> named) {
+        takenBack.computeIfAbsent(activation, id -> new HashSet<>()).addAll(named);
+    }
+
+    /** An activation will ask nothing any more. */
+    public void forget(long activation) {
+        takenBack.remove(activation);
+    }
+
+    /** Takes back what a mission has for boats; no boats named = for all. */
+    public void withdraw(long mission, List<String> named) {
+        questions.withdraw(mission, named);
+        again.values()
+                .forEach(all -> all.removeIf(
+                        one -> one.mission() == mission && (named.isEmpty() || named.contains(one.boat()))));
+        for (String boat : named.isEmpty() ? boats.boatIds() : named) {
+            boats.find(boat)
+                    .ifPresent(proxy -> proxy.withdraw(mission).forEach(command -> {
+                        sent.remove(command.commandId());
+                        tellAgain(command, one -> failed(one, "the mission that wanted it took it back"));
+                    }));
+        }
+    }
+
+    /**
+     * A boat is no longer responsible for a task, by any of its names: what was asked of it for that task alone is taken back, and what
+     * it does for others too is answered without it.
+     */
+    public void release(String boat, List<TaskId> names) {
+        for (Map.Entry<String, SentCommand> one : List.copyOf(sent.entrySet())) {
+            if (one.getValue().boat().equals(boat) && one.getValue().release(names)) {
+                sent.remove(one.getKey());
+                boats.find(boat).ifPresent(proxy -> proxy.withdrawCommand(one.getKey()));
+            }
+        }
+    }
+
+    /** Takes back what a mission has for a boat, because another wanted it so; whoever waits for it hears that it failed. */
+    void abort(long mission, String boat, String reason) {
+        questions.withdraw(mission, List.of(boat));
+        boats.find(boat)
+                .ifPresent(proxy -> proxy.withdraw(mission).forEach(command -> onFailed(boat, command, reason)));
+    }
+
+    @Override
+    public void onProgress(String boatId, BoatCommand command, int visitedCount) {
+        SentCommand one = sent.get(command.commandId());
+        if (one != null) {
+            one.post(one.progress(visitedCount));
+        }
+    }
+
+    @Override
+    public void onPanorama(String boatId, BoatCommand command, int pictures, GeoPoint from) {
+        SentCommand one = sent.get(command.commandId());
+        if (one != null) {
+            one.post(one.result(
+                    EventNames.PANORAMA_TAKEN, Map.of("location", from, "pictures", new IntegerValue(pictures))));
+        }
+    }
+
+    @Override
+    public void onCompleted(String boatId, BoatCommand command) {
+        SentCommand one = sent.remove(command.commandId());
+        if (one != null) {
+            one.post(one.completed());
+        }
+        tellAgain(command, SentCommand::completed);
+    }
+
+    @Override
+    public void onFailed(String boatId, BoatCommand command, String reason) {
+        SentCommand one = sent.remove(command.commandId());
+        if (one != null) {
+            one.post(failed(one, reason));
+        }
+        tellAgain(command, each -> failed(each, reason));
+    }
+
+    /** A command that was displaced fails for whoever still waits for it. */
+    @Override
+    public void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {
+        SentCommand one = sent.remove(command.commandId());
+        String reason = why == Withdrawal.PREEMPTED
+                ? "a command of higher priority took the boat"
+                : "a newer command of the same mission took its place";
+        if (one != null && (why == Withdrawal.PREEMPTED || one.isAwaited())) {
+            one.post(failed(one, reason));
+        }
+        tellAgain(command, each -> failed(each, reason));
+    }
+
+    /** Tells those who had a command sent once more, and still wait, what has become of it. */
+    private void tellAgain(BoatCommand command, Function<SentCommand, List<Input>> news) {
+        List<SentCommand> all = again.remove(command.commandId());
+        if (all != null) {
+            all.stream().filter(SentCommand::isAwaited).forEach(one -> one.post(news.apply(one)));
+        }
+    }
+
+    private void tell(Activation activation, HandlerContext context, String words) {
+        messages.tell(new OperatorMessage(
+                context.nowMillis(),
+                activation.mission(),
+                OperatorMessage.Source.DOMAIN,
+                Priority.LOW,
+                words,
+                activation.proxies(),
+                ""));
+    }
+
+    private List<Input> failed(SentCommand one, String reason) {
+        messages.tell(one.failure(reason));
+        return one.failed(reason);
+    }
+}

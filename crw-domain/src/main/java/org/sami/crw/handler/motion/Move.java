@@ -1,0 +1,59 @@
+package org.sami.crw.handler.motion;
+
+import java.util.Objects;
+import java.util.Optional;
+import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.service.reach.WayDoubt;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+
+/**
+ * A command for one boat that an activation asks for.
+ *
+ * @param progress how the mission remembers what is visited; empty = it does not
+ * @param reply what the plan is told of completion and failure
+ * @param doubt what is wrong with it beside its way, which others look at
+ */
+public record Move(
+        Addressee addressee,
+        BoatCommand command,
+        Optional<PathProgress.Along> progress,
+        Reply reply,
+        Optional<WayDoubt> doubt) {
+    /** A command with which nothing is wrong but maybe its way. */
+    Move(Addressee addressee, BoatCommand command, Optional<PathProgress.Along> progress, Reply reply) {
+        this(addressee, command, progress, reply, Optional.empty());
+    }
+
+    public Move {
+        Objects.requireNonNull(doubt, "doubt");
+        Objects.requireNonNull(addressee, "addressee");
+        Objects.requireNonNull(command, "command");
+        Objects.requireNonNull(progress, "progress");
+        Objects.requireNonNull(reply, "reply");
+    }
+
+    /** The same with the command changed. */
+    Move with(BoatCommand other) {
+        return new Move(addressee, other, progress, reply, doubt);
+    }
+
+    /** The same, about which the operator is to be asked. */
+    public Move doubted(WayDoubt other) {
+        return new Move(addressee, command, progress, reply, Optional.of(other));
+    }
+
+    /** The command's id: the same whenever the activation is delivered, and no other's. */
+    static String commandId(Activation activation, Addressee addressee) {
+        return "m" + activation.mission() + "-a" + activation.id() + "-" + addressee.boat();
+    }
+
+    /**
+     * Whether the mission can keep a boat for itself: not where it has ended already, when its end place asks for it, as nothing would
+     * ever give the boat back.
+     */
+    static boolean mayBlock(Activation activation, HandlerContext context) {
+        return context.query(view -> view.mission(activation.mission()).isPresent());
+    }
+}

@@ -1,0 +1,41 @@
+package org.sami.crw.handler.motion;
+
+import java.util.Optional;
+import org.sami.crw.handler.activation.EventNames;
+
+/** Which input events tell a plan what became of a command; empty where it is not told. */
+enum Reply {
+    /** Of a way somewhere. */
+    WAY(EventNames.PATH_COMPLETED, EventNames.PATH_FAILED),
+    /** Of a way somewhere that need not be waited for. */
+    WAY_IF_AWAITED(EventNames.PATH_COMPLETED, EventNames.PATH_FAILED),
+    /** Of a stop, which need not be waited for. */
+    STOP_IF_AWAITED(EventNames.BLOCK_DONE, ""),
+    /** Of a station, which is kept without an end, and need not be waited for. */
+    STATION_IF_AWAITED("", EventNames.PATH_FAILED),
+    /** Of pictures all round, whose end has an event of its own; that they failed is told where it is waited for. */
+    PICTURES_IF_AWAITED("", EventNames.PANORAMA_FAILED),
+    /** Of nothing: whoever asked has ended, or is told more than that it is done. */
+    NONE("", "");
+
+    private final String completed;
+    private final String failed;
+
+    Reply(String completed, String failed) {
+        this.completed = completed;
+        this.failed = failed;
+    }
+
+    Optional<String> completed() {
+        return Optional.of(completed).filter(name -> !name.isEmpty());
+    }
+
+    /** Whether it is only told where a transition waits for it. */
+    boolean ifAwaited() {
+        return this != WAY;
+    }
+
+    Optional<String> failed() {
+        return Optional.of(failed).filter(name -> !name.isEmpty());
+    }
+}

@@ -1,0 +1,123 @@
+package org.sami.crw.handler.motion;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.activation.OptionalAnswer;
+import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
+
+/** A command that a boat has, and whom it concerns. */
+final class SentCommand {
+    private final Activation activation;
+    private final HandlerContext context;
+    private Addressee addressee;
+    private final Reply reply;
+    private final Optional<PathProgress.Along> along;
+    private final int points;
+    private int remembered;
+
+    /** A command that an activation gave. */
+    SentCommand(Activation activation, HandlerContext context, Move move) {
+        this.activation = activation;
+        this.context = context;
+        addressee = move.addressee();
+        reply = move.reply();
+        along = move.progress();
+        boolean isPath = move.command() instanceof FollowPath;
+        points = isPath ? ((FollowPath) move.command()).points().size() : 0;
+        remembered = isPath ? ((FollowPath) move.command()).startIndex() : 0;
+    }
+
+    /** A command that another activation gave, and that this one too wants to hear of. */
+    SentCommand(Activation activation, HandlerContext context, Addressee addressee, Reply reply) {
+        this.activation = activation;
+        this.context = context;
+        this.addressee = addressee;
+        this.reply = reply;
+        along = Optional.empty();
+        points = 0;
+    }
+
+    long mission() {
+        return activation.mission();
+    }
+
+    String boat() {
+        return addressee.boat();
+    }
+
+    /** The boat has these tasks no longer; says whether the command was for them alone. */
+    boolean release(List<TaskId> names) {
+        List<TaskId> left = new ArrayList<>(addressee.tasks());
+        if (addressee.byProxy() || !left.removeAll(names)) {
+            return false;
+        }
+        addressee = new Addressee(addressee.boat(), false, left);
+        return left.isEmpty();
+    }
+
+    /** More of its points are behind the boat. */
+    List<Input> progress(int visited) {
+        if (visited <= remembered || along.isEmpty()) {
+            return List.of();
+        }
+        remembered = visited;
+        return List.of(along.get().remember(activation.mission(), visited));
+    }
+
+    List<Input> completed() {
+        List<Input> inputs = new ArrayList<>(progress(points));
+        reply.completed().ifPresent(event -> inputs.addAll(answer(event, Map.of())));
+        return inputs;
+    }
+
+    /** What came of it, told by an event of its own. */
+    List<Input> result(String event, Map<String, Value> values) {
+        return List.of(new Input.Received(addressee.answer(event, activation, values)));
+    }
+
+    List<Input> failed(String reason) {
+        return reply.failed()
+                .map(event -> answer(event, Map.of("reason", new TextValue(reason))))
+                .orElse(List.of());
+    }
+
+    private List<Input> answer(String event, Map<String, Value> values) {
+        Occurrence answer = addressee.answer(event, activation, values);
+        return reply.ifAwaited() ? OptionalAnswer.of(answer, context) : List.of(new Input.Received(answer));
+    }
+
+    /** What the operator is told when it failed. */
+    OperatorMessage failure(String reason) {
+        return new OperatorMessage(
+                context.nowMillis(),
+                activation.mission(),
+                OperatorMessage.Source.DOMAIN,
+                Priority.HIGH,
+                boat() + " could not do what " + activation.place() + " asked: " + reason,
+                List.of(boat()),
+                "");
+    }
+
+    /** Whether an answer to it is still waited for. */
+    boolean isAwaited() {
+        return context.query(view -> view.openActivations().stream().anyMatch(open -> open.id() == activation.id()));
+    }
+
+    void post(List<Input> inputs) {
+        if (!inputs.isEmpty()) {
+            context.post(inputs);
+        }
+    }
+}

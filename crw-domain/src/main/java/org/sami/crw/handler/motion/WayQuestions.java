@@ -1,0 +1,246 @@
+package org.sami.crw.handler.motion;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.concurrent.Executor;
+import java.util.stream.Collectors;
+import org.sami.crw.decision.AskedActivation;
+import org.sami.crw.decision.DomainQuestion;
+import org.sami.crw.handler.activation.PlannedSwaps;
+import org.sami.crw.handler.activation.Restrictions;
+import org.sami.crw.operator.area.AvoidedAreas;
+import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.proxy.BatteryState;
+import org.sami.crw.proxy.BoatPose;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.BoatStatus;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.service.reach.Way;
+import org.sami.crw.service.reach.WayBack;
+import org.sami.crw.service.reach.WayCheck;
+import org.sami.crw.service.reach.WayDoubt;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.BooleanValue;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Asks the operator before boats are sent where something is wrong ({@link WayCheck}): one question for each activation and kind of
+ * doubt. Boats whose way is doubted wait for the answer, the others go. The answer is kept in the mission's memory, so that a base
+ * that goes on does not ask again. For the fleet's thread; what it hears of the engine it brings there.
+ */
+public final class WayQuestions implements HostListener {
+    private static final int NAMED = 3;
+
+    private final ProxyRegistry boats;
+    private final MessageSink messages;
+    private final Executor fleet;
+    private final Set<String> withWayHome;
+    private final Map<String, Held> held = new LinkedHashMap<>(); // by kind and activation
+
+    /** What becomes of moves that were asked about. */
+    interface Sender {
+        /** The operator wants them, or there is nothing to ask. */
+        void send(Activation activation, HandlerContext context, List<Move> moves);
+
+        /** The operator does not want it. */
+        void refuse(Activation activation, HandlerContext context, Move move, String reason);
+    }
+
+    private record Doubted(Move move, WayDoubt doubt) {}
+
+    private record Held(
+            DomainQuestion question, Activation activation, HandlerContext context, Sender sender, List<Doubted> all) {
+        String about() {
+            return AskedActivation.of(activation).subject();
+        }
+
+        String memory() {
+            return "way/" + question.kind() + "/" + activation.id();
+        }
+    }
+
+    /**
+     * Asks about the ways of some boats.
+     *
+     * @param withWayHome types of the output events whose boats need charge for the way home too
+     */
+    public WayQuestions(ProxyRegistry boats, MessageSink messages, Executor fleet, Set<String> withWayHome) {
+        this.boats = boats;
+        this.messages = messages;
+        this.fleet = fleet;
+        this.withWayHome = Set.copyOf(withWayHome);
+    }
+
+    /** Keeps the moves that are doubted and asks about them; the others are returned. */
+    List<Move> hold(Activation activation, HandlerContext context, List<Move> moves, Sender sender) {
+        List<Move> clear = new ArrayList<>();
+        Map<DomainQuestion, Held> doubted = new EnumMap<>(DomainQuestion.class);
+        List<GeoArea> avoid = moves.isEmpty() ? List.of() : context.query(view -> avoided(activation, view));
+        for (Move move : moves) {
+            Optional<Way> way = way(move, avoid);
+            Optional<WayDoubt> doubt = move.doubt().or(() -> way.flatMap(WayCheck::doubt));
+            Optional<WayBack> back = doubt.isPresent() ? Optional.empty() : way.flatMap(this::wayBack);
+            if (back.isPresent() && !back.get().isSure() && asksForWayHome(activation, context, move)) {
+                doubt = Optional.of(
+                        new WayDoubt(WayDoubt.Kind.CHARGE, back.get().words()));
+            }
+            if (doubt.isEmpty()) {
+                clear.add(move);
+                back.ifPresent(one -> tellOfWayBack(activation, context, move, one));
+            } else {
+                doubted.computeIfAbsent(
+                                question(doubt.get()),
+                                kind -> new Held(kind, activation, context, sender, new ArrayList<>()))
+                        .all()
+                        .add(new Doubted(move, doubt.get()));
+            }
+        }
+        doubted.values().forEach(this::askUnlessAnswered);
+        return clear;
+    }
+
+    private Optional<WayBack> wayBack(Way way) {
+        return boats.find(way.boat()).flatMap(BoatProxy::home).flatMap(home -> WayBack.of(way, home));
+    }
+
+    /**
+     * Whether the operator is asked where a charge does not last for the way home: of paths and explorations that begin, unless the plan says
+     * otherwise, or has batteries swapped on the way.
+     */
+    private boolean asksForWayHome(Activation activation, HandlerContext context, Move move) {
+        return withWayHome.contains(activation.type())
+                && move.command() instanceof FollowPath path
+                && path.startIndex() == 0
+                && PlannedSwaps.keepWaysHome(activation, context);
+    }
+
+    private void tellOfWayBack(Activation activation, HandlerContext context, Move move, WayBack back) {
+        messages.tell(new OperatorMessage(
+                context.nowMillis(),
+                activation.mission(),
+                OperatorMessage.Source.DOMAIN,
+                Priority.LOW,
+                back.words(),
+                List.of(move.addressee().boat()),
+                ""));
+    }
+
+    /** The areas that the activation avoids, and its mission. */
+    private static List<GeoArea> avoided(Activation activation, EngineView view) {
+        Set<GeoArea> areas = new LinkedHashSet<>(Restrictions.avoid(activation));
+        areas.addAll(AvoidedAreas.of(activation.mission(), view));
+        return List.copyOf(areas);
+    }
+
+    private static DomainQuestion question(WayDoubt doubt) {
+        return doubt.kind() == WayDoubt.Kind.PLACE ? DomainQuestion.DOUBTFUL_WAY : DomainQuestion.LONG_WAY;
+    }
+
+    private Optional<Way> way(Move move, List<GeoArea> avoid) {
+        List<GeoPoint> points = move.command().unvisitedPoints();
+        String boat = move.addressee().boat();
+        Optional<BoatStatus> status = boats.find(boat).map(BoatProxy::status);
+        OptionalDouble percent = status.flatMap(BoatStatus::battery).map(BatteryState::percent).stream()
+                .mapToDouble(Double::doubleValue)
+                .findFirst();
+        return points.isEmpty()
+                ? Optional.empty()
+                : Optional.of(new Way(
+                        boat,
+                        status.flatMap(BoatStatus::pose).map(BoatPose::position),
+                        percent,
+                        points,
+                        avoid,
+                        move.command().water()));
+    }
+
+    private void askUnlessAnswered(Held one) {
+        Optional<Boolean> answer = one.context
+                .query(view -> view.memory(one.activation.mission(), one.memory()))
+                .filter(BooleanValue.class::isInstance)
+                .map(value -> ((BooleanValue) value).value());
+        if (answer.isPresent()) {
+            settle(one, answer.get());
+            return;
+        }
+        held.put(one.question.kind() + " " + one.about(), one);
+        List<String> all = one.all.stream()
+                .map(doubted -> doubted.doubt.words())
+                .distinct()
+                .toList();
+        String doubts = all.stream().limit(NAMED).collect(Collectors.joining("; "));
+        int more = all.size() - NAMED;
+        one.context.post(new Input.AskOperator(
+                one.question.kind(),
+                one.about(),
+                doubts + (more > 0 ? "; and " + more + " boats more" : "") + ". Send "
+                        + (one.all.size() == 1 ? "it?" : "them?"),
+                Priority.HIGH));
+    }
+
+    private static void settle(Held one, boolean yes) {
+        if (yes) {
+            one.sender.send(
+                    one.activation,
+                    one.context,
+                    one.all.stream().map(Doubted::move).toList());
+        } else {
+            one.all.forEach(doubted -> one.sender.refuse(
+                    one.activation,
+                    one.context,
+                    doubted.move,
+                    "the operator does not want it: " + doubted.doubt.words()));
+        }
+    }
+
+    /** Takes back what a mission wants of boats; no boats named = of all. A question that is about nobody any longer is withdrawn. */
+    void withdraw(long mission, List<String> named) {
+        Set<String> over = new HashSet<>();
+        held.forEach((key, one) -> {
+            if (one.activation.mission() == mission) {
+                one.all.removeIf(doubted -> named.isEmpty()
+                        || named.contains(doubted.move.addressee().boat()));
+                if (one.all.isEmpty()) {
+                    over.add(key);
+                    one.context.post(new Input.WithdrawQuestion(one.question.kind(), one.about()));
+                }
+            }
+        });
+        held.keySet().removeAll(over);
+    }
+
+    @Override
+    public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        for (Effect effect : effects) {
+            if (effect instanceof Effect.QuestionAnswered answered) {
+                fleet.execute(() -> answered(answered));
+            }
+        }
+    }
+
+    private void answered(Effect.QuestionAnswered answered) {
+        Held one = held.remove(answered.kind() + " " + answered.about());
+        if (one != null) {
+            one.context.post(
+                    new Input.Remember(one.activation.mission(), one.memory(), new BooleanValue(answered.yes())));
+            settle(one, answered.yes());
+        }
+    }
+}

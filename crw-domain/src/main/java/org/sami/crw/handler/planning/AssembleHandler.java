@@ -1,0 +1,80 @@
+package org.sami.crw.handler.planning;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.crw.event.ProxyMaps;
+import org.sami.crw.handler.activation.ActivationFields;
+import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.activation.EventNames;
+import org.sami.crw.handler.activation.PlanAreas;
+import org.sami.crw.handler.motion.BoatErrors;
+import org.sami.crw.service.BoatPositions;
+import org.sami.crw.service.assembly.AssemblyAlgorithm;
+import org.sami.crw.service.assembly.AssemblyProblem;
+import org.sami.spn.host.ActivationHandler;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Assemble Location Request: a location of its own for each boat, near a point. The mission remembers who has which, so that
+ * boats that are added one by one (thesis 6.3.2) do not get the same one. It answers with the locations of all of them: the plan keeps
+ * one table, and whoever came earlier still finds its own in it.
+ */
+public final class AssembleHandler implements ActivationHandler {
+    public static final String TYPE = "AssembleLocationRequest";
+    private static final String MEMORY = "assembly";
+
+    private final AssemblyAlgorithm algorithm;
+    private final BoatPositions positions;
+    private final BoatErrors errors;
+
+    public AssembleHandler(AssemblyAlgorithm algorithm, BoatPositions positions, BoatErrors errors) {
+        this.algorithm = algorithm;
+        this.positions = positions;
+        this.errors = errors;
+    }
+
+    @Override
+    public void handle(Activation activation, HandlerContext context) {
+        List<String> boats =
+                Addressee.of(activation, context).stream().map(Addressee::boat).toList();
+        if (boats.isEmpty()) {
+            throw new IllegalArgumentException("No boat entered " + activation.place() + ": nobody to assemble");
+        }
+        Map<String, GeoPoint> assembled = remembered(activation, context);
+        assembled.keySet().removeAll(boats);
+        Map<String, Optional<GeoPoint>> from = new LinkedHashMap<>();
+        boats.forEach(boat -> from.put(boat, positions.positionOf(boat)));
+        GeoPoint centre = ActivationFields.point(activation, "location");
+        Map<String, GeoPoint> points = algorithm.assemble(new AssemblyProblem(
+                from,
+                centre,
+                ActivationFields.metres(activation, "spacing"),
+                List.copyOf(assembled.values()),
+                context.query(view -> PlanAreas.water(activation, view, centre, errors.of(boats)))));
+        assembled.putAll(points);
+        context.post(List.of(
+                new Input.Remember(activation.mission(), MEMORY, ProxyMaps.toValue(assembled)),
+                new Input.Received(Occurrence.answer(
+                        EventNames.ASSEMBLE_RESPONSE,
+                        activation,
+                        boats,
+                        List.of(),
+                        Map.of("points", ProxyMaps.toValue(assembled))))));
+    }
+
+    private static Map<String, GeoPoint> remembered(Activation activation, HandlerContext context) {
+        return context.query(view -> {
+            Map<String, GeoPoint> points = view.memory(activation.mission(), MEMORY)
+                    .map(value -> ProxyMaps.read(value, GeoPoint.class))
+                    .orElseGet(LinkedHashMap::new);
+            points.keySet().retainAll(view.proxies());
+            return points;
+        });
+    }
+}

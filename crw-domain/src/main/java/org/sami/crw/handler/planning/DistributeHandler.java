@@ -1,0 +1,148 @@
+package org.sami.crw.handler.planning;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.crw.event.ProxyMaps;
+import org.sami.crw.handler.activation.ActivationFields;
+import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.activation.EventNames;
+import org.sami.crw.handler.activation.Markups;
+import org.sami.crw.handler.activation.PlanAreas;
+import org.sami.crw.handler.activation.Restrictions;
+import org.sami.crw.handler.motion.BoatErrors;
+import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.service.BoatPositions;
+import org.sami.crw.service.allocation.AllocationProblem;
+import org.sami.crw.service.allocation.AllocationService;
+import org.sami.crw.service.allocation.WorkItem;
+import org.sami.crw.service.assembly.HexagonalPlacement;
+import org.sami.crw.service.water.CrossTrackError;
+import org.sami.crw.service.water.Water;
+import org.sami.spn.host.ActivationHandler;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.ListValue;
+
+/**
+ * Distribute Locations Request: a list of locations for each boat, in the order in which it visits them; each location is in one
+ * list. The locations are those of the activation, or spread over its area at a spacing. Divided as the markup Optimize asks, by ways around
+ * what the plan avoids; a location that no boat can get to is in no list, and the operator is told.
+ * A boat whose position is not known yet gets none.
+ */
+public final class DistributeHandler implements ActivationHandler {
+    public static final String TYPE = "DistributeLocationsRequest";
+    private static final String LOCATIONS = "locations";
+    private static final String AREA = "area";
+
+    private final AllocationService service;
+    private final BoatPositions positions;
+    private final MessageSink messages;
+    private final Computations computations;
+    private final BoatErrors errors;
+
+    public DistributeHandler(
+            AllocationService service,
+            BoatPositions positions,
+            MessageSink messages,
+            Computations computations,
+            BoatErrors errors) {
+        this.service = service;
+        this.positions = positions;
+        this.messages = messages;
+        this.computations = computations;
+        this.errors = errors;
+    }
+
+    @Override
+    public void handle(Activation activation, HandlerContext context) throws Exception {
+        List<String> boats =
+                Addressee.of(activation, context).stream().map(Addressee::boat).toList();
+        Map<String, GeoPoint> from = new LinkedHashMap<>();
+        boats.forEach(boat -> positions.positionOf(boat).ifPresent(at -> from.put(boat, at)));
+        if (from.isEmpty()) {
+            throw new IllegalStateException("There is no boat whose position is known, of " + boats);
+        }
+        CrossTrackError error = errors.of(boats);
+        Water water = context.query(view ->
+                PlanAreas.water(activation, view, from.values().iterator().next(), error));
+        computations.compute(activation, context, new Computations.Task<AllocationService.Options>() {
+            @Override
+            public String what() {
+                return "the distribution of locations";
+            }
+
+            @Override
+            public AllocationService.Options compute() {
+                return service.solve(
+                        AllocationProblem.ofVisits(from, locations(activation, error))
+                                .in(water),
+                        Markups.criterion(activation),
+                        1);
+            }
+
+            @Override
+            public void found(AllocationService.Options options) {
+                answer(activation, context, boats, options);
+            }
+        });
+    }
+
+    private void answer(
+            Activation activation, HandlerContext context, List<String> boats, AllocationService.Options options) {
+        Map<String, ListValue> lists = new LinkedHashMap<>();
+        boats.forEach(boat -> lists.put(
+                boat,
+                new ListValue(List.copyOf(options.best().paths().getOrDefault(boat, List.of()).stream()
+                        .map(WorkItem::location)
+                        .toList()))));
+        options.best()
+                .shortfall()
+                .ifPresent(words -> tell(activation, context, Priority.HIGH, "Distribution: " + words));
+        options.best()
+                .unallocated()
+                .forEach(one -> tell(activation, context, Priority.HIGH, "Distribution: " + one.words()));
+        if (Markups.criterion(activation).isPresent()) {
+            tell(activation, context, Priority.LOW, "Distribution: " + options.reason());
+        }
+        context.post(new Input.Received(Occurrence.answer(
+                EventNames.DISTRIBUTE_RESPONSE,
+                activation,
+                boats,
+                List.of(),
+                Map.of("locations", ProxyMaps.toValue(lists)))));
+    }
+
+    private void tell(Activation activation, HandlerContext context, Priority priority, String text) {
+        messages.tell(new OperatorMessage(
+                context.nowMillis(),
+                activation.mission(),
+                OperatorMessage.Source.DOMAIN,
+                priority,
+                text,
+                List.of(),
+                ""));
+    }
+
+    private static List<GeoPoint> locations(Activation activation, CrossTrackError error) {
+        Optional<GeoArea> area = activation.value(AREA).map(value -> Restrictions.area(value, AREA));
+        if (activation.value(LOCATIONS).isPresent() || area.isEmpty()) {
+            return ActivationFields.points(ActivationFields.required(activation, LOCATIONS), LOCATIONS);
+        }
+        Water water = Restrictions.water(activation, area.get().outline().get(0), error);
+        List<GeoPoint> spread =
+                HexagonalPlacement.over(area.get(), ActivationFields.metres(activation, "spacing"), water);
+        if (spread.isEmpty()) {
+            throw new IllegalArgumentException(
+                    "There is no room for a location in the area, clear of what is to be avoided");
+        }
+        return spread;
+    }
+}

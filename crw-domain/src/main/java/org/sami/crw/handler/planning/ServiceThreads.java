@@ -1,0 +1,72 @@
+package org.sami.crw.handler.planning;
+
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Threads for what services compute, beside the fleet's: for sessions in real time, whose links must live on meanwhile. A computation
+ * that takes longer than a limit is given up.
+ */
+public final class ServiceThreads implements AutoCloseable {
+    /** An operator who has waited so long asks something else. */
+    public static final long STANDARD_LIMIT_MILLIS = 60_000;
+
+    private static final long TOLD_MILLIS = 5000;
+    private static final int THREADS = 2;
+
+    private final long limitMillis;
+    private final ExecutorService threads = Executors.newFixedThreadPool(THREADS, daemons("service"));
+    private final ScheduledExecutorService timeouts =
+            Executors.newSingleThreadScheduledExecutor(daemons("service-timeouts"));
+
+    /** Threads with a limit for each computation. */
+    public ServiceThreads(long limitMillis) {
+        this.limitMillis = limitMillis;
+    }
+
+    private static ThreadFactory daemons(String name) {
+        return action -> {
+            Thread thread = new Thread(action, name);
+            thread.setDaemon(true);
+            return thread;
+        };
+    }
+
+    Future<?> start(Runnable work) {
+        return threads.submit(work);
+    }
+
+    /** Has something computed that nobody gives up; nothing when the threads are closed. What it throws goes to the thread's handler of faults. */
+    void execute(Runnable work) {
+        try {
+            threads.execute(work);
+        } catch (RejectedExecutionException closed) {
+            // nobody wants to know it any more
+        }
+    }
+
+    /** Has somebody look after a computation: every few seconds, and when its time is over. */
+    Future<?> lookAfter(Runnable progress) {
+        return timeouts.scheduleAtFixedRate(
+                progress,
+                Math.min(TOLD_MILLIS, limitMillis),
+                Math.min(TOLD_MILLIS, limitMillis),
+                TimeUnit.MILLISECONDS);
+    }
+
+    long limitMillis() {
+        return limitMillis;
+    }
+
+    /** Gives up what is being computed. */
+    @Override
+    public void close() {
+        timeouts.shutdownNow();
+        threads.shutdownNow();
+    }
+}
