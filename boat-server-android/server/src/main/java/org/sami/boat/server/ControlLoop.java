@@ -28,6 +28,13 @@ final class ControlLoop {
         started = false;
     }
 
+    /** Forgets what has been learned as far as that keeps up an error. */
+    void forgetWhatKeepsUp(double error) {
+        if (sum * error < 0) {
+            sum = 0;
+        }
+    }
+
     double effort(double error, double seconds) {
         sum = clamp(sum + gains.integral() * error * seconds);
         double change = started && seconds > 0 ? (error - lastError) / seconds : 0;

@@ -76,9 +76,6 @@ final class PathFollower {
         CourseAndSpeed wanted = new CourseAndSpeed(courseRad, wantedMps);
         CourseAndSpeed chosen = givingWay.choose(wanted, leg.line(eastM, northM, courseRad), true, nowMs, seconds);
         double chosenMps = chosen.speedMps();
-        if (chosenMps == 0 && givingWay.isToStopAtOnce()) {
-            steering.forgetSpeed();
-        }
         double heading = chosenMps > 0 ? drift.headingRad(chosen.courseRad(), chosenMps) : chosen.courseRad();
         steering.steerAlong(heading, chosenMps, seconds);
     }

@@ -9,15 +9,20 @@ import org.sami.boat.server.vehicle.Vehicle;
 /**
  * Steers the vehicle along a heading: heading by one loop, speed by feed-forward and another. Steering goes before
  * thrust, and the boat slows down while it points elsewhere, so that it turns on the spot rather than circle a target.
+ *
+ * <p>The integral of the speed loop is to learn what current and wear take, and nothing else: not that a boat needs time to get up to speed, nor that its
+ * steering has taken the thrust. Of that, a boat that is to stand keeps what holds it back.
  */
 final class SteeringControl {
-    /** The integral of the speed loop learns what current and wear take, and not that a boat needs time to get up to speed. */
+    /** What a boat lacks more than that of its speed, it lacks because it needs time. */
     private static final double LEARNING_MPS = 0.6;
 
     private final Vehicle vehicle;
     private final double fullThrustSpeedMps;
     private final ControlLoop heading;
     private final ControlLoop speed;
+    private boolean hadThrust = true; // that it was given last, all of it
+    private boolean stands; // is to
 
     SteeringControl(Vehicle vehicle, ServerConfig config) {
         this.vehicle = vehicle;
@@ -54,6 +59,8 @@ final class SteeringControl {
     /**
      * Steers a heading in radians, clockwise from north, for one tick; rests as long as the vehicle does not know where it is or what it
      * does.
+     *
+     * @param speedMps along that heading; 0 = it is to stand, as far as the motors can have it so
      */
     void steerAlong(double headingRad, double speedMps, double seconds) {
         double error = PlaneMath.sameTurn(headingRad - vehicle.headingRad());
@@ -63,7 +70,11 @@ final class SteeringControl {
         }
         double wantedMps = speedMps * Math.max(0, StrictMath.cos(error));
         double lackMps = wantedMps - vehicle.speedMps();
-        double learningS = Math.abs(lackMps) < LEARNING_MPS ? seconds : 0;
+        if (speedMps == 0 && !stands) {
+            speed.forgetWhatKeepsUp(lackMps);
+        }
+        stands = speedMps == 0;
+        double learningS = hadThrust && Math.abs(lackMps) < LEARNING_MPS ? seconds : 0;
         double thrust = wantedMps / fullThrustSpeedMps + speed.effort(lackMps, learningS);
         drive(thrust, heading.effort(error, seconds));
     }
@@ -72,12 +83,8 @@ final class SteeringControl {
     void drive(double thrust, double rudder) {
         double room = 1 - Math.abs(rudder);
         double ahead = Math.max(-room, Math.min(room, thrust));
+        hadThrust = ahead == thrust;
         vehicle.setMotors(ahead + rudder, ahead - rudder);
-    }
-
-    /** Forgets what the speed's loop has learned: it keeps a boat going that is to stop at once. */
-    void forgetSpeed() {
-        speed.reset();
     }
 
     /** Motors to zero; the loops forget. */
@@ -85,5 +92,7 @@ final class SteeringControl {
         vehicle.setMotors(0, 0);
         heading.reset();
         speed.reset();
+        hadThrust = true;
+        stands = false;
     }
 }

@@ -73,7 +73,6 @@ public final class GivingWay {
     private NoGoBorder border = NoGoBorder.NONE;
     private double chosenRad = Double.NaN; // while it gives way
     private double waitedS;
-    private boolean stays; // where it has gone back to
     private double stoodS; // the same, however long it lasts
 
     /**
@@ -95,11 +94,6 @@ public final class GivingWay {
         return !Double.isNaN(chosenRad);
     }
 
-    /** Whether a boat that is to stop is not to go on at all: it has gone back and stays, or what it is not to enter is near. */
-    public boolean isToStopAtOnce() {
-        return stays || border.isNear();
-    }
-
     /**
      * Where the boat goes now.
      *
@@ -112,7 +106,6 @@ public final class GivingWay {
         if (hasWay) {
             retreat.record(vehicle.latDeg(), vehicle.lonDeg());
         }
-        stays = false;
         isOnLine = surroundings.border().isEmpty() || isOn(along);
         if (surroundings.isEmpty() && isOnLine) {
             forget();
@@ -161,7 +154,6 @@ public final class GivingWay {
 
     private CourseAndSpeed goBack(LineAhead along) {
         stoodS = 0;
-        stays = along.aheadM() == 0;
         chosenRad = along.courseRad();
         isOnLine = false; // nobody has planned that line
         if (along.aheadM() == 0) {

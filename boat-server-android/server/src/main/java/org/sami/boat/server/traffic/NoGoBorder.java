@@ -24,9 +24,6 @@ final class NoGoBorder {
     /** A way that passes an edge nearer than that, in metres, is barred. */
     private static final double CLOSE_M = 0.3;
 
-    /** Nearer than that to an edge, in metres, a boat that is to stop is not to go on at all. */
-    private static final double NEAR_M = 1;
-
     private static final double ROUNDING_M = 1e-6;
 
     private final double keepM;
@@ -41,7 +38,6 @@ final class NoGoBorder {
     private double alongEast; // unit vector of the line
     private double alongNorth;
     private boolean seesLine = true;
-    private boolean isNear;
 
     private NoGoBorder(double keepM, Segment[] edges) {
         this.keepM = keepM;
@@ -95,14 +91,11 @@ final class NoGoBorder {
                 lineNorthM(line.onLineM(-withinM)),
                 lineEastM(line.onLineM(withinM)),
                 lineNorthM(line.onLineM(withinM)));
-        Segment here = Segment.between(eastM, northM, eastM, northM);
         Segment back = back(eastM, northM);
         seesLine = true;
-        isNear = false;
         for (int i = 0; i < edges.length; i++) {
             backM[i] = back.distanceM(edges[i], BACK * keepM) - ROUNDING_M;
             double mostM = near.distanceM(edges[i], own.distanceM(edges[i], keepM)) - ROUNDING_M;
-            isNear |= here.distanceM(edges[i], NEAR_M) < NEAR_M;
             leastM[i] = backM[i] > 0 ? back.distanceM(edges[i], mostM) : mostM;
             seesLine &= backM[i] > 0;
         }
@@ -111,11 +104,6 @@ final class NoGoBorder {
     /** Whether nothing bars the boat from going straight back to its line. */
     boolean seesLine() {
         return seesLine;
-    }
-
-    /** Whether an edge is within a metre. */
-    boolean isNear() {
-        return isNear;
     }
 
     /** Whether a boat may go where it stops on that way. */
