@@ -40,7 +40,8 @@ public final class SessionWorld implements AutoCloseable {
             DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
 
     private static final double WITHIN_S = 30;
-    private static final GeoPoint PIER = GeoPoint.of(45.4, 10.9);
+    /** Where boats lie. */
+    public static final GeoPoint PIER = GeoPoint.of(45.4, 10.9);
 
     public final Session session;
     public final OperatorContext context;
@@ -56,14 +57,19 @@ public final class SessionWorld implements AutoCloseable {
                 session, new CommandRegistry(), new IdentityMarks(), new BoatSelection(), new Notices());
         session.begin();
         for (String boat : boats) {
-            get(session.fleet().connect(simulated.launch(boat, PIER)));
-            Await.until(
-                    boat + " has joined",
-                    WITHIN_S,
-                    () -> session.ask(view -> view.proxies().contains(boat))
-                            .toCompletableFuture()
-                            .join());
+            add(boat, PIER);
         }
+    }
+
+    /** Adds a boat that lies somewhere, and waits until it has joined. */
+    public void add(String boat, GeoPoint at) throws Exception {
+        get(session.fleet().connect(simulated.launch(boat, at)));
+        Await.until(
+                boat + " has joined",
+                WITHIN_S,
+                () -> session.ask(view -> view.proxies().contains(boat))
+                        .toCompletableFuture()
+                        .join());
     }
 
     /** A project, as a plan file has it. */

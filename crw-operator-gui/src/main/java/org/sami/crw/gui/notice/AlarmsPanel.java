@@ -24,7 +24,7 @@ public final class AlarmsPanel extends JPanel {
     private final Command acknowledge;
     private final Command mute;
 
-    private record Key(Alarm.Kind kind, String boat) {}
+    private record Key(Alarm.Kind kind, String boat, String other) {}
 
     /**
      * The alarms of the session.
@@ -37,7 +37,7 @@ public final class AlarmsPanel extends JPanel {
         table = new RowTable<>(
                 "alarms-table",
                 "No alarm. Lost links, empty batteries, boats outside of their water and boats without headway appear here.",
-                alarm -> new Key(alarm.kind(), alarm.boat()),
+                alarm -> new Key(alarm.kind(), alarm.boat(), alarm.other()),
                 List.of(
                         RowColumn.number("Since", 72, alarm -> SessionClock.text(alarm.sinceMillis())),
                         RowColumn.<Alarm>words("Alarm", 0, AlarmsPanel::text).colored(AlarmsPanel::color)));
@@ -86,8 +86,7 @@ public final class AlarmsPanel extends JPanel {
 
     private void acknowledgeSelected() {
         List<Alarm> chosen = table.allSelected();
-        (chosen.isEmpty() ? alarms().snapshot() : chosen)
-                .forEach(alarm -> alarms().acknowledge(alarm.kind(), alarm.boat()));
+        (chosen.isEmpty() ? alarms().snapshot() : chosen).forEach(alarm -> alarms().acknowledge(alarm.number()));
     }
 
     private void muteSelected() {
