@@ -3,6 +3,7 @@ package org.sami.crw.markup;
 import java.util.Collection;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.LongFunction;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Ids;
@@ -52,8 +53,12 @@ public record MarkedEvent(
         return MapRelevance.of(reader(), boats, List.copyOf(allBoats));
     }
 
-    /** Names it to people. */
-    public String words() {
-        return type + " of mission " + mission;
+    /**
+     * Names it to people.
+     *
+     * @param missions names a mission
+     */
+    public String words(LongFunction<String> missions) {
+        return type + " of " + missions.apply(mission);
     }
 }

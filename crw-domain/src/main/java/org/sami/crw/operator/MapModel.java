@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import java.util.function.LongFunction;
 import java.util.function.LongSupplier;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.markup.MapRelevance;
@@ -53,9 +54,10 @@ public final class MapModel extends Model<MapSnapshot> {
     private final CommandModel commands;
     private final AreaVariables variables;
     private MapEvents events;
-    private final LayerChoice layers = new LayerChoice();
+    private final LongFunction<String> missions;
+    private final LayerChoice layers;
     private final LongSupplier nowMillis;
-    private final MapViews views = new MapViews();
+    private final MapViews views;
     private final MapTracks tracks = new MapTracks();
     private final SensorFields fields;
     private final Map<String, BoatSnapshot> boats = new TreeMap<>();
@@ -67,20 +69,25 @@ public final class MapModel extends Model<MapSnapshot> {
     /**
      * An empty map.
      *
+     * @param missions names a mission
      * @param computing computes what sensors measured; one after the other, and no window's thread
      */
     MapModel(
             Consumer<Runnable> inbox,
             CommandModel commands,
             AreaVariables variables,
+            LongFunction<String> missions,
             Executor computing,
             LongSupplier nowMillis) {
         super(MapSnapshot.EMPTY);
         this.inbox = inbox;
         this.commands = commands;
         this.variables = variables;
+        this.missions = missions;
         this.nowMillis = nowMillis;
-        events = new MapEvents(nowMillis);
+        events = new MapEvents(nowMillis, missions);
+        layers = new LayerChoice(missions);
+        views = new MapViews(missions);
         fields = new SensorFields(computing, (known, made) -> inbox.accept(() -> computed(known, made)));
     }
 
@@ -167,7 +174,7 @@ public final class MapModel extends Model<MapSnapshot> {
 
     /** Forgets what happened; what the operator wants to see stays. */
     void clear() {
-        events = new MapEvents(nowMillis);
+        events = new MapEvents(nowMillis, missions);
         boats.clear();
         tracks.clear();
         fields.clear();
@@ -337,8 +344,8 @@ public final class MapModel extends Model<MapSnapshot> {
         List<NamedArea> areas = new ArrayList<>(variables.areas());
         now.forEach(event -> area(event)
                 .flatMap(MapRelevance.Area::area)
-                .ifPresent(area ->
-                        areas.add(new NamedArea(ShownLayer.RELEVANT_AREA, event.mission(), event.words(), area))));
+                .ifPresent(area -> areas.add(
+                        new NamedArea(ShownLayer.RELEVANT_AREA, event.mission(), event.words(missions), area))));
         areas.removeIf(area -> area.mission() != 0 && !isShown(area.mission()));
         return areas;
     }
@@ -347,7 +354,7 @@ public final class MapModel extends Model<MapSnapshot> {
         List<ShownPlace> places = new ArrayList<>(variables.places());
         now.forEach(event -> area(event)
                 .flatMap(MapRelevance.Area::point)
-                .ifPresent(point -> places.add(new ShownPlace(event.mission(), event.words(), point))));
+                .ifPresent(point -> places.add(new ShownPlace(event.mission(), event.words(missions), point))));
         places.removeIf(place -> place.mission() != 0 && !isShown(place.mission()));
         return places;
     }

@@ -73,6 +73,17 @@ public final class MissionModel extends Model<MissionsSnapshot> {
         return snapshot().mission(mission).map(MissionSnapshot::title);
     }
 
+    /** Names a mission to people, on the owner's thread: its plan's title, with its number where several of that title run. */
+    String words(long mission) {
+        Tracked named = tracked.get(mission);
+        if (named == null) {
+            return "mission " + mission;
+        }
+        boolean severalRun = tracked.values().stream()
+                .anyMatch(other -> other != named && other.outcome.isEmpty() && other.title.equals(named.title));
+        return severalRun ? named.title + " (" + mission + ")" : named.title;
+    }
+
     /** Forgets all. */
     void clear() {
         restore(List.of(), Map.of(), 0);

@@ -109,7 +109,7 @@ public final class OperatorModels implements HostListener, MessageSink {
         logged = new OperatorSteps(log);
         messages = new MessageList(MESSAGES_KEPT, inbox::post, log, nowMillis);
         alarms = new AlarmModel(inbox::post, commands, log, missions::title);
-        map = new MapModel(inbox::post, commands, variables, computing, nowMillis);
+        map = new MapModel(inbox::post, commands, variables, missions::words, computing, nowMillis);
         fleet = new FleetModel(inbox::post, new FleetModel.Listener() {
             @Override
             public void seen(BoatSnapshot boat) {
@@ -248,7 +248,6 @@ public final class OperatorModels implements HostListener, MessageSink {
             operatingAreaChanged();
         }
         step.avoided().ifPresent(areas -> alarms.setAvoided(areas, nowMillis.getAsLong()));
-        map.apply(step);
         communication.apply(step);
         allocation.apply(step.input(), step.effects(), step.newTasks());
         for (Effect effect : step.effects()) {
@@ -263,6 +262,7 @@ public final class OperatorModels implements HostListener, MessageSink {
                 EngineMessages.of(effect, step.atMillis()).ifPresent(messages::add);
             }
         }
+        map.apply(step); // it names missions that the step has started
     }
 
     private void operatingAreaChanged() {
@@ -309,10 +309,10 @@ public final class OperatorModels implements HostListener, MessageSink {
                 .toList();
         inbox.post(() -> {
             started.forEach((mission, plan) -> variables.mission(mission, plan.variables()));
-            map.restore(marked);
             communication.restore(marked, atMillis);
             logged.restore(open.stream().map(DecisionPresentation::decision).toList());
             missions.restore(marking, started, atMillis);
+            map.restore(marked);
             alarms.setAvoided(areas, atMillis);
             allocation.restore(tasks, robots, complete, queues);
             open.forEach(presentation -> open(presentation, atMillis));

@@ -114,7 +114,7 @@ final class MapMarkupCases {
         LayerState state = map.layer(layer);
 
         assertThat(state.reason()).isEqualTo(Reason.MARKUP);
-        assertThat(state.why()).isEqualTo("OperatorInterruptReceived of mission 1");
+        assertThat(state.why()).isEqualTo("OperatorInterruptReceived of root");
         assertThat(state.shows("boat-1")).isTrue();
         assertThat(state.shows("boat-2")).isFalse();
     }
@@ -133,7 +133,7 @@ final class MapMarkupCases {
                         .contains(new NamedArea(
                                 ShownLayer.RELEVANT_AREA,
                                 PlanScene.MISSION,
-                                "OperatorInterruptReceived of mission 1",
+                                "OperatorInterruptReceived of root",
                                 AREA)));
         catalogue.shows("RelevantArea.source=POINT", "the map goes to the point", () -> {
             ShownPart view = looked(toPoint()).view().orElseThrow();
@@ -145,7 +145,7 @@ final class MapMarkupCases {
                 "RelevantArea.point",
                 "the point is drawn",
                 () -> assertThat(looked(toPoint()).places())
-                        .contains(new ShownPlace(PlanScene.MISSION, "OperatorInterruptReceived of mission 1", POINT)));
+                        .contains(new ShownPlace(PlanScene.MISSION, "OperatorInterruptReceived of root", POINT)));
         catalogue.shows("RelevantArea.source=ALL_PROXIES", "the map goes to all boats", () -> {
             ShownPart view = looked(look().marked("RelevantArea", "source", "ALL_PROXIES"))
                     .view()
@@ -288,7 +288,7 @@ final class MapMarkupCases {
         scene.press("Look", "boat-1");
         scene.press("Look", "boat-2");
         MapSnapshot map = later(scene);
-        assertThat(map.heldBack()).contains("of mission 1").contains("map");
+        assertThat(map.heldBack()).contains("of root").contains("map");
         return map.view().orElseThrow();
     }
 

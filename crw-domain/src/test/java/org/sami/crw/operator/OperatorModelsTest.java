@@ -63,6 +63,23 @@ class OperatorModelsTest {
         assertThat(models.missions().snapshot().firings()).as("firings").isPositive();
     }
 
+    @Test
+    void missionsOfOnePlanAreToldApartByTheirNumbersWhileBothRun() {
+        world.step(ModelWorld.start("first"));
+        world.settle();
+        assertThat(models.missions().words(1)).isEqualTo("There and back");
+
+        world.step(ModelWorld.start("second"));
+        world.settle();
+        assertThat(models.missions().words(1)).isEqualTo("There and back (1)");
+        assertThat(models.missions().words(2)).isEqualTo("There and back (2)");
+
+        world.step(new Input.AbortMission(1));
+        world.settle();
+        assertThat(models.missions().words(2)).isEqualTo("There and back");
+        assertThat(models.missions().words(9)).isEqualTo("mission 9");
+    }
+
     private Input randomInput(SplittableRandom random) {
         long mission = 1L + random.nextInt(6);
         List<String> boat = List.of("boat" + random.nextInt(BOATS));

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.LongFunction;
 import org.sami.crw.markup.MapRelevance;
 import org.sami.crw.markup.MapRelevance.Visualization;
 import org.sami.crw.markup.MarkedEvent;
@@ -20,9 +21,19 @@ public final class LayerChoice {
     private static final Set<ShownLayer> PATHS =
             Set.of(ShownLayer.PAST_PATHS, ShownLayer.CURRENT_PATHS, ShownLayer.FUTURE_PATHS);
 
+    private final LongFunction<String> missions;
     private final Map<ShownLayer, Boolean> byHand = new EnumMap<>(ShownLayer.class);
     private final Map<SensorChannel, Visualization> dataByHand = new LinkedHashMap<>();
     private final Map<SensorChannel, Double> thresholds = new LinkedHashMap<>();
+
+    /**
+     * Layers as they are from the start.
+     *
+     * @param missions names a mission
+     */
+    public LayerChoice(LongFunction<String> missions) {
+        this.missions = missions;
+    }
 
     public void set(ShownLayer layer, Optional<Boolean> on) {
         on.ifPresentOrElse(is -> byHand.put(layer, is), () -> byHand.remove(layer));
@@ -63,10 +74,10 @@ public final class LayerChoice {
             MapRelevance relevance = event.relevance(allBoats);
             if (layer == ShownLayer.SENSOR_DATA && relevance.information().isPresent()) {
                 all = true;
-                why.add(event.words());
+                why.add(event.words(missions));
             } else if (relevance.boats().filter(shown -> asks(layer, shown)).isPresent()) {
                 boats.addAll(relevance.boats().get().boats());
-                why.add(event.words());
+                why.add(event.words(missions));
             }
         }
         return why.isEmpty()
@@ -102,7 +113,7 @@ public final class LayerChoice {
                         information.visualization(),
                         boats.map(shown -> Set.copyOf(shown.boats())).orElse(Set.of()),
                         threshold(information.sensor()),
-                        event.words()));
+                        event.words(missions)));
             }
         }
         return wanted;

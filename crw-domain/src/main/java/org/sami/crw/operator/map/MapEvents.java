@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.LongFunction;
 import java.util.function.LongSupplier;
 import org.sami.crw.markup.MapRelevance;
 import org.sami.crw.markup.MarkedEvent;
@@ -25,6 +26,7 @@ public final class MapEvents {
     private static final String MESSAGE = "DisplayMessage";
 
     private final ManipulationPolicy policy;
+    private final LongFunction<String> missions;
     private final Map<String, MarkedEvent> inForce = new LinkedHashMap<>();
     private final Map<String, Later> waiting =
             new LinkedHashMap<>(); // by event: a newer one takes the place of an older one
@@ -32,8 +34,14 @@ public final class MapEvents {
 
     private record Later(MarkedEvent event, long atMillis) {}
 
-    public MapEvents(LongSupplier nowMillis) {
+    /**
+     * None came.
+     *
+     * @param missions names a mission
+     */
+    public MapEvents(LongSupplier nowMillis, LongFunction<String> missions) {
         policy = new ManipulationPolicy(nowMillis);
+        this.missions = missions;
     }
 
     public void touched() {
@@ -64,7 +72,7 @@ public final class MapEvents {
             return Optional.of(event);
         }
         String what = ruling.kind() == Ruling.Kind.LATER ? " changes the map later: " : " does not change the map: ";
-        heldBack = event.words() + what + ruling.why();
+        heldBack = event.words(missions) + what + ruling.why();
         return Optional.empty();
     }
 

@@ -3,6 +3,7 @@ package org.sami.crw.operator.map;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongFunction;
 import org.sami.crw.markup.MapRelevance;
 import org.sami.crw.markup.MapRelevance.AreaSource;
 import org.sami.crw.markup.MapRelevance.MapType;
@@ -16,9 +17,19 @@ import org.sami.spn.value.GeoPoint;
  * is shown so that it has the part in it, <i>reduce</i> narrows what is shown to the part (docs/decisions/0211). For the owner's thread.
  */
 public final class MapViews {
+    private final LongFunction<String> missions;
     private Optional<ShownPart> view = Optional.empty();
     private Optional<MapBounds> shown = Optional.empty();
     private long views;
+
+    /**
+     * Nobody has asked for a part.
+     *
+     * @param missions names a mission
+     */
+    public MapViews(LongFunction<String> missions) {
+        this.missions = missions;
+    }
 
     /** A person has moved the map. */
     public void shown(MapBounds now) {
@@ -38,8 +49,8 @@ public final class MapViews {
             area.point().ifPresent(points::add);
         }
         MapBounds.around(points)
-                .ifPresent(part ->
-                        go(modified(part, area.modification()), area.mapType(), event.mission(), event.words()));
+                .ifPresent(part -> go(
+                        modified(part, area.modification()), area.mapType(), event.mission(), event.words(missions)));
     }
 
     /** A person asks where boats are: what is shown is widened where they are not in it. */
