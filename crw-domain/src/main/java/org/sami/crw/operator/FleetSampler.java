@@ -122,7 +122,8 @@ final class FleetSampler {
                 current.map(CommandQueueSnapshot.Entry::command),
                 current.map(CommandQueueSnapshot.Entry::visited).orElse(0),
                 current.map(CommandQueueSnapshot.Entry::points).orElse(0),
-                why);
+                why,
+                boat.wayHome());
     }
 
     private static OptionalLong heard(BoatProxy boat, Seen known, long now) {

@@ -35,6 +35,7 @@ import org.sami.crw.operator.map.ShownLayer;
 import org.sami.crw.operator.map.ShownPath;
 import org.sami.crw.operator.map.ShownPlace;
 import org.sami.crw.operator.map.ShownTrack;
+import org.sami.crw.operator.map.ShownWayHome;
 import org.sami.crw.operator.map.WayAhead;
 import org.sami.crw.proxy.BatteryState;
 import org.sami.crw.proxy.BoatCommand;
@@ -282,6 +283,7 @@ public final class MapModel extends Model<MapSnapshot> {
                 boatsOnMap(highlighted(now)),
                 tracks.snapshots(),
                 paths(),
+                waysHome(),
                 areas(now),
                 places(now),
                 data,
@@ -324,6 +326,13 @@ public final class MapModel extends Model<MapSnapshot> {
             queue.waiting().forEach(entry -> add(boat, entry, false, paths));
         }
         return paths;
+    }
+
+    private List<ShownWayHome> waysHome() {
+        return boats.values().stream()
+                .filter(boat -> !boat.wayHome().isEmpty())
+                .map(boat -> new ShownWayHome(boat.boat(), boat.wayHome()))
+                .toList();
     }
 
     private void add(String boat, CommandQueueSnapshot.Entry entry, boolean current, List<ShownPath> paths) {

@@ -48,6 +48,9 @@ final class BoatCondition {
     /** Where the boat returns to when its link is lost; empty for one that has not said, as older ones do not. */
     Optional<GeoPoint> home = Optional.empty();
 
+    /** The way on which the boat is expected to come home by itself. */
+    final ExpectedWayHome wayHome = new ExpectedWayHome(() -> home);
+
     /** How far the boat may be beside its ways, as it said itself; empty for one that has not said. */
     Optional<CrossTrackError> error = Optional.empty();
 

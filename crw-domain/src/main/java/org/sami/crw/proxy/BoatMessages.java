@@ -10,6 +10,7 @@ import org.sami.boat.link.Frame;
 import org.sami.boat.link.Goodbye;
 import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.Motion;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
@@ -154,6 +155,7 @@ final class BoatMessages {
         Optional<BatteryState> battery =
                 condition.status.battery().map(known -> new BatteryState(telemetry.batteryPercent(), known.level()));
         condition.status = condition.status.with(pose, battery, telemetry.mode());
+        condition.wayHome.says(telemetry.mode());
         announce(BoatListener::onStatus);
         if (telemetry.mode() == BoatMode.FLEET_STOP) {
             if (!condition.fleetStopped) {
@@ -217,7 +219,19 @@ final class BoatMessages {
             handOver.linkLost();
         }
         condition.status = condition.status.with(link.state(), link.bootId());
+        if (link.state() == LinkState.LOST && isToReturn()) {
+            condition.wayHome.begin(condition.status.pose().map(BoatPose::position));
+        }
         announce(BoatListener::onLinkChange);
+    }
+
+    /** Whether the boat returns to its home when its link is lost. */
+    private boolean isToReturn() {
+        return !condition.fleetStopped
+                && tuner.inForce()
+                        .map(BoatTuning::lostLinkAction)
+                        .filter(LostLinkAction.RETURN::equals)
+                        .isPresent();
     }
 
     /** Tells the listener of something together with the status of now. */

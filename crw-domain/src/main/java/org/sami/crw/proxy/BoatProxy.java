@@ -56,7 +56,7 @@ public final class BoatProxy {
         announcements = new DeferredNotifications(Objects.requireNonNull(listener, "listener"));
         handOver = new HandOver(boatId, link, config, announcements);
         condition = new BoatCondition(boatId, link);
-        driver = new CommandDriver(boatId, config, link, announcements, this::position, this::home);
+        driver = new CommandDriver(boatId, config, link, announcements, this::position, condition.wayHome);
         tuner = new SettingsSender(boatId, link, config, announcements);
         messages = new BoatMessages(boatId, condition, link, handOver, tuner, fleetRequests, driver, announcements);
     }
@@ -68,6 +68,14 @@ public final class BoatProxy {
     /** Where the boat returns to when its link is lost; empty for one that has not said, as older ones do not. */
     public Optional<GeoPoint> home() {
         return condition.home;
+    }
+
+    /**
+     * From where the boat was seen last to its home, with the turns between: the way on which it is expected to come home by itself since its link was
+     * lost, until it says that it does something else. Empty where it is not set to return.
+     */
+    public List<GeoPoint> wayHome() {
+        return condition.wayHome.way();
     }
 
     /** How far the boat may be beside its ways, as it said itself; empty for one that has not said. */

@@ -26,7 +26,7 @@ final class CommandDriver {
     private final CommandQueue queue = new CommandQueue();
     private final Uploads uploads;
     private final Supplier<Optional<GeoPoint>> position;
-    private final Supplier<Optional<GeoPoint>> home;
+    private final ExpectedWayHome wayHome;
     private Optional<CommandRun> run = Optional.empty();
     private Optional<NearbyEdges> noGoEdges = Optional.empty();
     private LastCommandOutcome lastWord = LastCommandOutcome.NONE;
@@ -39,7 +39,7 @@ final class CommandDriver {
      * A driver.
      *
      * @param position gives where the boat is, if that is known
-     * @param home gives where it returns to when its link is lost, if that is known
+     * @param wayHome learns what the boat knows of its ways home
      */
     CommandDriver(
             String boatId,
@@ -47,9 +47,9 @@ final class CommandDriver {
             ProxyLink link,
             DeferredNotifications announcements,
             Supplier<Optional<GeoPoint>> position,
-            Supplier<Optional<GeoPoint>> home) {
+            ExpectedWayHome wayHome) {
         this.position = position;
-        this.home = home;
+        this.wayHome = wayHome;
         this.boatId = boatId;
         this.config = config;
         this.announcements = announcements;
@@ -231,10 +231,10 @@ final class CommandDriver {
         if (queued.command() instanceof FollowPath path) {
             noGoEdges = path.water().map(NearbyEdges::new);
             return new PathRun(
-                    queued, path, position, home, wireId, adoptable(queued), speedMps, requests, uploads::reached);
+                    queued, path, position, wayHome, wireId, adoptable(queued), speedMps, requests, uploads::reached);
         } else if (queued.command() instanceof KeepStation station) {
             noGoEdges = station.water().map(NearbyEdges::new);
-            return new StationRun(queued, station, position, home, wireId, speedMps, requests, uploads::reached);
+            return new StationRun(queued, station, position, wayHome, wireId, speedMps, requests, uploads::reached);
         }
         return queued.command() instanceof Panorama panorama
                 ? new PanoramaRun(queued, panorama, wireId, requests)

@@ -46,10 +46,11 @@ final class PathRun extends CommandRun {
     private final Consumer<Upload> reached;
     private final FollowPath path;
     private final Supplier<Optional<GeoPoint>> position;
-    private final Supplier<Optional<GeoPoint>> home;
+    private final ExpectedWayHome wayHome;
     private final double speedMps;
     private DrivenPath driven;
     private int next; // of the points that are driven along, as the boat said last
+    private List<List<List<GeoPoint>>> ways = List.of(); // home, by legs
     private Phase phase = Phase.UPLOADING;
     private Optional<ProgressMonitor> headway = Optional.empty();
     private int starts;
@@ -66,7 +67,7 @@ final class PathRun extends CommandRun {
      * A try.
      *
      * @param position gives where the boat is, if that is known
-     * @param home gives where it returns to when its link is lost, if that is known
+     * @param wayHome learns what the boat knows of its ways home
      * @param adopted goes on with the list that the boat holds, if that is the path; else the path is sent under a new id
      * @param reached hears how far the upload has come, once for each state
      */
@@ -74,7 +75,7 @@ final class PathRun extends CommandRun {
             QueuedCommand queued,
             FollowPath path,
             Supplier<Optional<GeoPoint>> position,
-            Supplier<Optional<GeoPoint>> home,
+            ExpectedWayHome wayHome,
             String wireId,
             Optional<Adopted> adopted,
             double cruiseSpeedMps,
@@ -88,7 +89,7 @@ final class PathRun extends CommandRun {
         this.requests = requests;
         this.path = path;
         this.position = position;
-        this.home = home;
+        this.wayHome = wayHome;
         speedMps = path.speedMps().orElse(cruiseSpeedMps);
         driven = DrivenPath.of(path.points(), path.points().size(), Optional.empty(), Optional.empty());
     }
@@ -136,8 +137,10 @@ final class PathRun extends CommandRun {
         } else if (answer instanceof HeldWaypoints held) {
             return readBack(held, nowMs);
         } else if (asked instanceof SetWaysHome) {
+            wayHome.has(listId, ways);
             start(nowMs);
-        } else if (asked instanceof StartWaypoints) {
+        } else if (asked instanceof StartWaypoints started) {
+            wayHome.started(listId, started.index());
             phase = Phase.DRIVING;
             headway = Optional.of(new ProgressMonitor(nowMs));
         }
@@ -162,40 +165,37 @@ final class PathRun extends CommandRun {
 
     private Verdict startUploaded(long nowMs) {
         reach(Upload.State.READ_BACK_EQUAL);
-        List<List<List<Waypoint>>> ways = waysHome();
+        ways = waysHome();
         if (ways.isEmpty()) {
             start(nowMs);
         } else {
             phase = Phase.SENDING_WAYS_HOME;
-            requests.send(new SetWaysHome(wireId + "/ways", listId, ways), nowMs);
+            List<List<List<Waypoint>>> sent = ways.stream()
+                    .map(ofLeg -> ofLeg.stream().map(this::waypoints).toList())
+                    .toList();
+            requests.send(new SetWaysHome(wireId + "/ways", listId, sent), nowMs);
         }
         return Verdict.GO_ON;
     }
 
     /** Empty where all of them are straight, or more than a message holds. */
-    private List<List<List<Waypoint>>> waysHome() {
+    private List<List<List<GeoPoint>>> waysHome() {
         Optional<GeoPoint> from = position.get();
-        if (from.isEmpty() || home.get().isEmpty() || path.water().isEmpty()) {
+        Optional<GeoPoint> home = wayHome.home();
+        if (from.isEmpty() || home.isEmpty() || path.water().isEmpty()) {
             return List.of();
         }
-        List<List<List<Waypoint>>> ways = new ArrayList<>();
-        long turns = 0;
-        for (List<List<GeoPoint>> ofLeg : WaysHome.of(
-                from.get(),
-                driven.points(),
-                next,
-                home.get().get(),
-                path.water().get())) {
-            ways.add(ofLeg.stream().map(this::waypoints).toList());
-            turns += ofLeg.stream().mapToInt(List::size).sum();
-        }
-        return turns <= SetWaysHome.MOST_TURNS ? ways : List.of();
+        List<List<List<GeoPoint>>> found = WaysHome.of(
+                from.get(), driven.points(), next, home.get(), path.water().get());
+        long turns = found.stream().flatMap(List::stream).mapToLong(List::size).sum();
+        return turns <= SetWaysHome.MOST_TURNS ? found : List.of();
     }
 
     /** What the boat has visited while nobody commanded it is behind it. */
     private Verdict goOn(Adopted list, long nowMs) {
         phase = Phase.STARTING;
         list.visited().accept(visited(list.held().get()));
+        wayHome.has(listId, waysHome()); // the boat has kept those of the earlier process
         return resume(list.held().get(), nowMs);
     }
 
@@ -219,6 +219,7 @@ final class PathRun extends CommandRun {
     @Override
     int visited(Progress progress) {
         next = progress.nextIndex();
+        wayHome.drivesTo(next);
         return driven.visited(next);
     }
 

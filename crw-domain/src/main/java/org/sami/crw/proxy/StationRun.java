@@ -19,7 +19,7 @@ final class StationRun extends CommandRun {
             QueuedCommand queued,
             KeepStation station,
             Supplier<Optional<GeoPoint>> position,
-            Supplier<Optional<GeoPoint>> home,
+            ExpectedWayHome wayHome,
             String wireId,
             double cruiseSpeedMps,
             PendingRequests requests,
@@ -27,7 +27,7 @@ final class StationRun extends CommandRun {
         super(queued);
         this.station = station;
         way = new PathRun(
-                queued, station.way(), position, home, wireId, Optional.empty(), cruiseSpeedMps, requests, reached);
+                queued, station.way(), position, wayHome, wireId, Optional.empty(), cruiseSpeedMps, requests, reached);
     }
 
     /** Whether the boat has come to its station, and has not left it since. */

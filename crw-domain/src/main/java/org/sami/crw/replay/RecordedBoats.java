@@ -33,6 +33,7 @@ import org.sami.crw.session.OperatorLogRows;
 import org.sami.crw.session.SensorValue;
 import org.sami.crw.session.SessionTelemetry;
 import org.sami.spn.journal.TelemetryRow;
+import org.sami.spn.value.GeoPoint;
 
 /** Makes of a journal's telemetry what models were told of boats. For the replay's thread. */
 final class RecordedBoats implements SessionTelemetry.Reader {
@@ -52,6 +53,7 @@ final class RecordedBoats implements SessionTelemetry.Reader {
         private Optional<BoatMode> mode = Optional.empty();
         private Commander commander = Commander.UNKNOWN;
         private CommandQueueSnapshot queue = CommandQueueSnapshot.EMPTY;
+        private List<GeoPoint> wayHome = List.of();
         private BoatExplanation why = new BoatExplanation(false, Cause.NO_COMMAND, "not known: the journal is old");
     }
 
@@ -119,7 +121,8 @@ final class RecordedBoats implements SessionTelemetry.Reader {
                 current.map(CommandQueueSnapshot.Entry::command),
                 current.map(CommandQueueSnapshot.Entry::visited).orElse(0),
                 current.map(CommandQueueSnapshot.Entry::points).orElse(0),
-                boat.why);
+                boat.why,
+                boat.wayHome);
     }
 
     // ---- what sessions of all versions wrote
@@ -261,6 +264,7 @@ final class RecordedBoats implements SessionTelemetry.Reader {
                 json.required("shouldMove").asBoolean(),
                 Cause.valueOf(json.required("cause").asText()),
                 json.required("why").asText());
+        boat.wayHome = CommandJson.points(json.path("wayHome"));
         commander(id, boat, json);
         seen(id, boat);
     }

@@ -136,6 +136,9 @@ final class BoatLog {
                 .put("commanded", boat.isCommanding())
                 .put("shouldMove", why.shouldMove())
                 .put("cause", why.cause().name());
+        if (!boat.wayHome().isEmpty()) {
+            CommandJson.write(boat.wayHome(), json.putArray("wayHome"));
+        }
         String words = why.text().replaceAll("[0-9]+", "#"); // whatever is counted in it is no news
         if (!(json + words).equals(states.put(boat.boatId(), json + words))) {
             add(boat.boatId(), STATE, json.put("why", why.text()));

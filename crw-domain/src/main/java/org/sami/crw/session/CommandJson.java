@@ -35,8 +35,7 @@ public final class CommandJson {
         if (command instanceof FollowPath path) {
             json.put("kind", PATH).put("start", path.startIndex());
             path.speedMps().ifPresent(speed -> json.put("speedMps", speed));
-            ArrayNode points = json.putArray("points");
-            path.points().forEach(point -> points.add(point.latDeg()).add(point.lonDeg()));
+            write(path.points(), json.putArray("points"));
         } else if (command instanceof KeepStation station) {
             json.put("kind", STATION)
                     .put("latDeg", station.point().latDeg())
@@ -93,7 +92,13 @@ public final class CommandJson {
         };
     }
 
-    private static List<GeoPoint> points(JsonNode json) {
+    /** Writes points in their order, latitude and longitude of each. */
+    static void write(List<GeoPoint> points, ArrayNode json) {
+        points.forEach(point -> json.add(point.latDeg()).add(point.lonDeg()));
+    }
+
+    /** Points that were written; none where nothing is. */
+    public static List<GeoPoint> points(JsonNode json) {
         List<GeoPoint> points = new ArrayList<>();
         for (int i = 0; i + 1 < json.size(); i += 2) {
             points.add(GeoPoint.of(json.get(i).asDouble(), json.get(i + 1).asDouble()));

@@ -76,7 +76,8 @@ class AlarmModelTest {
                                 command,
                                 visited,
                                 0,
-                                new BoatExplanation(true, cause, ""))));
+                                new BoatExplanation(true, cause, ""),
+                                List.of())));
         world.settle();
     }
 
@@ -308,7 +309,7 @@ class AlarmModelTest {
                 .satisfies(alarm ->
                         assertThat(List.of(alarm.boat(), alarm.other())).containsExactly("anna", "bert"))
                 .satisfies(alarm ->
-                        assertThat(alarm.text()).isEqualTo("bert and anna come within 1 m of each other in 3 s"));
+                        assertThat(alarm.text()).isEqualTo("anna and bert come within 1 m of each other in 3 s"));
 
         later(12);
         see("anna", at(18, 0), EAST, 1.5);

@@ -108,7 +108,8 @@ class AvoidedAreasTest {
                                 Optional.empty(),
                                 0,
                                 0,
-                                new BoatExplanation(true, Cause.UNDER_WAY, ""))));
+                                new BoatExplanation(true, Cause.UNDER_WAY, ""),
+                                List.of())));
         world.settle();
     }
 

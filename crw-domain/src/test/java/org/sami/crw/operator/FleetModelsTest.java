@@ -12,11 +12,15 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.Gains;
 import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.Role;
+import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.Telemetry;
+import org.sami.boat.link.Waypoint;
 import org.sami.boat.link.Welcome;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.operator.alarm.Alarm;
@@ -28,6 +32,7 @@ import org.sami.crw.operator.boat.BoatCommands.End;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.BoatSnapshot.Commander;
 import org.sami.crw.operator.map.ShownPath;
+import org.sami.crw.operator.map.ShownWayHome;
 import org.sami.crw.proxy.BatteryState;
 import org.sami.crw.proxy.BoatExplanation;
 import org.sami.crw.proxy.BoatExplanation.Cause;
@@ -208,6 +213,45 @@ class FleetModelsTest {
     }
 
     @Test
+    void theMapShowsTheWayHomeOfABoatThatIsSetToReturnFromTheLossOfItsLinkUntilItDoesSomethingElse() {
+        BoatProxy boat = linked("anna");
+        says(boat, settings(LostLinkAction.RETURN));
+        isAt(boat, 45.001);
+        boat.closed(world.nowMillis.get());
+        assertThat(waysHome()).containsExactly(new ShownWayHome("anna", List.of(GeoPoint.of(45.001, 10), HOME)));
+
+        says(boat, new Welcome("anna", "anna-boot", Role.COMMANDER, ""));
+        says(boat, new Telemetry(45.0005, 10, 0, 1, 80, BoatMode.RETURN, world.nowMillis.get()));
+        assertThat(waysHome()).hasSize(1);
+
+        says(boat, new Telemetry(45.0005, 10, 0, 1, 80, BoatMode.PATH, world.nowMillis.get()));
+        assertThat(waysHome()).isEmpty();
+    }
+
+    @Test
+    void aBoatThatHoldsItsPlaceWithoutALinkHasNoWayHomeOnTheMap() {
+        BoatProxy boat = linked("anna");
+        says(boat, settings(LostLinkAction.HOLD));
+        isAt(boat, 45.001);
+        boat.closed(world.nowMillis.get());
+
+        assertThat(waysHome()).isEmpty();
+    }
+
+    private static SettingsReport settings(LostLinkAction action) {
+        Gains gains = new Gains(1, 0, 0);
+        Waypoint home = new Waypoint(HOME.latDeg(), HOME.lonDeg(), 1);
+        return new SettingsReport(gains, gains, 1, action, Optional.of(home), Optional.empty());
+    }
+
+    private List<ShownWayHome> waysHome() {
+        world.nowMillis.addAndGet(200);
+        models.look();
+        world.settle();
+        return models.map().snapshot().waysHome();
+    }
+
+    @Test
     void aBoatInOtherHandsIsShownAsSuch() {
         BoatProxy boat = linked("anna");
         boat.teleoperate(0.5, 0);
@@ -299,6 +343,7 @@ class FleetModelsTest {
                 Optional.empty(),
                 0,
                 0,
-                new BoatExplanation(false, cause, "anna does not move"));
+                new BoatExplanation(false, cause, "anna does not move"),
+                List.of());
     }
 }

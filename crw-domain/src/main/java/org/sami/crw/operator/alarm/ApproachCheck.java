@@ -101,8 +101,8 @@ public final class ApproachCheck {
                 : Optional.of(String.format(
                         Locale.ROOT,
                         "%s and %s come within %.0f m of each other in %.0f s",
-                        boat,
-                        other,
+                        boat.compareTo(other) < 0 ? boat : other, // whoever is looked at
+                        boat.compareTo(other) < 0 ? other : boat,
                         closestM,
                         closestS));
     }

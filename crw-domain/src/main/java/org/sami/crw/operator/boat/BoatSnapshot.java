@@ -1,5 +1,6 @@
 package org.sami.crw.operator.boat;
 
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -9,6 +10,7 @@ import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatExplanation;
 import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.LinkState;
+import org.sami.spn.value.GeoPoint;
 
 /**
  * One boat as it was known at a moment. Times are milliseconds on the session's clock.
@@ -23,6 +25,7 @@ import org.sami.crw.proxy.LinkState;
  * @param visited points of that command's path that are behind it
  * @param points points of that path; 0 for a command that has none
  * @param why why it moves or does not
+ * @param wayHome from where it was seen last to its home, with the turns between, where it is expected to come home by itself; else empty
  */
 public record BoatSnapshot(
         String boat,
@@ -36,7 +39,8 @@ public record BoatSnapshot(
         Optional<BoatCommand> command,
         int visited,
         int points,
-        BoatExplanation why) {
+        BoatExplanation why,
+        List<GeoPoint> wayHome) {
 
     /** Who commands a boat. */
     public enum Commander {
@@ -60,6 +64,7 @@ public record BoatSnapshot(
         Objects.requireNonNull(commander, "commander");
         Objects.requireNonNull(command, "command");
         Objects.requireNonNull(why, "why");
+        wayHome = List.copyOf(wayHome);
     }
 
     /** How old the pose is, in ms; empty where there is none. */

@@ -12,6 +12,7 @@ import java.util.Set;
  * @param boats that have said where they are
  * @param tracks of boats, by boat
  * @param paths of boats, current and future, by boat and then in the order in which they are driven
+ * @param waysHome of boats that are expected to come home by themselves, by boat
  * @param data what sensors measured, as far as it is shown
  * @param channels all that sensors have measured, for choosing
  * @param view the part that is to be seen; empty before anybody asked for one
@@ -22,6 +23,7 @@ public record MapSnapshot(
         List<ShownBoat> boats,
         List<ShownTrack> tracks,
         List<ShownPath> paths,
+        List<ShownWayHome> waysHome,
         List<NamedArea> areas,
         List<ShownPlace> places,
         List<SensorLayer> data,
@@ -38,6 +40,7 @@ public record MapSnapshot(
             List.of(),
             List.of(),
             List.of(),
+            List.of(),
             Optional.empty(),
             "");
 
@@ -46,6 +49,7 @@ public record MapSnapshot(
         boats = List.copyOf(boats);
         tracks = List.copyOf(tracks);
         paths = List.copyOf(paths);
+        waysHome = List.copyOf(waysHome);
         areas = List.copyOf(areas);
         places = List.copyOf(places);
         data = List.copyOf(data);

@@ -20,9 +20,11 @@ public enum ShownLayer {
     FUTURE_PATHS("future paths", false),
     /** Where boats are going now. */
     CURRENT_PATHS("current paths", true),
+    /** Where boats without a link are expected to come home by themselves. */
+    WAYS_HOME("expected ways home", true),
     /** The boats. */
     BOATS("boats", true),
-    /** Battery, speed and link beside each boat. */
+    /** Battery and speed beside each boat. */
     BOAT_STATE("state of boats", false);
 
     private final String label;

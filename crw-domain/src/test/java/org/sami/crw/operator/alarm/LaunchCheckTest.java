@@ -99,6 +99,7 @@ class LaunchCheckTest {
                 Optional.empty(),
                 0,
                 0,
-                new BoatExplanation(false, Cause.NO_COMMAND, "anna rests"));
+                new BoatExplanation(false, Cause.NO_COMMAND, "anna rests"),
+                List.of());
     }
 }

@@ -68,7 +68,7 @@ public final class BoatWords {
     }
 
     /** A speed in m/s; one that is rounded to nothing has no sign. */
-    static String speed(double mps) {
+    public static String speed(double mps) {
         return String.format(Locale.ROOT, "%.1f m/s", Math.round(mps * 10) / 10.0);
     }
 

@@ -3,9 +3,11 @@ package org.sami.crw.gui.map;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.sami.crw.gui.boat.BoatWords;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.markup.MapRelevance.Visualization;
 import org.sami.crw.operator.map.MapSnapshot;
@@ -19,6 +21,8 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.look.IdentityMark;
 import org.sami.ui.map.AreaLayer;
+import org.sami.ui.map.ExpectedPath;
+import org.sami.ui.map.ExpectedPathLayer;
 import org.sami.ui.map.HeatLayer;
 import org.sami.ui.map.HeatMap;
 import org.sami.ui.map.MapLayers;
@@ -38,6 +42,7 @@ final class MapFeed {
     private final AreaLayer areas = new AreaLayer("areas", "Areas");
     private final TrackLayer tracks = new TrackLayer("tracks", "Past paths");
     private final PathLayer paths = new PathLayer("paths", "Paths");
+    private final ExpectedPathLayer waysHome = new ExpectedPathLayer("ways-home", "Expected ways home");
     private final PointLayer places = new PointLayer("places", "Places");
     private final VehicleLayer boats = new VehicleLayer("boats", "Boats");
 
@@ -48,22 +53,31 @@ final class MapFeed {
 
     MapFeed(OperatorContext context, MapLayers layers) {
         this.context = context;
-        List.of(data, areas, tracks, paths, places, boats).forEach(layers::add);
+        List.of(data, areas, tracks, paths, waysHome, places, boats).forEach(layers::add);
     }
 
     void show(MapSnapshot map) {
-        data.show(map.data().stream().findFirst().map(MapFeed::heat));
+        data.show(map.data().stream()
+                .filter(layer -> map.layer(ShownLayer.SENSOR_DATA).on())
+                .findFirst()
+                .map(MapFeed::heat));
         areas.show(map.areas().stream()
+                .filter(area -> map.layer(area.layer()).on())
                 .map(area -> new ShownArea(
                         area.layer().name() + "/" + area.mission() + "/" + area.name(),
                         area.name(),
                         area.area(),
                         kind(area.layer())))
                 .toList());
-        tracks.show(map.tracks().stream().map(this::track).toList());
+        tracks.show(map.tracks().stream()
+                .filter(track -> map.layer(ShownLayer.PAST_PATHS).shows(track.boat()))
+                .map(this::track)
+                .toList());
         Map<String, GeoPoint> at = new HashMap<>();
         map.boats().forEach(boat -> at.put(boat.boat(), boat.position()));
         paths.show(map.paths().stream()
+                .filter(path -> map.layer(path.current() ? ShownLayer.CURRENT_PATHS : ShownLayer.FUTURE_PATHS)
+                        .shows(path.boat()))
                 .map(path -> new PlannedPath(
                         path.command(),
                         context.marks().of(path.boat()),
@@ -72,10 +86,22 @@ final class MapFeed {
                                 : path.points(),
                         !path.current() ? 0 : Math.min(path.points().size(), Math.max(1, path.visited()))))
                 .toList());
-        places.show(points(map.places()));
+        waysHome.show(map.waysHome().stream()
+                .filter(way -> map.layer(ShownLayer.WAYS_HOME).shows(way.boat()))
+                .map(way -> new ExpectedPath(
+                        way.boat() + "/home",
+                        context.marks().of(way.boat()),
+                        way.points(),
+                        "expected way home of " + way.boat()))
+                .toList());
+        places.show(points(map.layer(ShownLayer.PLACES).on() ? map.places() : List.of()));
         boolean some = map.boats().stream().anyMatch(boat -> !boat.highlighted()); // who stands out among none does not
         boats.show(map.boats().stream()
-                .map(boat -> vehicle(boat, some && boat.highlighted()))
+                .filter(boat -> map.layer(ShownLayer.BOATS).shows(boat.boat()))
+                .map(boat -> vehicle(
+                        boat,
+                        some && boat.highlighted(),
+                        map.layer(ShownLayer.BOAT_STATE).shows(boat.boat())))
                 .toList());
     }
 
@@ -127,10 +153,10 @@ final class MapFeed {
         return track;
     }
 
-    private ShownVehicle vehicle(ShownBoat boat, boolean standsOut) {
+    private ShownVehicle vehicle(ShownBoat boat, boolean standsOut, boolean withState) {
         return new ShownVehicle(
                 boat.boat(),
-                boat.boat(),
+                withState ? boat.boat() + " · " + state(boat) : boat.boat(),
                 context.marks().of(boat.boat()),
                 boat.position(),
                 boat.headingRad(),
@@ -138,6 +164,15 @@ final class MapFeed {
                 boat.speedMps(),
                 Math.max(0, context.nowMillis() - boat.poseAtMillis()) / 1000.0,
                 context.boats().contains(boat.boat()) || standsOut);
+    }
+
+    /** Its charge, if it has told that, and its speed. */
+    private static String state(ShownBoat boat) {
+        String speed = BoatWords.speed(boat.speedMps());
+        return boat.batteryPercent().isPresent()
+                ? String.format(
+                        Locale.ROOT, "%.0f %% · %s", boat.batteryPercent().getAsDouble(), speed)
+                : speed;
     }
 
     /** The grid counts its rows from the south, the map from the north. */

@@ -104,6 +104,7 @@ class FirstViewTest {
                 List.of(boats),
                 none.tracks(),
                 none.paths(),
+                none.waysHome(),
                 List.of(fence),
                 none.places(),
                 none.data(),

@@ -1,14 +1,31 @@
 package org.sami.crw.gui.map;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.sami.crw.gui.EventThreadCall.onEventThread;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.sami.crw.gui.SessionWorld;
+import org.sami.crw.operator.MapModel;
+import org.sami.crw.operator.map.MapSnapshot;
+import org.sami.crw.operator.map.ShownLayer;
 import org.sami.crw.operator.map.ShownPlace;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
+import org.sami.ui.geo.GeoBounds;
+import org.sami.ui.map.MapView;
 import org.sami.ui.map.PointLayer.MapPoint;
+import org.sami.ui.map.VehicleLayer;
 
+@Timeout(120)
 class MapFeedTest {
+    private static final GeoPoint NOW = GeoPoint.of(45.401, 10.9);
+    private static final GeoPoint LATER = GeoPoint.of(45.402, 10.9);
+
     @Test
     void eachPointOfAListIsOnTheMapWithItsNumber() {
         List<MapPoint> points = MapFeed.points(List.of(
@@ -19,5 +36,61 @@ class MapFeedTest {
 
         assertThat(points).extracting(MapPoint::id).doesNotHaveDuplicates();
         assertThat(points).extracting(MapPoint::name).containsExactly("@home", "@locations", "2", "@locations");
+    }
+
+    @Test
+    void whatALayerHoldsIsOnTheMapOnlyWhileTheLayerIsOn() throws Exception {
+        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
+            MapView view = onEventThread(MapView::new);
+            MapFeed feed = onEventThread(() -> new MapFeed(world.context, view.layers()));
+            SessionWorld.get(world.session.fleet().ask(boats -> {
+                boats.find("anna").ifPresent(anna -> {
+                    anna.submit(FollowPath.goTo("now", 1, 1, NOW, Priority.HIGH));
+                    anna.submit(FollowPath.goTo("later", 2, 2, LATER, Priority.LOW));
+                });
+                return true;
+            }));
+            shownWith(
+                    world,
+                    feed,
+                    ShownLayer.BOATS,
+                    true,
+                    map -> map.paths().size() == 2 && map.boats().size() == 1);
+            assertThat(northmost(view)).isEqualTo(NOW.latDeg());
+            assertThat(boats(view)).isEqualTo(1);
+
+            shownWith(world, feed, ShownLayer.FUTURE_PATHS, true, map -> true);
+            assertThat(northmost(view)).isEqualTo(LATER.latDeg());
+
+            shownWith(world, feed, ShownLayer.BOATS, false, map -> true);
+            assertThat(boats(view)).isZero();
+        }
+    }
+
+    /** Puts a layer on or off, and shows the map that has it so. */
+    private static void shownWith(
+            SessionWorld world, MapFeed feed, ShownLayer layer, boolean on, Predicate<MapSnapshot> wanted) {
+        MapModel map = world.context.models().map();
+        map.show(layer, Optional.of(on));
+        SessionWorld.until(layer + " is " + on, () -> {
+            MapSnapshot now = map.snapshot();
+            feed.show(now);
+            return now.layer(layer).on() == on && wanted.test(now);
+        });
+    }
+
+    private static double northmost(MapView view) {
+        return onEventThread(() -> view.layers()
+                .find("paths")
+                .orElseThrow()
+                .bounds()
+                .map(GeoBounds::northDeg)
+                .orElseThrow());
+    }
+
+    private static int boats(MapView view) {
+        return onEventThread(() -> ((VehicleLayer) view.layers().find("boats").orElseThrow())
+                .vehicles()
+                .size());
     }
 }

@@ -29,6 +29,9 @@ import org.sami.spn.value.GeoPoint;
 
 /** Whether boats stay out of what they are to avoid: measured on where the hulls truly are. */
 class KeepingClearTest {
+    /** A boat goes on for some seconds before it knows that its link is lost. */
+    private static final double BEFORE_IT_RETURNS_M = 12;
+
     private static SimulatedTestWorld world(Conditions conditions, long seed) {
         FleetConfig enduring = FleetConfig.DEFAULT
                 .withHull(HullConfig.DEFAULT.withBatteryPercentPerM(0))
@@ -112,6 +115,7 @@ class KeepingClearTest {
 
         TrueTrack out = TrueTrack.until(world, lostAfterS, () -> false);
         world.proxy().disconnect();
+        List<GeoPoint> expected = world.proxy().wayHome();
         TrueTrack home = TrueTrack.until(
                 world,
                 1500,
@@ -123,6 +127,7 @@ class KeepingClearTest {
                 .insideM(conditions.crossTrackError().steeringM());
         assertThat(out.deepestInM(rocks)).isLessThanOrEqualTo(announcedM);
         assertThat(home.deepestInM(rocks)).isLessThanOrEqualTo(announcedM);
+        assertThat(home.farthestFromM(expected)).isLessThan(BEFORE_IT_RETURNS_M + announcedM);
     }
 
     @ParameterizedTest
