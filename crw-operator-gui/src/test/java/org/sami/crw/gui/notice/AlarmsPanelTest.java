@@ -10,8 +10,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.SessionWorld;
-import org.sami.crw.operator.Alarm;
-import org.sami.crw.operator.Alarm.Kind;
+import org.sami.crw.operator.alarm.Alarm;
+import org.sami.crw.operator.alarm.Alarm.Kind;
 import org.sami.crw.service.Geodesy;
 
 @Timeout(120)
