@@ -79,19 +79,9 @@ public final class Crw implements Runnable {
     public static CommandLine commandLine() {
         Crw crw = new Crw();
         CommandLine line = new CommandLine(crw);
-        configured(line).setParameterExceptionHandler(ErrorMessages::onWrongUsage);
+        Converters.addTo(line).setParameterExceptionHandler(ErrorMessages::onWrongUsage);
         line.setExecutionExceptionHandler(ErrorMessages::onException);
         line.setExecutionStrategy(parsed -> crw.options.execute(line, parsed));
-        return line;
-    }
-
-    /** Has a command line read values as those of every command are. */
-    static CommandLine configured(CommandLine line) {
-        line.setCaseInsensitiveEnumValuesAllowed(true);
-        line.registerConverter(int.class, WholeNumberConverter.INT);
-        line.registerConverter(Integer.class, WholeNumberConverter.INT);
-        line.registerConverter(double.class, NumberConverter.DOUBLE);
-        line.registerConverter(long.class, WholeNumberConverter.LONG);
         return line;
     }
 

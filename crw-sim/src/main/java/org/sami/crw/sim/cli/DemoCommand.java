@@ -110,7 +110,7 @@ final class DemoCommand implements Callable<Integer> {
     }
 
     /** The command line of this program, whatever started it. */
-    private static List<String> thisProgram() {
+    private List<String> thisProgram() {
         return List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-XX:TieredStopAtLevel=1",
@@ -118,7 +118,7 @@ final class DemoCommand implements Callable<Integer> {
                 "-Xshare:auto",
                 "-cp",
                 System.getProperty("java.class.path"),
-                Crw.class.getName());
+                spec.root().userObject().getClass().getName());
     }
 
     private int run(RunSettings.Fleet fleet, long limitMillis, List<BoatAddress> addresses) throws IOException {

@@ -3,6 +3,8 @@ package org.sami.crw.sim.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.regex.Pattern;
 
 /**
@@ -49,8 +51,13 @@ final class ErrorLines extends Writer {
         if (quiet && FAULT.matcher(whole).matches()) {
             target.println(whole);
         }
-        log.println(GlobalOptions.now() + " " + whole);
+        log.println(now() + " " + whole);
         flush();
+    }
+
+    /** The time as the log has it. */
+    private static String now() {
+        return Instant.now().truncatedTo(ChronoUnit.MILLIS).toString();
     }
 
     @Override

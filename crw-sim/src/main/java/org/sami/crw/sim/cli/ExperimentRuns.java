@@ -118,7 +118,7 @@ final class ExperimentRuns {
 
     private ExperimentCase read(List<String> words, Path folder) throws FaultyFile {
         Line line = new Line();
-        Crw.configured(new CommandLine(line)).parseArgs(words.toArray(String[]::new));
+        Converters.addTo(new CommandLine(line)).parseArgs(words.toArray(String[]::new));
         boolean isFile = Files.exists(folder.resolve(line.name));
         return of(
                 isFile ? folder.resolve(line.name).toString() : line.name, line.plan, line.label, line.options, folder);

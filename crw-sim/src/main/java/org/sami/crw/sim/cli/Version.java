@@ -6,7 +6,7 @@ import picocli.CommandLine.IVersionProvider;
 final class Version implements IVersionProvider {
     /** Version and commit, as the build knew them, such as {@code 0.1.0+3f2a1b4c5d6e}. */
     static String ofThisProgram() {
-        String built = Crw.class.getPackage().getImplementationVersion();
+        String built = Version.class.getPackage().getImplementationVersion();
         return built == null ? "(not packaged)" : built;
     }
 
