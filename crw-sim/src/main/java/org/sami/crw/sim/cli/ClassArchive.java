@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
+import org.sami.crw.sim.cli.output.ExitCode;
 import picocli.CommandLine;
 
 /**

@@ -2,6 +2,7 @@ package org.sami.crw.sim.cli;
 
 import java.io.PrintWriter;
 import java.util.concurrent.Callable;
+import org.sami.crw.sim.cli.output.ExitCode;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;

@@ -1,6 +1,34 @@
 package org.sami.crw.sim.cli;
 
 import java.util.Map;
+import org.sami.crw.sim.cli.option.Converters;
+import org.sami.crw.sim.cli.output.ErrorMessages;
+import org.sami.crw.sim.cli.output.LogFormatter;
+import org.sami.crw.sim.cli.output.StandardStreams;
+import org.sami.crw.sim.cli.output.UsageFault;
+import org.sami.crw.sim.cli.output.Version;
+import org.sami.crw.sim.cli.plan.CheckCommand;
+import org.sami.crw.sim.cli.plan.ComponentsCommand;
+import org.sami.crw.sim.cli.plan.DrawCommand;
+import org.sami.crw.sim.cli.plan.EventsCommand;
+import org.sami.crw.sim.cli.plan.MarkupsCommand;
+import org.sami.crw.sim.cli.plan.NewCommand;
+import org.sami.crw.sim.cli.plan.PhasesCommand;
+import org.sami.crw.sim.cli.plan.PlansCommand;
+import org.sami.crw.sim.cli.plan.SchemaCommand;
+import org.sami.crw.sim.cli.plan.TestCommand;
+import org.sami.crw.sim.cli.record.ExportCommand;
+import org.sami.crw.sim.cli.record.ImportLegacyCommand;
+import org.sami.crw.sim.cli.record.ImportLocationsCommand;
+import org.sami.crw.sim.cli.record.JournalCommand;
+import org.sami.crw.sim.cli.record.LogCommand;
+import org.sami.crw.sim.cli.run.BoatServerCommand;
+import org.sami.crw.sim.cli.run.DemoCommand;
+import org.sami.crw.sim.cli.run.ExperimentCommand;
+import org.sami.crw.sim.cli.run.ResumeCommand;
+import org.sami.crw.sim.cli.run.RunCommand;
+import org.sami.crw.sim.cli.run.SessionCommand;
+import org.sami.crw.sim.cli.run.StopCommand;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -105,7 +133,7 @@ public final class Crw implements Runnable {
         System.setProperty("java.awt.headless", "true");
         StandardStreams.speakUtf8();
         CommandLine line = commandLine();
-        LogLines.install();
+        LogFormatter.install();
         int code = execute(line, System.getenv(), args);
         System.exit(ErrorMessages.checkOutput(line, System.out, code));
     }

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.sami.crw.sim.cli.output.ExitCode;
 
 /** What is said of {@code --connect} before any boat has answered. */
 class ConnectUsageTest {

@@ -14,6 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.sami.crw.sim.cli.option.PlanSource;
+import org.sami.crw.sim.cli.run.ExperimentRuns;
 import org.sami.crw.sim.experiment.ExperimentCase;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;

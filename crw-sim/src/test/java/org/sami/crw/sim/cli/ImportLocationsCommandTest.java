@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.sim.cli.option.PlanSource;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.VariableSpec;

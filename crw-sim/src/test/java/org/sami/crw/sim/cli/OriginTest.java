@@ -11,6 +11,8 @@ import java.time.ZoneId;
 import java.time.temporal.ChronoUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.sim.cli.output.ExitCode;
+import org.sami.crw.sim.cli.output.Version;
 
 /** Where, when and by what a report came about. */
 class OriginTest {

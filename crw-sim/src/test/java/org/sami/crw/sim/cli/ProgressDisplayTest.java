@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import org.junit.jupiter.api.Test;
+import org.sami.crw.sim.cli.output.ProgressDisplay;
 import org.sami.crw.sim.run.RunProgress;
 
 class ProgressDisplayTest {

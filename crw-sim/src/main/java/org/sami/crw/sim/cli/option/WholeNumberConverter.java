@@ -1,0 +1,25 @@
+package org.sami.crw.sim.cli.option;
+
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+
+/** Reads whole numbers, and says in words what is none. */
+final class WholeNumberConverter {
+    private WholeNumberConverter() {}
+
+    static final ITypeConverter<Integer> INT = text -> (int) read(text, Integer.MIN_VALUE, Integer.MAX_VALUE);
+
+    static final ITypeConverter<Long> LONG = text -> read(text, Long.MIN_VALUE, Long.MAX_VALUE);
+
+    private static long read(String text, long least, long most) {
+        try {
+            long number = Long.parseLong(text);
+            if (number >= least && number <= most) {
+                return number;
+            }
+        } catch (NumberFormatException e) {
+            // said below
+        }
+        throw new TypeConversionException("expected is a whole number, not '" + text + "'");
+    }
+}
