@@ -56,6 +56,7 @@ final class WindowStart {
         Session session = goesOn ? opener.resume(unfinished.get()) : opener.openNew();
         OperatorWindow window = EventThread.get(() -> {
             OperatorWindow made = new OperatorWindow(session, options.project(), data, settings, ended);
+            opener.named().ifPresent(made::showConditions);
             made.open();
             return made;
         });

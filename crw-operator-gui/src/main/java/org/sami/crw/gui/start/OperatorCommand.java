@@ -55,8 +55,9 @@ public final class OperatorCommand implements Callable<Integer> {
             names = "--conditions",
             paramLabel = "NAME",
             description =
-                    "How boats fare that do not say it: calm, field or rough; ways keep as far off what is not to be "
-                            + "entered (default: field; of a session that is gone on with, what it had).")
+                    "How simulated boats fare, and boats that do not say it: calm, field or rough; ways keep as far off "
+                            + "what is not to be entered (default: calm for simulated boats, else field; of a session "
+                            + "that is gone on with, what it had).")
     private NamedConditions conditions;
 
     @Option(

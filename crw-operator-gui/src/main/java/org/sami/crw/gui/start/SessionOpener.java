@@ -15,6 +15,7 @@ import org.sami.crw.session.SessionJournal;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
+import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.journal.JournalHeader;
@@ -39,6 +40,7 @@ public final class SessionOpener {
     private final List<BoatAddress> boats;
     private final Optional<Path> projectFile;
     private final Optional<NamedConditions> conditions;
+    private Optional<NamedConditions> named = Optional.empty();
 
     /** An opener that states nothing about boats. */
     public SessionOpener(DataDirectory data, List<BoatAddress> boats, Optional<Path> projectFile) {
@@ -50,7 +52,8 @@ public final class SessionOpener {
      *
      * @param boats servers to connect to; none = the built-in fleet
      * @param projectFile of the plans; empty = Katara Beach
-     * @param conditions how boats fare that do not say it; empty = as in the field, or as the session that is gone on with had it
+     * @param conditions how simulated boats fare, and boats that do not say it; empty = calm and field, or as the session that is gone on with
+     *     had it
      */
     public SessionOpener(
             DataDirectory data,
@@ -73,6 +76,7 @@ public final class SessionOpener {
         Project project = project(library);
         NamedConditions stated = conditions.orElse(NamedConditions.field);
         Map<String, String> settings = new HashMap<>(stated.settings());
+        conditions.ifPresent(named -> settings.putAll(named.waterSettings()));
         settings.put("kind", "session");
         settings.put(FLEET, boats.isEmpty() ? BUILT_IN : "real");
         JournalHeader header = JournalHeader.of(
@@ -81,7 +85,7 @@ public final class SessionOpener {
                 settings);
         SessionSetup setup =
                 SessionSetup.of(library.vocabulary(), project).with(SessionJournal.create(data.newJournal(), header));
-        return opened(setup.with(stated.services()), boats.isEmpty());
+        return opened(setup.with(stated.services()), boats.isEmpty(), conditions);
     }
 
     private Project project(DomainLibrary library) throws IOException {
@@ -123,15 +127,25 @@ public final class SessionOpener {
                     journal.header().map(JournalHeader::settings).orElse(Map.of());
             boolean builtIn = BUILT_IN.equals(settings.get(FLEET));
             NamedConditions stated = conditions.orElse(NamedConditions.of(settings));
-            return opened(SessionSetup.resumed(journal).with(stated.services()), builtIn && boats.isEmpty());
+            return opened(
+                    SessionSetup.resumed(journal).with(stated.services()),
+                    builtIn && boats.isEmpty(),
+                    conditions.or(() -> NamedConditions.ofWater(settings)));
         } catch (IOException | RuntimeException fault) {
             journal.close();
             throw fault;
         }
     }
 
-    private Session opened(SessionSetup setup, boolean builtIn) throws IOException {
-        SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(1);
+    /** The conditions of simulated boats, and of those that do not say it, where somebody has named them; for the session that was opened. */
+    public Optional<NamedConditions> named() {
+        return named;
+    }
+
+    private Session opened(SessionSetup setup, boolean builtIn, Optional<NamedConditions> water) throws IOException {
+        named = water;
+        SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(
+                1, water.map(NamedConditions::conditions).orElse(Conditions.CALM));
         SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess()
                 .withFront(EventThread.executor())
                 .withSimulatedBoats(simulated);

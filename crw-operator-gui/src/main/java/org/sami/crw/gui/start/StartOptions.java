@@ -17,7 +17,7 @@ import org.sami.ui.look.Theme;
  * @param resume whether an unfinished session is gone on with; empty = the operator is asked
  * @param replay a journal that is to be shown, instead of a session
  * @param atMillis the moment of the replay at which it begins
- * @param conditions how boats fare that do not say it; empty = as in the field, or as the session that is gone on with had it
+ * @param conditions how simulated boats fare, and boats that do not say it; empty = calm and field, or as the session that is gone on with had it
  */
 public record StartOptions(
         List<BoatAddress> boats,

@@ -17,6 +17,7 @@ import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.status.FleetStopCommands;
 import org.sami.crw.gui.status.StatusStrip;
 import org.sami.crw.session.Session;
+import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.ui.command.CommandKeys;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockArea;
@@ -27,12 +28,13 @@ import org.sami.ui.window.WindowSettings;
 
 /** The operator's window over a session. On the event thread. */
 public final class OperatorWindow {
+    private static final String TITLE = "SAMI operator";
     private static final int REFRESH_MS = 250;
 
     private final Session session;
     private final DataDirectory data;
     private final IntConsumer ended;
-    private final JFrame frame = new JFrame("SAMI operator");
+    private final JFrame frame = new JFrame(TITLE);
     private final DockArea dock;
     private final OperatorPanels panels;
     private final CommandKeys keys;
@@ -91,6 +93,11 @@ public final class OperatorWindow {
         dock.arrange();
         panels.focusFirst();
         refresh.start();
+    }
+
+    /** Says in the title what conditions were named for the session. */
+    public void showConditions(NamedConditions named) {
+        frame.setTitle(TITLE + " – conditions: " + named);
     }
 
     /** The frame, for those who drive it. */

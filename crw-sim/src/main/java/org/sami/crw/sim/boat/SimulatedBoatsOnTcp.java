@@ -9,6 +9,7 @@ import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.SimulatedBoats;
+import org.sami.crw.sim.hull.Conditions;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -17,17 +18,25 @@ import org.sami.spn.value.GeoPoint;
  */
 public final class SimulatedBoatsOnTcp implements SimulatedBoats {
     private final long seed;
+    private final Conditions conditions;
     private final SteadyClock clock = SteadyClock.ofThisMachine();
     private final List<BoatOnTcp> boats = new ArrayList<>();
     private boolean closed;
+
+    /** Nobody is launched yet, on still water. */
+    public SimulatedBoatsOnTcp(long seed) {
+        this(seed, Conditions.CALM);
+    }
 
     /**
      * Nobody is launched yet.
      *
      * @param seed everything random about the boats follows from it
+     * @param conditions of water and instruments
      */
-    public SimulatedBoatsOnTcp(long seed) {
+    public SimulatedBoatsOnTcp(long seed, Conditions conditions) {
         this.seed = seed;
+        this.conditions = conditions;
     }
 
     @Override
@@ -36,8 +45,9 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
             throw new IOException("no boats are launched any more");
         }
         InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
-        BoatOnTcp launched =
-                new BoatOnTcp(BoatSettings.of(boat, anyPort, at, seed + boats.size()), clock, TcpServerListener.NONE);
+        BoatSettings settings =
+                BoatSettings.of(boat, anyPort, at, seed + boats.size()).on(conditions);
+        BoatOnTcp launched = new BoatOnTcp(settings, clock, TcpServerListener.NONE);
         boats.add(launched);
         return new BoatAddress(
                 launched.address().getAddress().getHostAddress(),

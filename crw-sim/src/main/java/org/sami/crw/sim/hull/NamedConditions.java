@@ -1,5 +1,6 @@
 package org.sami.crw.sim.hull;
 
+import java.util.Arrays;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.crw.handler.planning.CrwServices;
@@ -14,6 +15,7 @@ public enum NamedConditions {
     rough(Conditions.ROUGH);
 
     private static final String SETTING = "conditions";
+    private static final String WATER = "water";
 
     private final Conditions conditions;
 
@@ -38,12 +40,20 @@ public enum NamedConditions {
 
     /** Those that the header of a session's journal names; field where it names none. */
     public static NamedConditions of(Map<String, String> settings) {
-        String name = Optional.ofNullable(settings.get(SETTING)).orElse(field.name());
-        for (NamedConditions one : values()) {
-            if (one.name().equals(name)) {
-                return one;
-            }
-        }
-        return field;
+        return named(settings.get(SETTING)).orElse(field);
+    }
+
+    /** What the header of a session's journal holds where these are those of its simulated boats. */
+    public Map<String, String> waterSettings() {
+        return Map.of(WATER, name());
+    }
+
+    /** Those of simulated boats that the header of a session's journal names; empty where it names none: still water. */
+    public static Optional<NamedConditions> ofWater(Map<String, String> settings) {
+        return named(settings.get(WATER));
+    }
+
+    private static Optional<NamedConditions> named(String name) {
+        return Arrays.stream(values()).filter(one -> one.name().equals(name)).findFirst();
     }
 }

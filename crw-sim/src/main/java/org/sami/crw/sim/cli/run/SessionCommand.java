@@ -11,6 +11,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.sami.crw.proxy.tcp.BoatAddress;
@@ -29,6 +30,7 @@ import org.sami.crw.sim.console.Console;
 import org.sami.crw.sim.console.LineSource;
 import org.sami.crw.sim.console.PlainLines;
 import org.sami.crw.sim.console.TerminalLines;
+import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.DomainLibrary;
@@ -95,8 +97,8 @@ public final class SessionCommand implements Callable<Integer> {
             names = "--conditions",
             paramLabel = "NAME",
             description =
-                    "How boats fare that do not say it: calm, field or rough; ways keep as far off what is not to be "
-                            + "entered (default: field; of a session that is gone on with, what it had).")
+                    "How simulated boats fare, and boats that do not say it: calm, field or rough; ways keep as far off "
+                            + "what is not to be entered (default: calm for simulated boats, else field; of a session that is gone on with, what it had).")
     private NamedConditions conditions;
 
     @Option(
@@ -124,9 +126,14 @@ public final class SessionCommand implements Callable<Integer> {
         }
         if (goesOn) {
             SessionJournal opened = opened();
-            NamedConditions had = NamedConditions.of(
-                    opened.header().map(JournalHeader::settings).orElse(Map.of()));
-            return run(SessionSetup.resumed(opened), conditions == null ? had : conditions, addresses, true);
+            Map<String, String> settings =
+                    opened.header().map(JournalHeader::settings).orElse(Map.of());
+            return run(
+                    SessionSetup.resumed(opened),
+                    conditions == null ? NamedConditions.of(settings) : conditions,
+                    Optional.ofNullable(conditions).or(() -> NamedConditions.ofWater(settings)),
+                    addresses,
+                    true);
         }
         DomainLibrary library = PlanSource.library();
         Project project = library.combined();
@@ -144,6 +151,7 @@ public final class SessionCommand implements Callable<Integer> {
         SessionSetup setup = SessionSetup.of(library.vocabulary(), project);
         if (journal != null) {
             Map<String, String> settings = new HashMap<>(stated.settings());
+            Optional.ofNullable(conditions).ifPresent(water -> settings.putAll(water.waterSettings()));
             settings.put("kind", "session");
             JournalHeader header = JournalHeader.of(
                     new ProjectWriter(library.vocabulary()).text(project),
@@ -151,7 +159,7 @@ public final class SessionCommand implements Callable<Integer> {
                     settings);
             setup = setup.with(SessionJournal.create(journal, header));
         }
-        return run(setup, stated, addresses, false);
+        return run(setup, stated, Optional.ofNullable(conditions), addresses, false);
     }
 
     private SessionJournal opened() throws IOException {
@@ -166,9 +174,16 @@ public final class SessionCommand implements Callable<Integer> {
         return opened;
     }
 
-    private int run(SessionSetup setup, NamedConditions stated, List<BoatAddress> addresses, boolean goesOn)
+    private int run(
+            SessionSetup setup,
+            NamedConditions stated,
+            Optional<NamedConditions> water,
+            List<BoatAddress> addresses,
+            boolean goesOn)
             throws IOException {
-        SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess().withSimulatedBoats(new SimulatedBoatsOnTcp(1));
+        Conditions ofSimulated = water.map(NamedConditions::conditions).orElse(Conditions.CALM);
+        SessionRuntime runtime =
+                SessionRuntime.RealTime.ofThisProcess().withSimulatedBoats(new SimulatedBoatsOnTcp(1, ofSimulated));
         try (Session session = Session.open(setup.with(stated.services()).with(runtime));
                 Console console = new Console(session);
                 LineSource lines = lines(console)) {

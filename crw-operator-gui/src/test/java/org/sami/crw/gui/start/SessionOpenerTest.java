@@ -1,0 +1,57 @@
+package org.sami.crw.gui.start;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.server.testing.Await;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.service.water.CrossTrackError;
+import org.sami.crw.session.Session;
+import org.sami.crw.sim.hull.NamedConditions;
+
+@Timeout(120)
+class SessionOpenerTest {
+    private static final double WITHIN_S = 30;
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void theBuiltInFleetFaresInTheConditionsThatAreNamedAlsoWhenItsSessionIsGoneOnWith() throws Exception {
+        try (DataDirectory data = DataDirectory.open(folder)) {
+            SessionOpener rough =
+                    new SessionOpener(data, List.of(), Optional.empty(), Optional.of(NamedConditions.rough));
+            try (Session session = rough.openNew()) {
+                assertThat(errorOf("anna", session))
+                        .isEqualTo(NamedConditions.rough.conditions().crossTrackError());
+            }
+            SessionOpener again = new SessionOpener(data, List.of(), Optional.empty());
+            try (Session session = again.resume(data.unfinished().orElseThrow())) {
+                assertThat(errorOf("anna", session))
+                        .isEqualTo(NamedConditions.rough.conditions().crossTrackError());
+                assertThat(again.named()).contains(NamedConditions.rough);
+            }
+        }
+    }
+
+    /** What a boat says of itself. */
+    private static CrossTrackError errorOf(String boat, Session session) throws Exception {
+        session.begin();
+        Await.until(boat + " says it", WITHIN_S, () -> ask(boat, session).isPresent());
+        return ask(boat, session).orElseThrow();
+    }
+
+    private static Optional<CrossTrackError> ask(String boat, Session session) {
+        return session.fleet()
+                .ask(boats -> boats.find(boat).flatMap(BoatProxy::error))
+                .toCompletableFuture()
+                .orTimeout(30, TimeUnit.SECONDS)
+                .join();
+    }
+}
