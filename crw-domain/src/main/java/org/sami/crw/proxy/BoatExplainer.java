@@ -23,6 +23,8 @@ final class BoatExplainer {
         Optional<Obstacle> obstacle = proxy.obstacle();
         if (obstacle.filter(one -> one.cause() == Cause.LINK_LOST).isPresent()) {
             return outOfReach(obstacle.get());
+        } else if (obstacle.filter(one -> one.cause() == Cause.TAKEN_OVER).isPresent()) {
+            return new BoatExplanation(false, Cause.TAKEN_OVER, proxy.boatId() + " is driven by hand" + counted());
         } else if (obstacle.isPresent()) {
             return still(obstacle.get().cause(), obstacle.get().text() + counted());
         } else if (isBatteryEmpty()) {

@@ -103,6 +103,7 @@ class ExplainTest {
         boat.proxy.confirmRestart();
         boat.proxy.teleoperate(1, 0);
         assertWhy(Cause.TAKEN_OVER, "driven by hand");
+        assertThat(boat.proxy.explain().text()).doesNotContain("does not move");
         boat.proxy.release();
         boat.says(new Telemetry(45, 10, 0, 0, 90, BoatMode.FLEET_STOP, 1));
         assertWhy(Cause.FLEET_STOPPED, "the fleet stop is latched");

@@ -103,10 +103,11 @@ final class GuidedMode {
                 .toList();
         String waits = missions.isEmpty()
                 ? "no mission wants anything of them now"
-                : "what mission "
+                : "what "
                         + String.join(
-                                ", ", missions.stream().map(String::valueOf).toList())
-                        + " wants of them waits meanwhile";
+                                "; ",
+                                missions.stream().map(context.titles()::words).toList())
+                        + (missions.size() == 1 ? " wants" : " want") + " of them waits meanwhile";
         return String.join(", ", boats) + ": " + waits;
     }
 }

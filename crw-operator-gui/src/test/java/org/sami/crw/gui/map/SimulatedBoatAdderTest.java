@@ -11,12 +11,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.map.MapView;
 
 @Timeout(120)
 class SimulatedBoatAdderTest {
+    private static final double APART_M = 8;
     private static final double ABOUT_A_METRE_DEG = 1e-5;
 
     @Test
@@ -44,6 +46,10 @@ class SimulatedBoatAdderTest {
                     .isCloseTo(middle.latDeg(), within(ABOUT_A_METRE_DEG));
             assertThat(position(world, "sim-2").orElseThrow().lonDeg())
                     .isCloseTo(middle.lonDeg(), within(ABOUT_A_METRE_DEG));
+            assertThat(Geodesy.distanceM(
+                            position(world, "sim-2").orElseThrow(),
+                            position(world, "sim-3").orElseThrow()))
+                    .isGreaterThan(APART_M);
             onEventThread(() -> {
                 panel.close();
                 return null;
