@@ -49,13 +49,13 @@ final class SpeedBenchmark {
     /** The medians for each number of boats; the last figures are of as many runs side by side as there are cores, taken together. */
     List<Figure> run(int... fleets) throws Exception {
         for (int i = 0; i < WARM_UPS; i++) {
-            measured(WARM_UP_BOATS);
+            measured(WARM_UP_BOATS, true);
         }
         List<Figure> figures = new ArrayList<>();
         for (int boats : fleets) {
             List<Sample> samples = new ArrayList<>();
             for (int i = 0; i < rounds; i++) {
-                samples.add(measured(boats));
+                samples.add(measured(boats, true));
             }
             figures.addAll(figures(Map.of("boats", boats), samples));
         }
@@ -73,7 +73,7 @@ final class SpeedBenchmark {
      *
      * @param simulatedS of all its runs
      * @param wallS until the last of them had ended
-     * @param cpuS processor time of the threads of the runs, without those of the compiler and of the garbage collector
+     * @param cpuS processor time of the threads of the runs, without those that help them, of the compiler and of the garbage collector
      */
     private record Sample(double simulatedS, double wallS, double cpuS) {
         double perWallS() {
@@ -109,7 +109,7 @@ final class SpeedBenchmark {
             double simulatedS = 0;
             double cpuS = 0;
             for (Future<Sample> run :
-                    threads.invokeAll(Collections.<Callable<Sample>>nCopies(runs, () -> measured(boats)))) {
+                    threads.invokeAll(Collections.<Callable<Sample>>nCopies(runs, () -> measured(boats, false)))) {
                 simulatedS += run.get().simulatedS();
                 cpuS += run.get().cpuS();
             }
@@ -119,12 +119,16 @@ final class SpeedBenchmark {
         }
     }
 
-    /** One run on this thread. */
-    private static Sample measured(int boats) {
+    /**
+     * One run on this thread.
+     *
+     * @param alone whether it has all cores for itself
+     */
+    private static Sample measured(int boats, boolean alone) {
         ThreadMXBean threads = ManagementFactory.getThreadMXBean();
         long begin = System.nanoTime();
         long cpu = threads.getCurrentThreadCpuTime();
-        double simulatedS = simulatedSeconds(boats);
+        double simulatedS = simulatedSeconds(boats, alone);
         return new Sample(
                 simulatedS, seconds(System.nanoTime() - begin), seconds(threads.getCurrentThreadCpuTime() - cpu));
     }
@@ -133,7 +137,7 @@ final class SpeedBenchmark {
         return nanos / 1e9;
     }
 
-    private static double simulatedSeconds(int boats) {
+    private static double simulatedSeconds(int boats, boolean alone) {
         DomainLibrary library =
                 DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
         Project project = library.projectOf(PLAN).orElseThrow();
@@ -148,8 +152,11 @@ final class SpeedBenchmark {
                 LANES,
                 5_000,
                 "");
-        RunReport report = new InProcessRun(plan, settings, AnswersFile.EMPTY, RunJournal.none())
-                .run(Pacer.UNPACED, RunObserver.NONE);
+        InProcessRun run = new InProcessRun(plan, settings, AnswersFile.EMPTY, RunJournal.none());
+        if (alone) {
+            run.useAllCores();
+        }
+        RunReport report = run.run(Pacer.UNPACED, RunObserver.NONE);
         return report.result().simulatedMillis() / 1000.0;
     }
 }

@@ -9,7 +9,6 @@ import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
-import org.sami.boat.server.ServerSession;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatProxy;
@@ -34,6 +33,7 @@ public final class SimulatedBoat {
     private final BoatProxy proxy;
     private final InMemoryPipe toBoat;
     private final InMemoryPipe toBase;
+    private final LinkEnd linkEnd;
     private final long trackEveryMs;
     private final Deque<TruePosition> track = new ArrayDeque<>();
     private final Deque<ExecutedCommand> executed = new ArrayDeque<>();
@@ -58,8 +58,9 @@ public final class SimulatedBoat {
         toBoat = new InMemoryPipe(clock, config.pipe(), seeds.toBoat());
         toBase = new InMemoryPipe(clock, config.pipe(), seeds.toBase());
         proxy = new BoatProxy(id, toBoat, listener, config.proxy());
-        ServerSession session = server.connect(toBase);
-        toBoat.connect(session::receive);
+        linkEnd = new LinkEnd(toBase);
+        linkEnd.connect(server.connect(linkEnd));
+        toBoat.connect(linkEnd::receive);
         toBase.connect(proxy::receive);
     }
 
@@ -137,14 +138,21 @@ public final class SimulatedBoat {
         return List.copyOf(executed);
     }
 
-    void tick(long nowMs, double seconds) {
+    /** Lets time pass on board. It touches nothing of other boats or of the base, so that all boats may do so side by side. */
+    void tickOnBoard(long nowMs, double seconds) {
         if (nowMs % trackEveryMs == 0) {
             keep(track, new TruePosition(nowMs, hull.latDeg(), hull.lonDeg(), hull.eastM(), hull.northM()));
         }
+        linkEnd.beginTick();
         server.tick(nowMs);
         hull.setUnderWay(server.mode().isUnderWay());
         hull.step(seconds);
         instruments.step(seconds);
+    }
+
+    /** Then the base's turn: what the boat said leaves, and time passes for the proxy. On the clock's thread, boat by boat in order. */
+    void tickAtBase(long nowMs) {
+        linkEnd.endTick();
         proxy.tick(nowMs);
     }
 }

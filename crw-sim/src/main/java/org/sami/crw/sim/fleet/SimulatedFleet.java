@@ -49,6 +49,7 @@ public final class SimulatedFleet {
     private final List<SimulatedBoat> boats = new ArrayList<>();
     private final ProxyRegistry proxies = new ProxyRegistry();
     private final TrafficRelay traffic = new TrafficRelay();
+    private TickHelpers helpers = new TickHelpers(0);
     private Optional<Object> run = Optional.empty(); // the present start; a tick of an earlier one does nothing
 
     /**
@@ -119,6 +120,26 @@ public final class SimulatedFleet {
         return "boat" + (index + 1);
     }
 
+    /**
+     * Has more threads than the clock's tick the boats, until they are told to end; equal runs with any number of them.
+     *
+     * @param count of threads beside the clock's
+     */
+    public void startHelpers(int count) {
+        use(new TickHelpers(count));
+    }
+
+    /** From now on these tick the boats. */
+    void use(TickHelpers others) {
+        helpers.close();
+        helpers = others;
+    }
+
+    /** Ends these threads. Boats are ticked on the clock's thread alone from then on. */
+    public void endHelpers() {
+        startHelpers(0);
+    }
+
     /** Begins to tick the boats, at the present virtual time and every 100 ms from then on. */
     public void start() {
         if (run.isEmpty()) {
@@ -157,10 +178,13 @@ public final class SimulatedFleet {
         if (run.isEmpty() || run.get() != started) {
             return;
         }
-        for (SimulatedBoat boat : List.copyOf(boats)) { // one may join while they are ticked
-            boat.tick(clock.nowMs(), TICK_MS / 1000.0);
+        List<SimulatedBoat> ticked = List.copyOf(boats); // one may join while they are ticked
+        long nowMs = clock.nowMs();
+        helpers.forEach(ticked.size(), i -> ticked.get(i).tickOnBoard(nowMs, TICK_MS / 1000.0));
+        for (SimulatedBoat boat : ticked) {
+            boat.tickAtBase(nowMs);
         }
-        traffic.tick(proxies.all(), clock.nowMs());
+        traffic.tick(proxies.all(), nowMs);
         clock.after(TICK_MS, () -> tick(started));
     }
 }

@@ -27,8 +27,8 @@ import org.sami.spn.host.HostListener;
 import org.sami.spn.value.Value;
 
 /**
- * One mission on simulated boats, all in one thread: engine, handlers, links, boats and operator. A function of its plan
- * and its settings; of the speed depends only how long it takes. Used once, by one thread.
+ * One mission on simulated boats, all in one thread: engine, handlers, links, boats and operator; boats of large fleets are ticked by helpers as well
+ * (docs/decisions, 0315). A function of its plan and its settings; of the speed and of helpers depends only how long it takes. Used once, by one thread.
  */
 public final class InProcessRun {
     private static final String LINK = "in-process";
@@ -38,6 +38,8 @@ public final class InProcessRun {
     private static final long STALL_MILLIS = 1000;
     private static final long MARK_ENTRIES = 10;
     private static final long JOIN_MILLIS = 30_000;
+    private static final int BOATS_FOR_HELPERS = 50; // fewer are ticked sooner than a helper has heard of it
+    private static final int MOST_HELPERS = 3;
 
     private final RunSettings settings;
     private final RunJournal journal;
@@ -51,6 +53,7 @@ public final class InProcessRun {
     private boolean catchingUp = true;
     private long markedIndex;
     private boolean endsWhenStuck = true;
+    private int helpers;
 
     /**
      * Puts the world together; nothing happens in it yet.
@@ -123,6 +126,7 @@ public final class InProcessRun {
         RunOutcome outcome;
         double wallSeconds;
         RunNews told = new RunNews(session.models(), clock::nowMs, whenNew);
+        water.fleet().startHelpers(helpers);
         try {
             begin(observer);
             outcome = loop(pacer, observer);
@@ -130,6 +134,7 @@ public final class InProcessRun {
             executor.drain(); // what the models are still to show
         } finally {
             told.close();
+            water.fleet().endHelpers();
         }
         ReportBuilder.End end = new ReportBuilder.End(outcome, lifecycle.fault().orElse(""), now(), wallSeconds);
         return records.report(end, water.boats(), this::link, journal.resumedFrom());
@@ -165,6 +170,20 @@ public final class InProcessRun {
     /** Lets it run to its time also when nothing can happen in the mission any longer. To be called before it runs. */
     public void goOnWhenStuck() {
         endsWhenStuck = false;
+    }
+
+    /**
+     * Has the boats of large fleets ticked on all cores of the machine: for who makes one run at a time. It changes only how long a run takes. To be called
+     * before it runs.
+     */
+    public void useAllCores() {
+        boolean isWorthIt = settings.speed().isMax() && settings.fleet().boats() >= BOATS_FOR_HELPERS;
+        useHelpers(isWorthIt ? Math.min(MOST_HELPERS, Runtime.getRuntime().availableProcessors() - 1) : 0);
+    }
+
+    /** Has so many threads help to tick the boats. To be called before it runs. */
+    void useHelpers(int count) {
+        helpers = count;
     }
 
     /** Somebody else watches the engine. To be called before it runs. */

@@ -6,10 +6,16 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
+import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.BoatMode;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatStatus;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.LinkState;
+import org.sami.crw.sim.clock.VirtualClock;
+import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
@@ -159,6 +165,51 @@ class FleetDrivesTest {
                     .isNotEqualTo(other.fleet.boats().get(i).batteryPercent());
         }
         assertThat(first.recorders.get("boat2").lines).isEqualTo(second.recorders.get("boat2").lines);
+    }
+
+    /** So that it cannot matter which thread ticks which boat, and when. */
+    @Test
+    void ordersInWhichBoatsAreTickedGiveTheSameTracksAndNewsInTheSameOrder() {
+        TickHelpers backwards = new TickHelpers(0) {
+            @Override
+            void forEach(int size, IntConsumer action) {
+                IntStream.rangeClosed(1, size).forEach(i -> action.accept(size - i));
+            }
+        };
+        List<String> news = new ArrayList<>();
+        List<String> newsBackwards = new ArrayList<>();
+        List<String> newsHelped = new ArrayList<>();
+
+        List<List<TruePosition>> tracks = tracksInFieldWater(new TickHelpers(0), news);
+
+        assertThat(tracksInFieldWater(backwards, newsBackwards)).isEqualTo(tracks);
+        assertThat(tracksInFieldWater(new TickHelpers(3), newsHelped)).isEqualTo(tracks);
+        assertThat(newsBackwards).isEqualTo(news).hasSizeGreaterThan(1000);
+        assertThat(newsHelped).isEqualTo(news);
+    }
+
+    /** Of boats that cross each other's ways. */
+    private static List<List<TruePosition>> tracksInFieldWater(TickHelpers helpers, List<String> news) {
+        VirtualClock clock = new VirtualClock();
+        BoatListener listener = new BoatListener() {
+            @Override
+            public void onStatus(BoatStatus status) {
+                news.add(clock.nowMs() + " " + status);
+            }
+        };
+        FleetConfig config = FleetConfig.DEFAULT.withConditions(NamedConditions.field.conditions());
+        SimulatedFleet fleet = new SimulatedFleet(clock, 5, 20, 45.4, 10.9, id -> listener, config);
+        fleet.use(helpers);
+        fleet.start();
+        for (SimulatedBoat boat : fleet.boats()) {
+            int i = fleet.boats().indexOf(boat);
+            GeoPoint there = GeoPoint.of(
+                    fleet.frame().latDeg(95 - 5 * i, 60), fleet.frame().lonDeg(95 - 5 * i, 60));
+            boat.proxy().submit(FollowPath.of("m1-" + boat.id(), 1, 1, List.of(there), Priority.MEDIUM));
+        }
+        clock.runUntil(90_000);
+        fleet.endHelpers();
+        return fleet.boats().stream().map(SimulatedBoat::track).toList();
     }
 
     private static SimulatedTestWorld driveAround(long seed) {

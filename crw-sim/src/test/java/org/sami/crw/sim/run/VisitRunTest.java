@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -12,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.crw.decision.AnswersFile;
+import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
@@ -59,6 +62,28 @@ class VisitRunTest {
         assertThat(paced.result().runHash()).isEqualTo(fast.result().runHash());
         assertThat(paced.result().simulatedMillis()).isEqualTo(fast.result().simulatedMillis());
         assertThat(pacer.turns).hasSizeGreaterThan(1000).isSorted();
+    }
+
+    @Test
+    void boatsTickedOnSeveralThreadsMakeTheSameRun() {
+        RunPlan plan = TestRuns.plan("explore-area");
+        RunSettings settings = new RunSettings(
+                plan.plan().id(),
+                plan.plan().id(),
+                new RunSettings.Fleet(24, 1, 120, 3).on(NamedConditions.field.conditions()),
+                Speed.MAX,
+                OptionalLong.of(150_000),
+                Map.of("@spacing", "6"),
+                5_000,
+                "");
+        InProcessRun helped = new InProcessRun(plan, settings, AnswersFile.EMPTY, RunJournal.none());
+        helped.useHelpers(3);
+
+        RunReport alone = TestRuns.run(plan, settings);
+        RunReport together = helped.run(Pacer.UNPACED, RunObserver.NONE);
+
+        assertThat(together.result().runHash()).isEqualTo(alone.result().runHash());
+        assertThat(together.boats()).isEqualTo(alone.boats());
     }
 
     @Test

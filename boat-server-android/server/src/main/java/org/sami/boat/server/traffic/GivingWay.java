@@ -37,6 +37,7 @@ public final class GivingWay {
     private static final double ON_LINE_AHEAD_S = 1; // so long ahead it is to stay on its line
     private static final double TURNING_RAD_S =
             0.8; // what hulls do, or a little less: so they are safe by what they can
+    private static final double MOST_RAD = TURNING_RAD_S * Stopping.REACTION_S; // within a moment
     static final double GAINING_MPS2 = 0.6; // likewise
     private static final double ASIDE_MPS = 0.8; // so fast at least a boat goes aside
     private static final double ASTERN_MPS = 0.5;
@@ -61,6 +62,8 @@ public final class GivingWay {
     private final Vehicle vehicle;
     private final Retreat retreat;
     private final Neighbours neighbours;
+    private final TurnLimit leastTurn = new TurnLimit(MOST_RAD / 3); // where it hardly turns yet
+    private final TurnLimit farthestTurn = new TurnLimit(1.5 * MOST_RAD); // where it goes on turning while it stops
     private double eastM; // of the boat, on the plane of the surroundings
     private double northM;
     private double speedMps;
@@ -114,6 +117,8 @@ public final class GivingWay {
         update(Math.max(wanted.speedMps(), ASIDE_MPS), hasWay, nowMs);
         if (!neighbours.isEmpty() || !border.isEmpty()) {
             heading = new Course(vehicle.headingRad());
+            leastTurn.setHeading(heading);
+            farthestTurn.setHeading(heading);
             course = new Course(wanted.courseRad());
             courseMps = wanted.speedMps();
         }
@@ -221,11 +226,8 @@ public final class GivingWay {
         double wantedMps = atMps * Math.max(0, direction.along(heading));
         double gain = GAINING_MPS2 * Stopping.REACTION_S;
         double thenMps = speedMps + clamped(wantedMps - speedMps, gain);
-        double most = TURNING_RAD_S * Stopping.REACTION_S;
-        Course least = new Course(heading.rad() + clamped(turn, most / 3)); // where it hardly turns yet
-        Course farthest = Math.abs(turn) <= most / 3
-                ? least
-                : new Course(heading.rad() + clamped(turn, 1.5 * most)); // where it goes on turning while it stops
+        Course least = leastTurn.after(turn);
+        Course farthest = leastTurn.allows(turn) ? least : farthestTurn.after(turn);
         double wayM = (speedMps + thenMps) / 2 * Stopping.REACTION_S;
         double thenEastM = eastM + wayM * least.east();
         double thenNorthM = northM + wayM * least.north();

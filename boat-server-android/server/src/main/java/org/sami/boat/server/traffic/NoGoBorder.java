@@ -12,7 +12,7 @@ import org.sami.boat.server.vehicle.PlaneMath;
  * it from there (docs/decisions, 0321).
  */
 final class NoGoBorder {
-    /** Nothing is near. */
+    /** Nothing is near. All boats share it: it takes down nothing. */
     static final NoGoBorder NONE = new NoGoBorder(0, new Segment[0]);
 
     /** How far a boat may have come since it was told of the edges, in metres: they reach that much farther than what is near. */
@@ -67,6 +67,9 @@ final class NoGoBorder {
 
     /** Whether the boat was told of it so far from here that other edges may be near. */
     boolean isPast(double atEastM, double atNorthM) {
+        if (isEmpty()) {
+            return false;
+        }
         if (Double.isNaN(knownEastM)) {
             knownEastM = atEastM;
             knownNorthM = atNorthM;
@@ -81,6 +84,9 @@ final class NoGoBorder {
      * @param withinM as far along the line as it matters how near the line is
      */
     void measure(double atEastM, double atNorthM, Segment own, LineAhead along, double withinM) {
+        if (isEmpty()) {
+            return;
+        }
         line = along;
         eastM = atEastM;
         northM = atNorthM;
@@ -108,6 +114,9 @@ final class NoGoBorder {
 
     /** Whether a boat may go where it stops on that way. */
     boolean allows(Segment way) {
+        if (isEmpty()) {
+            return true;
+        }
         Segment back = back(way.toEastM(), way.toNorthM());
         for (int i = 0; i < edges.length; i++) {
             if (way.distanceM(edges[i], keepM) < leastM[i] || back.distanceM(edges[i], keepM) < backM[i]) {

@@ -82,6 +82,9 @@ final class Retreat {
     }
 
     private Optional<OtherBoat> coming(double eastM, double northM, double wantedRad, double stoodS, long nowMs) {
+        if (fromId.isEmpty() && stoodS < STOOD_S) {
+            return Optional.empty(); // most of the time: nobody goes back so soon
+        }
         for (OtherBoat other : surroundings.others()) {
             boolean isComing = fromId.isEmpty()
                     ? isMet(other, eastM, northM, wantedRad, stoodS, nowMs)

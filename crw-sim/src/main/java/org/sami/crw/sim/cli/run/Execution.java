@@ -177,6 +177,7 @@ final class Execution {
 
     private static Mission inProcess(RunPlan plan, RunSettings settings, AnswersFile answers, RunJournal journal) {
         InProcessRun run = new InProcessRun(plan, settings, answers, journal);
+        run.useAllCores();
         return (observer, lines) -> run.run(Pacer.of(settings.speed()), observer);
     }
 

@@ -1,0 +1,162 @@
+package org.sami.crw.sim.fleet;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.IntConsumer;
+
+/**
+ * Threads that help another one to do the same for many, again and again, each time for some hundred microseconds. Both take a few at a time until none is
+ * left. The caller waits for nothing but what a helper has begun: where the machine has no core for helpers, it does all itself.
+ *
+ * <p>A helper without work looks out for it for a while before it sleeps, since waking it takes as long as the work. For one calling thread; closed helpers
+ * help no more.
+ */
+class TickHelpers implements AutoCloseable {
+    private static final int AT_A_TIME = 8;
+    private static final int LOOKS = 2000; // some ten microseconds
+    private static final long YIELD_NANOS = 20_000;
+    private static final long LOOKOUT_NANOS =
+            300_000; // longer than what comes between two ticks of a run at full speed
+
+    private final List<Helper> helpers = new ArrayList<>();
+    private volatile Work work = new Work(0, i -> {});
+    private volatile boolean closed;
+
+    /** Starts so many of them; with none, the caller does all itself. */
+    TickHelpers(int count) {
+        for (int i = 1; i <= count; i++) {
+            Helper helper = new Helper("crw-ticks-" + i);
+            helpers.add(helper);
+            helper.start();
+        }
+    }
+
+    /**
+     * Does something for each number from 0 on, in any order and on any of the threads; returns when all is done. What that throws does not keep it from the
+     * others; of several faults that of the least number is thrown on.
+     *
+     * @param size how many
+     */
+    void forEach(int size, IntConsumer action) {
+        Work next = new Work(size, action);
+        work = next;
+        for (Helper helper : helpers) {
+            helper.wake();
+        }
+        next.help();
+        next.await();
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        helpers.forEach(LockSupport::unpark);
+    }
+
+    /** What is to be done for one call. */
+    private static final class Work {
+        private final int size;
+        private final IntConsumer action;
+        private final AtomicInteger taken = new AtomicInteger();
+        private final AtomicInteger done = new AtomicInteger();
+        private int faultAt = Integer.MAX_VALUE;
+        private Throwable fault;
+
+        Work(int size, IntConsumer action) {
+            this.size = size;
+            this.action = action;
+        }
+
+        void help() {
+            for (int from = taken.getAndAdd(AT_A_TIME); from < size; from = taken.getAndAdd(AT_A_TIME)) {
+                int to = Math.min(size, from + AT_A_TIME);
+                for (int i = from; i < to; i++) {
+                    act(i);
+                }
+                done.addAndGet(to - from);
+            }
+        }
+
+        @SuppressWarnings("CatchingUnchecked") // the caller gets whatever it is
+        private void act(int i) {
+            try {
+                action.accept(i);
+            } catch (RuntimeException | Error thrown) {
+                keep(i, thrown);
+            }
+        }
+
+        private synchronized void keep(int i, Throwable thrown) {
+            if (i < faultAt) {
+                faultAt = i;
+                fault = thrown;
+            }
+        }
+
+        /** What a helper has begun takes some microseconds, but for one that has lost its core. */
+        void await() {
+            for (int looks = 0; done.get() < size; looks++) {
+                if (looks < LOOKS) {
+                    Thread.onSpinWait();
+                } else {
+                    LockSupport.parkNanos(YIELD_NANOS);
+                }
+            }
+            rethrow();
+        }
+
+        private synchronized void rethrow() {
+            if (fault instanceof Error error) {
+                throw error;
+            } else if (fault != null) {
+                throw (RuntimeException) fault;
+            }
+        }
+    }
+
+    private final class Helper extends Thread {
+        private Work last = work; // of which this helper knows; for its own thread once that has started
+        private volatile boolean sleeps;
+
+        Helper(String name) {
+            super(name);
+            setDaemon(true);
+        }
+
+        void wake() {
+            if (sleeps) {
+                LockSupport.unpark(this);
+            }
+        }
+
+        @Override
+        public void run() {
+            while (!closed) {
+                Work next = work;
+                if (next == last) {
+                    awaitOther();
+                } else {
+                    next.help();
+                    last = next;
+                }
+            }
+        }
+
+        private void awaitOther() {
+            long until = System.nanoTime() + LOOKOUT_NANOS;
+            while (work == last && !closed) {
+                if (System.nanoTime() < until) {
+                    Thread.onSpinWait();
+                } else {
+                    sleeps = true;
+                    if (work == last && !closed) {
+                        LockSupport.park(this);
+                    }
+                    sleeps = false;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,102 @@
+package org.sami.crw.sim.fleet;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicIntegerArray;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+@Timeout(60)
+class TickHelpersTest {
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 3})
+    void everyNumberIsDoneOnceHoweverManyHelp(int count) {
+        try (TickHelpers helpers = new TickHelpers(count)) {
+            for (int size : List.of(0, 1, 7, 8, 250)) {
+                AtomicIntegerArray done = new AtomicIntegerArray(size);
+                for (int round = 0; round < 200; round++) {
+                    helpers.forEach(size, done::incrementAndGet);
+                }
+                assertThat(IntStream.range(0, size).map(done::get)).allMatch(times -> times == 200);
+            }
+        }
+    }
+
+    @Test
+    void helperTakesPartAgainAfterItHasSlept() {
+        try (TickHelpers helpers = new TickHelpers(1)) {
+            Thread helper = helperIn(helpers);
+            for (int round = 0; round < 3; round++) {
+                while (helper.getState() != Thread.State.WAITING) {
+                    Thread.onSpinWait();
+                }
+
+                assertThat(helperIn(helpers)).isSameAs(helper);
+            }
+        }
+    }
+
+    @Test
+    void ofSeveralFaultsThatOfTheLeastNumberIsThrownAndTheRestIsDone() {
+        try (TickHelpers helpers = new TickHelpers(2)) {
+            AtomicIntegerArray done = new AtomicIntegerArray(100);
+
+            assertThatThrownBy(() -> helpers.forEach(100, i -> {
+                        done.incrementAndGet(i);
+                        if (i % 30 == 29) {
+                            throw new IllegalStateException("boat " + i);
+                        }
+                    }))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessage("boat 29");
+
+            assertThat(IntStream.range(0, 100).map(done::get)).allMatch(times -> times == 1);
+        }
+    }
+
+    @Test
+    void callerDoesAllItselfOnceHelpersHaveEnded() throws InterruptedException {
+        TickHelpers helpers = new TickHelpers(1);
+        Thread helper = helperIn(helpers);
+        helpers.close();
+        helper.join();
+        Set<Thread> threads = ConcurrentHashMap.newKeySet();
+
+        helpers.forEach(100, i -> threads.add(Thread.currentThread()));
+
+        assertThat(threads).containsExactly(Thread.currentThread());
+    }
+
+    /** Has both threads work, each waiting until the other does too; gives the one that is not the caller's. */
+    private static Thread helperIn(TickHelpers helpers) {
+        CountDownLatch bothAreThere = new CountDownLatch(2);
+        Set<Thread> threads = ConcurrentHashMap.newKeySet();
+        helpers.forEach(100, i -> {
+            if (threads.add(Thread.currentThread())) {
+                bothAreThere.countDown();
+                await(bothAreThere);
+            }
+        });
+        threads.remove(Thread.currentThread());
+        assertThat(threads).hasSize(1);
+        return threads.iterator().next();
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            assertThat(latch.await(30, TimeUnit.SECONDS)).isTrue();
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}
