@@ -20,7 +20,7 @@ import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.session.Session;
-import org.sami.crw.sim.run.SimulatedOperatorDriver;
+import org.sami.crw.sim.run.operator.SimulatedOperatorDriver;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;

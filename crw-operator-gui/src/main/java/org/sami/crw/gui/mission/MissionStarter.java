@@ -17,7 +17,7 @@ import javax.swing.JDialog;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.sim.run.Parameters;
+import org.sami.crw.sim.run.settings.Parameters;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.value.Value;

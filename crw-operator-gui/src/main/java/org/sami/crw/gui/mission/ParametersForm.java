@@ -12,7 +12,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import net.miginfocom.swing.MigLayout;
-import org.sami.crw.sim.run.Parameters;
+import org.sami.crw.sim.run.settings.Parameters;
 import org.sami.spn.value.Value;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;

@@ -11,7 +11,7 @@ import javax.swing.JCheckBox;
 import javax.swing.JLabel;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
-import org.sami.crw.sim.run.Parameters;
+import org.sami.crw.sim.run.settings.Parameters;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Project;

@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.decision.OfferedOption;
-import org.sami.crw.sim.run.ValueText;
+import org.sami.crw.sim.run.settings.ValueText;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.ValueJson;
 import org.sami.spn.protocol.Answer;

@@ -12,7 +12,7 @@ import org.sami.crw.operator.map.MapSnapshot;
 import org.sami.crw.operator.map.SensorChannel;
 import org.sami.crw.operator.map.SensorLayer;
 import org.sami.crw.operator.map.ShownLayer;
-import org.sami.crw.sim.run.ValueText;
+import org.sami.crw.sim.run.settings.ValueText;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.Value;

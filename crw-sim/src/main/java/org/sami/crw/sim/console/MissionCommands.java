@@ -12,7 +12,7 @@ import org.sami.crw.operator.mission.EngineText;
 import org.sami.crw.operator.mission.InterruptChoice;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.Wait;
-import org.sami.crw.sim.run.Parameters;
+import org.sami.crw.sim.run.settings.Parameters;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Ids;

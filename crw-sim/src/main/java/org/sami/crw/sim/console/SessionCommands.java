@@ -16,7 +16,7 @@ import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.session.SavedGlobals;
-import org.sami.crw.sim.run.ValueText;
+import org.sami.crw.sim.run.settings.ValueText;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.VariableSpec;

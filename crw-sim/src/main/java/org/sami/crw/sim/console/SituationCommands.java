@@ -10,7 +10,7 @@ import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.operator.boat.BoatCommunication;
 import org.sami.crw.operator.mission.AllocationSnapshot;
-import org.sami.crw.sim.run.ValueText;
+import org.sami.crw.sim.run.settings.ValueText;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.TaskId;

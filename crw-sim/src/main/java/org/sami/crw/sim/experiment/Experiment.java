@@ -18,7 +18,7 @@ import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.RunJournal;
 import org.sami.crw.sim.run.RunObserver;
-import org.sami.crw.sim.run.RunSettings;
+import org.sami.crw.sim.run.settings.RunSettings;
 
 /**
  * Cases, each run in each of several conditions with each of several seeds. Runs go side by side, each in a world of its own: what comes

@@ -2,8 +2,8 @@ package org.sami.crw.sim.experiment;
 
 import java.util.Objects;
 import org.sami.crw.decision.AnswersFile;
-import org.sami.crw.sim.run.RunPlan;
-import org.sami.crw.sim.run.RunSettings;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
 
 /**
  * A mission that an experiment runs again and again.

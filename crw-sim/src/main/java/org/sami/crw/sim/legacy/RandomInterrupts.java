@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
-import org.sami.crw.sim.run.PlanInterrupts;
+import org.sami.crw.sim.run.settings.PlanInterrupts;
 
 /**
  * Draws at which times of a trial run which interrupts are pressed: each independently of the others, at random distances, and

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
-import org.sami.crw.sim.run.RunSettings;
+import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.journal.JournalHeader;
 
 /**

@@ -1,5 +1,7 @@
 package org.sami.crw.sim.run;
 
+import org.sami.crw.sim.run.settings.Speed;
+
 /** Keeps the simulated time from running ahead of the wall clock. The only place of a run that may wait. */
 public interface Pacer {
     /** Never waits. */

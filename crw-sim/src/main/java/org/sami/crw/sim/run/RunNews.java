@@ -13,6 +13,8 @@ import org.sami.crw.operator.message.DecisionListener;
 import org.sami.crw.operator.message.MessageEntry;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.operator.mission.EngineText;
+import org.sami.crw.sim.run.operator.SimulatedOperatorDriver;
+import org.sami.crw.sim.run.record.FenceNotes;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;

@@ -3,6 +3,7 @@ package org.sami.crw.sim.run;
 import java.util.Objects;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import org.sami.crw.sim.run.record.RunProgress;
 
 /**
  * Who watches a run, on its thread.

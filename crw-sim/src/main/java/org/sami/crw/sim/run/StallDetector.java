@@ -7,6 +7,12 @@ import java.util.stream.Collectors;
 import org.sami.crw.operator.DecisionQueue;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.session.Session;
+import org.sami.crw.sim.run.operator.InterruptScheduler;
+import org.sami.crw.sim.run.operator.SimulatedOperatorDriver;
+import org.sami.crw.sim.run.record.BoatState;
+import org.sami.crw.sim.run.record.RunRecorder;
+import org.sami.crw.sim.run.record.RunRecords;
+import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 

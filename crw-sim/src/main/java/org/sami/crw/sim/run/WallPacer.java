@@ -1,6 +1,7 @@
 package org.sami.crw.sim.run;
 
 import java.util.concurrent.locks.LockSupport;
+import org.sami.crw.sim.run.settings.Speed;
 
 /** Paces against the machine's monotonic clock. Time that a slow machine lost is caught up, as far as it can. */
 final class WallPacer implements Pacer {

@@ -12,9 +12,9 @@ import org.sami.crw.session.FleetHistory;
 import org.sami.crw.session.SensorValue;
 import org.sami.crw.session.SessionNote;
 import org.sami.crw.session.SessionTelemetry;
-import org.sami.crw.sim.run.RunNotes;
-import org.sami.crw.sim.run.TrackRecorder;
-import org.sami.crw.sim.run.VisitRecorder;
+import org.sami.crw.sim.run.record.RunNotes;
+import org.sami.crw.sim.run.record.TrackRecorder;
+import org.sami.crw.sim.run.record.VisitRecorder;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.value.GeoPoint;
 

@@ -20,13 +20,13 @@ import org.sami.crw.session.SessionSetup;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.resume.ConnectedJournal;
-import org.sami.crw.sim.run.Parameters;
 import org.sami.crw.sim.run.RunNews;
-import org.sami.crw.sim.run.RunNotes;
 import org.sami.crw.sim.run.RunObserver;
-import org.sami.crw.sim.run.RunPlan;
-import org.sami.crw.sim.run.RunSettings;
-import org.sami.crw.sim.run.Site;
+import org.sami.crw.sim.run.record.RunNotes;
+import org.sami.crw.sim.run.settings.Parameters;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Site;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 

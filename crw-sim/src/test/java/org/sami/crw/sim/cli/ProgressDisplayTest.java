@@ -6,7 +6,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.sim.cli.output.ProgressDisplay;
-import org.sami.crw.sim.run.RunProgress;
+import org.sami.crw.sim.run.record.RunProgress;
 
 class ProgressDisplayTest {
     private static final long SECOND = 1_000_000_000L;

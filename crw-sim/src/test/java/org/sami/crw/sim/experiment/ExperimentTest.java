@@ -13,9 +13,9 @@ import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
-import org.sami.crw.sim.run.RunSettings;
-import org.sami.crw.sim.run.Speed;
 import org.sami.crw.sim.run.TestRuns;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Speed;
 
 /** Many runs side by side come out as they do one by one. */
 class ExperimentTest {

@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 

@@ -14,6 +14,10 @@ import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.report.TrackPoint;
+import org.sami.crw.sim.run.settings.InitialCharges;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Speed;
 
 /** Boats whose batteries turn critical are pulled out (thesis 7.1.1): {@code recharge@battery}. */
 class BatteryRunTest {

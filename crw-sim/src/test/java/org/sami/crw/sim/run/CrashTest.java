@@ -21,6 +21,8 @@ import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.resume.ResumedJournal;
 import org.sami.crw.sim.resume.RunRecord;
 import org.sami.crw.sim.resume.WrittenJournal;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.json.ProjectWriter;
 
 /** A run that dies after any entry of its journal and is taken up again is the run that never died. */

@@ -14,6 +14,8 @@ import org.sami.crw.sim.report.FiringResult;
 import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Speed;
 
 /** Boats that go through a dangerous area one after another, in one shared sub-mission (thesis, Figure 7.4), with many seeds. */
 class DangerousAreaRunTest {

@@ -18,6 +18,9 @@ import org.sami.crw.sim.report.ReportText;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.report.file.ReportJson;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Speed;
 
 /** What a report says of an area that was explored: by the plan, by reported positions, and truly. */
 class ExploredAreaRunTest {

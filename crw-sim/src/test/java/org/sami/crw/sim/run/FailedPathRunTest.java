@@ -16,6 +16,9 @@ import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.report.FiringResult;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Speed;
 
 /** Plans of the library on boats whose paths fail, because the current is faster than they are: the plans say what is done then. */
 class FailedPathRunTest {

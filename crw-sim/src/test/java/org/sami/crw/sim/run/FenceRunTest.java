@@ -10,6 +10,7 @@ import org.sami.crw.decision.AnswersFileReader;
 import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.model.Project;
 

@@ -16,6 +16,10 @@ import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.resume.ResumedJournal;
 import org.sami.crw.sim.resume.RunRecord;
 import org.sami.crw.sim.resume.WrittenJournal;
+import org.sami.crw.sim.run.settings.InitialCharges;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.json.ProjectWriter;
 
 /** A run with interrupts that dies after any entry of its journal is, taken up again, the run that never died. */

@@ -11,6 +11,9 @@ import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.ReportText;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.settings.InitialCharges;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
 
 /** Interrupts pressed in a run. */
 class InterruptRunTest {

@@ -21,6 +21,8 @@ import org.sami.crw.sim.report.InterruptResult;
 import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.ProjectWriter;

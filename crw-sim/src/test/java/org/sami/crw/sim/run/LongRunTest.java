@@ -19,6 +19,8 @@ import org.sami.crw.decision.AnswersFileReader;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.resume.RunRecord;
 import org.sami.crw.sim.resume.WrittenJournal;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.json.ProjectWriter;
 

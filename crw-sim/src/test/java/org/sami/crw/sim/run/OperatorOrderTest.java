@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.operator.message.DecisionListener;
 import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Answer;

@@ -19,6 +19,9 @@ import org.sami.crw.sim.report.FiringResult;
 import org.sami.crw.sim.report.InterruptResult;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Speed;
 
 /** Plans of the library from their start to their end, with the simulated operator, in calm water and as it was in the field. */
 class PlanLibraryRunTest {

@@ -5,6 +5,10 @@ import java.util.OptionalLong;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.settings.InitialCharges;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.model.Project;
 

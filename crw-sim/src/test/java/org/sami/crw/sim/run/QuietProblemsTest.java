@@ -9,6 +9,8 @@ import org.sami.crw.sim.report.NoteResult;
 import org.sami.crw.sim.report.ReportText;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.settings.InitialCharges;
+import org.sami.crw.sim.run.settings.RunPlan;
 
 /** A run that ends although something could not be done names it and is not green. */
 class QuietProblemsTest {

@@ -12,6 +12,10 @@ import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.hull.SensorSetting;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.record.ReadingRecorder;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.value.GeoPoint;
 
 /** Whole missions in current, wind and noise, with sensors. */

@@ -7,6 +7,7 @@ import org.sami.crw.sim.report.OperatorAction;
 import org.sami.crw.sim.report.PhaseResult;
 import org.sami.crw.sim.report.ReportText;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.settings.RunPlan;
 
 /** The phase chart and the operator's log of a run, in its report. */
 class RunLogTest {

@@ -14,6 +14,10 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.settings.InitialCharges;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Speed;
 
 /** Whoever is interrupted by what, and whenever: every location is visited, and the mission ends. */
 class SeededInterruptsTest {

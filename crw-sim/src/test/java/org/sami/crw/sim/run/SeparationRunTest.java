@@ -13,6 +13,8 @@ import org.sami.crw.sim.hull.SimulatedHull;
 import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
 
 /** Twenty boats keep 3 m from one another in calm water, in whole missions: measured ten times a second on where their hulls truly are. */
 class SeparationRunTest {

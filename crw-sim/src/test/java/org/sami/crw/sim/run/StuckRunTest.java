@@ -13,6 +13,8 @@ import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.model.Project;
 

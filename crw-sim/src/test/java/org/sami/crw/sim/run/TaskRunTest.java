@@ -17,6 +17,7 @@ import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.report.TaskResult;
 import org.sami.crw.sim.report.file.ReportFolder;
 import org.sami.crw.sim.report.file.ReportJson;
+import org.sami.crw.sim.run.settings.RunPlan;
 
 /** A plan of tasks on simulated boats, and what is reported of the tasks. */
 class TaskRunTest {

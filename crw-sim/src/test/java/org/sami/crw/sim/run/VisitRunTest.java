@@ -18,6 +18,9 @@ import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.crw.sim.report.LocationResult;
 import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Speed;
 
 /** The main job, whole: plans of the library on simulated boats. */
 class VisitRunTest {

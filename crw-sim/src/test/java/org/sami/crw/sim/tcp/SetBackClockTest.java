@@ -27,10 +27,10 @@ import org.sami.crw.sim.report.RunOutcome;
 import org.sami.crw.sim.report.RunReport;
 import org.sami.crw.sim.resume.ConnectedJournal;
 import org.sami.crw.sim.run.RunObserver;
-import org.sami.crw.sim.run.RunPlan;
-import org.sami.crw.sim.run.RunSettings;
-import org.sami.crw.sim.run.Speed;
 import org.sami.crw.sim.run.TestRuns;
+import org.sami.crw.sim.run.settings.RunPlan;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.value.GeoPoint;
 
 /** The clock under a run and its boat is set back by an hour while the mission's timer runs. */

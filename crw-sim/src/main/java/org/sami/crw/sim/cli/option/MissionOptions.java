@@ -12,10 +12,10 @@ import java.util.OptionalLong;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.cli.output.UsageFault;
 import org.sami.crw.sim.hull.Conditions;
-import org.sami.crw.sim.run.InitialCharges;
-import org.sami.crw.sim.run.RunSettings;
-import org.sami.crw.sim.run.Site;
-import org.sami.crw.sim.run.Speed;
+import org.sami.crw.sim.run.settings.InitialCharges;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Site;
+import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.value.GeoPoint;
 import picocli.CommandLine.Option;
 

@@ -6,8 +6,8 @@ import java.util.Optional;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.cli.output.UsageFault;
 import org.sami.crw.sim.hull.Conditions;
-import org.sami.crw.sim.run.RunSettings;
-import org.sami.crw.sim.run.Speed;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.crw.sim.run.settings.Speed;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 

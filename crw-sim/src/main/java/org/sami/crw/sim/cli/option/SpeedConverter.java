@@ -1,6 +1,6 @@
 package org.sami.crw.sim.cli.option;
 
-import org.sami.crw.sim.run.Speed;
+import org.sami.crw.sim.run.settings.Speed;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 

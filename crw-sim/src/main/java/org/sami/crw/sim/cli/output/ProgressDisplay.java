@@ -6,7 +6,7 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.sami.crw.sim.report.ReportWords;
-import org.sami.crw.sim.run.RunProgress;
+import org.sami.crw.sim.run.record.RunProgress;
 
 /**
  * Shows how far a run is, on standard error: one line that changes on a terminal, else a line every few seconds. For the

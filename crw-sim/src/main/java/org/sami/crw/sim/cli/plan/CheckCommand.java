@@ -13,7 +13,7 @@ import org.sami.crw.sim.cli.output.ExitCode;
 import org.sami.crw.sim.cli.output.FindingsText;
 import org.sami.crw.sim.cli.output.UsageFault;
 import org.sami.crw.sim.legacy.ImportedFindings;
-import org.sami.crw.sim.run.PlanInterrupts;
+import org.sami.crw.sim.run.settings.PlanInterrupts;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Severity;
 import org.sami.spn.json.DomainLibrary;

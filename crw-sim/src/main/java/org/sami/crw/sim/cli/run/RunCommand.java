@@ -10,7 +10,7 @@ import org.sami.crw.sim.cli.option.PlanSource;
 import org.sami.crw.sim.cli.option.RunOptions;
 import org.sami.crw.sim.cli.output.ExitCode;
 import org.sami.crw.sim.cli.output.FindingsText;
-import org.sami.crw.sim.run.RunSettings;
+import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.Reading;

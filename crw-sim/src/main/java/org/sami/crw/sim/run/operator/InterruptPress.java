@@ -1,0 +1,85 @@
+package org.sami.crw.sim.run.operator;
+
+import java.util.List;
+import java.util.OptionalLong;
+import org.sami.crw.sim.report.InterruptResult;
+import org.sami.crw.sim.run.settings.PlannedInterrupt;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+
+/** One interrupt that is pressed until somebody takes it, and how that stands. */
+final class InterruptPress {
+    /** How it stands with a press. */
+    enum State {
+        /** Its time has not come. */
+        AHEAD,
+        /** Posted; the engine has not looked at it. */
+        POSTED,
+        /** The operator is asked whom it is for. */
+        ASKED,
+        /** Nobody took it; it is pressed again when something has changed. */
+        REFUSED,
+        /** It is about to be pressed again. */
+        DUE_AGAIN,
+        /** A transition fired with it. */
+        TAKEN,
+        /** It is not wanted any longer: the boat's battery is well again. */
+        GIVEN_UP
+    }
+
+    final PlannedInterrupt plan;
+    State state = State.AHEAD;
+    long decision;
+    private List<String> boats;
+    private int presses;
+    private OptionalLong firstMillis = OptionalLong.empty();
+    private OptionalLong takenMillis = OptionalLong.empty();
+    private long lastMillis;
+
+    InterruptPress(PlannedInterrupt plan, List<String> boats) {
+        this.plan = plan;
+        this.boats = boats;
+    }
+
+    /** What is posted; for a robot that the operator is to choose, each time without one. */
+    Input.Interrupt input() {
+        return new Input.Interrupt(
+                Ids.NONE, plan.name(), plan.boat().isPresent() || plan.isForBattery() ? boats : List.of());
+    }
+
+    void pressed(long atMillis) {
+        presses++;
+        lastMillis = atMillis;
+        if (firstMillis.isEmpty()) {
+            firstMillis = OptionalLong.of(atMillis);
+        }
+    }
+
+    void taken(long atMillis) {
+        state = State.TAKEN;
+        takenMillis = OptionalLong.of(atMillis);
+    }
+
+    void chosen(List<String> proxies) {
+        boats = proxies;
+    }
+
+    long lastMillis() {
+        return lastMillis;
+    }
+
+    /** Whether it is for this boat, and not under way. */
+    boolean isWaitingFor(String boat) {
+        return boats.contains(boat) && (state == State.AHEAD || state == State.REFUSED || state == State.DUE_AGAIN);
+    }
+
+    InterruptResult result() {
+        return new InterruptResult(
+                plan.name(),
+                String.join(" ", boats),
+                plan.isForBattery() ? InterruptResult.BATTERY : InterruptResult.TIME,
+                firstMillis,
+                takenMillis,
+                presses);
+    }
+}

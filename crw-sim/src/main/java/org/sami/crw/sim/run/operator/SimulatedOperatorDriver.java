@@ -1,0 +1,173 @@
+package org.sami.crw.sim.run.operator;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.sami.crw.decision.SimulatedOperator;
+import org.sami.crw.operator.DecisionQueue;
+import org.sami.crw.operator.message.PendingDecision;
+import org.sami.crw.session.Scheduler;
+import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionOperator;
+import org.sami.crw.sim.report.NoteResult;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.finding.Finding;
+import org.sami.spn.json.Reading;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Lets the simulated operator answer a session's decisions, each a while after it was asked, as they lie in the operator's models then. Of
+ * several whose time has come it answers the first in the order of the queue: by priority, then by age (decision 0218).
+ * For the engine's thread.
+ */
+public final class SimulatedOperatorDriver implements SessionOperator {
+    public static final String NAME = "simulated operator";
+
+    /** A decision that is asked and not shown yet is shown within this. */
+    private static final long NOT_SHOWN_MILLIS = 20;
+
+    /** Asks for work, of which some is done on boats. */
+    private static final String WORK = "OperatorBackgroundAction";
+
+    /** How often somebody who works looks whether it is done. */
+    private static final long LOOK_MILLIS = 500;
+
+    private static final Comparator<Asked> IN_TURN = DecisionQueue.order(Asked::decision, Asked::atMillis);
+
+    private final SimulatedOperator operator;
+    private final Scheduler clock;
+    private final long answerAfterMillis;
+    private final GeoPoint quay;
+    private final Map<Long, Asked> open = new TreeMap<>();
+    private final List<NoteResult> troubles = new ArrayList<>();
+    private final Map<Long, Long> thinkingUntil = new HashMap<>();
+    private Optional<Session> session =
+            Optional.empty(); // none while the past of a run is gone through: it was answered
+
+    /**
+     * An operator who has not been asked yet.
+     *
+     * @param answerAfterMillis how long every answer takes; what is work takes its own time beside, and where batteries are swapped ends when they are in
+     * @param quay where they are
+     */
+    public SimulatedOperatorDriver(SimulatedOperator operator, Scheduler clock, long answerAfterMillis, GeoPoint quay) {
+        this.operator = operator;
+        this.clock = clock;
+        this.answerAfterMillis = answerAfterMillis;
+        this.quay = quay;
+    }
+
+    /**
+     * Tells it whom to answer; before the first decision, or when the past of the run has been gone through. What was answered there
+     * and is open all the same is answered once more.
+     */
+    public void connect(Session answered) {
+        session = Optional.of(answered);
+        open.values().stream()
+                .filter(asked -> !thinkingUntil.containsKey(asked.decision().id()))
+                .forEach(this::think);
+    }
+
+    @Override
+    public String name() {
+        return NAME;
+    }
+
+    @Override
+    public void asked(Asked asked) {
+        open.put(asked.decision().id(), asked);
+        think(asked);
+    }
+
+    @Override
+    public void settled(long decision, Optional<Answer> answer, String by) {
+        open.remove(decision);
+    }
+
+    private void think(Asked asked) {
+        thinkFor(asked, answerAfterMillis + asked.workMillis());
+    }
+
+    private void thinkFor(Asked asked, long millis) {
+        thinkingUntil.put(asked.decision().id(), clock.nowMs() + millis);
+        clock.after(millis, this::answerNext);
+    }
+
+    /** Answers one decision of those that it has thought about long enough: the first in the order of the operator's queue. */
+    private void answerNext() {
+        thinkingUntil.keySet().retainAll(open.keySet());
+        List<Asked> ready = open.values().stream()
+                .filter(asked -> thinkingUntil.getOrDefault(asked.decision().id(), Long.MAX_VALUE) <= clock.nowMs())
+                .sorted(IN_TURN)
+                .toList();
+        Optional<Asked> next =
+                ready.stream().filter(asked -> plan(asked).isPresent()).findFirst();
+        if (next.isEmpty()) {
+            if (!ready.isEmpty()) {
+                clock.after(NOT_SHOWN_MILLIS, this::answerNext);
+            }
+        } else if (isStillAtWork(next.get())) {
+            thinkFor(next.get(), LOOK_MILLIS);
+        } else {
+            thinkingUntil.remove(next.get().decision().id());
+            answer(next.get().decision(), plan(next.get()).orElseThrow());
+        }
+    }
+
+    /** The plan that asks, once its decision is shown; it knows its own quay and area, whatever is proposed. */
+    private Optional<String> plan(Asked asked) {
+        return session.isEmpty()
+                ? Optional.of(asked.plan())
+                : session.get().models().decisions().find(asked.decision().id()).map(PendingDecision::plan);
+    }
+
+    /** Whether what it does on boats, such as a swap of batteries, is not done yet. */
+    private boolean isStillAtWork(Asked asked) {
+        Decision decision = asked.decision();
+        return session.isPresent()
+                && decision.type().equals(WORK)
+                && new BatterySwaps(session.get().fleet().history(), quay)
+                        .areUnderWay(
+                                session.get().host().ask(view -> boatsOf(decision, view)),
+                                clock.nowMs() - asked.atMillis());
+    }
+
+    private static List<String> boatsOf(Decision decision, EngineView view) {
+        return view.openActivations().stream()
+                .filter(activation -> activation.id() == decision.activation())
+                .flatMap(activation -> activation.proxies().stream())
+                .toList();
+    }
+
+    private void answer(Decision decision, String plan) {
+        Reading<Answer> answer = operator.answer(decision, plan);
+        for (Finding finding : answer.findings()) {
+            String text = finding.pointer().isEmpty()
+                    ? finding.message()
+                    : "answers file, " + finding.pointer() + ": " + finding.message();
+            troubles.add(new NoteResult(clock.nowMs(), NoteResult.UNANSWERED, decision.mission(), text));
+        }
+        answer.result().ifPresent(a -> session.ifPresent(asking -> asking.answer(decision.id(), a, NAME)));
+    }
+
+    /** Whether an answer will be given without anything else happening. */
+    public boolean isThinking() {
+        return !thinkingUntil.isEmpty();
+    }
+
+    /** What the operator could not answer, in words, oldest first. */
+    public List<String> troubles() {
+        return troubles.stream().map(NoteResult::message).toList();
+    }
+
+    /** The same with their times. */
+    public List<NoteResult> notes() {
+        return troubles;
+    }
+}

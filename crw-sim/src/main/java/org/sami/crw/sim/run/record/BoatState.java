@@ -1,0 +1,31 @@
+package org.sami.crw.sim.run.record;
+
+import java.util.Objects;
+
+/**
+ * A boat: in process as it truly is, behind TCP as the base was told last.
+ *
+ * @param eastM metres east of the area's centre
+ * @param northM metres north of the area's centre
+ * @param batteryPercent charge left, 0 to 100
+ * @param distanceM metres driven since the start
+ */
+public record BoatState(
+        String id,
+        double eastM,
+        double northM,
+        double latDeg,
+        double lonDeg,
+        double speedMps,
+        double batteryPercent,
+        double distanceM,
+        int recharges) {
+    public BoatState {
+        Objects.requireNonNull(id, "id");
+    }
+
+    /** Where it is, in whole millimetres east and north. */
+    String toTheMillimetre() {
+        return Math.round(eastM * 1000) + " " + Math.round(northM * 1000);
+    }
+}

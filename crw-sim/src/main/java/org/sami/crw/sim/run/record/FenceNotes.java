@@ -1,0 +1,46 @@
+package org.sami.crw.sim.run.record;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.operator.alarm.Alarm;
+import org.sami.crw.sim.report.NoteResult;
+import org.sami.spn.protocol.Ids;
+
+/**
+ * Takes down each alarm that a boat is, or is sent, where it may not: the report's other alarms stand in it by themselves. Told on the
+ * models' thread, read on any.
+ */
+public final class FenceNotes {
+    private static final int MOST = 100;
+
+    private final List<NoteResult> notes = new CopyOnWriteArrayList<>();
+    private long last;
+
+    FenceNotes(OperatorModels models) {
+        models.alarms().addListener(this::alarms);
+    }
+
+    private void alarms(List<Alarm> now) {
+        for (Alarm alarm : raised(now, last)) {
+            last = Math.max(last, alarm.number());
+            if (notes.size() < MOST) {
+                notes.add(new NoteResult(alarm.sinceMillis(), NoteResult.FENCE, Ids.NONE, alarm.text()));
+            }
+        }
+    }
+
+    /** Those about the fence that were raised after an alarm of that number, oldest first. */
+    public static List<Alarm> raised(List<Alarm> now, long after) {
+        return now.stream()
+                .filter(alarm -> alarm.number() > after)
+                .filter(alarm -> alarm.kind() == Alarm.Kind.FENCE || alarm.kind() == Alarm.Kind.FENCE_AHEAD)
+                .sorted((one, other) -> Long.compare(one.number(), other.number()))
+                .toList();
+    }
+
+    /** The alarms, oldest first. */
+    List<NoteResult> all() {
+        return notes;
+    }
+}

@@ -1,0 +1,66 @@
+package org.sami.crw.sim.run.record;
+
+import java.util.Collection;
+import java.util.List;
+import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.Value;
+
+/**
+ * Takes down the locations that the operator gives: the points of lists and paths in answers and in what a mission starts
+ * with. A point by itself is a place to gather at or to return to, not one to visit.
+ */
+public final class LocationListener implements HostListener {
+    private final VisitRecorder visits;
+    private final LocalFrame plane;
+
+    /**
+     * A listener.
+     *
+     * @param plane around the area's centre
+     */
+    public LocationListener(VisitRecorder visits, LocalFrame plane) {
+        this.visits = visits;
+        this.plane = plane;
+    }
+
+    @Override
+    public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        if (input instanceof Input.StartMission start) {
+            add(start.parameters().values());
+        }
+        for (Effect effect : effects) {
+            if (effect instanceof Effect.DecisionClosed closed
+                    && closed.answer().orElse(null) instanceof Answer.Fields fields) {
+                add(fields.values().values());
+            }
+        }
+    }
+
+    private void add(Collection<Value> values) {
+        for (Value value : values) {
+            if (value instanceof ListValue list) {
+                list.items().forEach(this::add);
+            } else if (value instanceof GeoPath path) {
+                path.points().forEach(this::add);
+            }
+        }
+    }
+
+    private void add(Value item) {
+        if (item instanceof GeoPoint point) {
+            visits.add(
+                    point.latDeg(),
+                    point.lonDeg(),
+                    plane.eastM(point.latDeg(), point.lonDeg()),
+                    plane.northM(point.latDeg(), point.lonDeg()));
+        }
+    }
+}

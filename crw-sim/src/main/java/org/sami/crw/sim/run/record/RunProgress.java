@@ -1,0 +1,22 @@
+package org.sami.crw.sim.run.record;
+
+import java.util.Objects;
+
+/**
+ * How far a run is.
+ *
+ * @param phase a word: {@code running}, or {@code catching up} while a journal is gone through again
+ * @param leastBatteryPercent of the boat with the least charge
+ */
+public record RunProgress(
+        String phase,
+        long simulatedMillis,
+        int visited,
+        int locations,
+        int openDecisions,
+        long firings,
+        double leastBatteryPercent) {
+    public RunProgress {
+        Objects.requireNonNull(phase, "phase");
+    }
+}

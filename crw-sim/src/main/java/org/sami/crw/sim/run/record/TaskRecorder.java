@@ -1,0 +1,124 @@
+package org.sami.crw.sim.run.record;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import org.sami.crw.handler.activation.EventNames;
+import org.sami.crw.sim.report.TaskResult;
+import org.sami.crw.task.TaskQueues;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.model.Project;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+
+/** Notes down what becomes of tasks, for the report. For the engine's thread. */
+final class TaskRecorder {
+    private final Project project;
+    private final Map<TaskId, Told> tasks = new LinkedHashMap<>();
+
+    TaskRecorder(Project project) {
+        this.project = project;
+    }
+
+    void onStep(long atMillis, Input input, List<Effect> effects, EngineView view) {
+        for (Effect effect : effects) {
+            if (effect instanceof Effect.MissionStarted started) {
+                project.plan(started.plan())
+                        .ifPresent(plan ->
+                                plan.tasks().forEach(task -> told(new TaskId(started.mission(), task.name()), view)));
+            } else if (effect instanceof Effect.Fired fired) {
+                fired.used().forEach(used -> used.tasks().forEach(task -> told(task, view)));
+            } else if (effect instanceof Effect.TasksAllocated allocated) {
+                allocated(allocated, view);
+            }
+        }
+        TaskQueues.remembered(input)
+                .flatMap(queue -> queue.getValue().current())
+                .flatMap(task -> told(task, view))
+                .ifPresent(told -> told.started(atMillis));
+        if (input instanceof Input.Received received
+                && received.occurrence().type().equals(EventNames.TASK_COMPLETED)) {
+            received.occurrence()
+                    .tasks()
+                    .forEach(task -> told(task, view)
+                            .ifPresent(told -> told.completed(
+                                    atMillis, received.occurrence().proxies())));
+        }
+    }
+
+    private void allocated(Effect.TasksAllocated allocated, EngineView view) {
+        allocated
+                .robots()
+                .forEach((task, robot) -> told(task, view)
+                        .ifPresent(told -> told.allocated(
+                                robot, Optional.ofNullable(allocated.before().get(task)))));
+    }
+
+    /** What is told of a task, under the name that its owner has for it; nothing of one whose mission is over unseen. */
+    private Optional<Told> told(TaskId name, EngineView view) {
+        if (tasks.containsKey(name)) {
+            return Optional.of(tasks.get(name));
+        }
+        return view.namesOf(name).stream()
+                .findFirst()
+                .map(task -> tasks.computeIfAbsent(task, fresh -> new Told(location(fresh, view))));
+    }
+
+    private static Optional<TaskResult.Place> location(TaskId task, EngineView view) {
+        Value location = view.task(task).orElse(Map.of()).get("location");
+        return location instanceof GeoPoint point
+                ? Optional.of(new TaskResult.Place(point.latDeg(), point.lonDeg()))
+                : Optional.empty();
+    }
+
+    /** The tasks in the order in which they were first heard of. */
+    List<TaskResult> results() {
+        List<TaskResult> results = new ArrayList<>();
+        tasks.forEach((task, told) -> results.add(new TaskResult(
+                task.mission(),
+                task.name(),
+                told.location,
+                told.boat,
+                told.allocations,
+                told.startedAtMillis,
+                told.completedAtMillis)));
+        return results;
+    }
+
+    private static final class Told {
+        private final Optional<TaskResult.Place> location;
+        private String boat = "";
+        private int allocations;
+        private OptionalLong startedAtMillis = OptionalLong.empty();
+        private OptionalLong completedAtMillis = OptionalLong.empty();
+
+        Told(Optional<TaskResult.Place> location) {
+            this.location = location;
+        }
+
+        void allocated(Optional<String> to, Optional<String> before) {
+            boat = to.orElse("");
+            if (to.isPresent() && !to.equals(before)) {
+                allocations++;
+                completedAtMillis = OptionalLong.empty();
+            }
+        }
+
+        void started(long atMillis) {
+            if (startedAtMillis.isEmpty()) {
+                startedAtMillis = OptionalLong.of(atMillis);
+            }
+        }
+
+        void completed(long atMillis, List<String> by) {
+            completedAtMillis = OptionalLong.of(atMillis);
+            by.forEach(who -> boat = who);
+        }
+    }
+}

@@ -1,0 +1,164 @@
+package org.sami.crw.sim.run.record;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import org.sami.boat.server.vehicle.PlaneMath;
+import org.sami.crw.sim.report.BoatResult;
+import org.sami.crw.sim.report.LinkResult;
+import org.sami.crw.sim.report.NoteResult;
+import org.sami.crw.sim.report.TrackPoint;
+
+/**
+ * Notes down where boats are: a point a second while they move, none while they lie still. A boat that goes on a straight line
+ * at a steady speed from each point to the next is, at every moment, within 0.2 m of where it was.
+ *
+ * <p>Memory does not grow with the length of a run: where tracks have more than {@link #MOST} points together, points of the longest
+ * ones are left out, of which the rest tells enough ({@link TrackThinning}); a note says how exact they still are.
+ */
+public final class TrackRecorder {
+    /** So many points of all boats together are kept, about 15 MB. */
+    static final int MOST = 200_000;
+
+    private static final double STILL_M = 0.2;
+    private static final double FIRST_TOLERANCE_M = 0.25;
+    private static final int LEAST = 100; // of each boat, however many there are
+
+    private final int most;
+    private final Map<String, Track> tracks = new LinkedHashMap<>();
+
+    private static final class Track {
+        private List<TrackPoint> points = new ArrayList<>();
+        private Optional<Noted> lay = Optional.empty(); // where it was seen last, if nothing was noted down then
+        private double toleranceM;
+        private double offM; // the sum of the tolerances by which points were left out
+
+        private boolean isEmpty() {
+            return points.isEmpty();
+        }
+
+        private TrackPoint last() {
+            return points.get(points.size() - 1);
+        }
+    }
+
+    /** Where a boat was at a moment, as it was noted down. */
+    public record Noted(long atMillis, BoatState boat) {}
+
+    /** A recorder that has seen nothing yet. */
+    public TrackRecorder() {
+        this(MOST);
+    }
+
+    TrackRecorder(int most) {
+        this.most = most;
+    }
+
+    /** Looks where the boats are; to be called once a second. Returns what was noted down. */
+    public List<Noted> look(long nowMillis, List<BoatState> boats) {
+        List<Noted> noted = new ArrayList<>();
+        for (BoatState boat : boats) {
+            Track track = track(boat);
+            Noted seen = new Noted(nowMillis, boat);
+            if (track.isEmpty() || moved(track.last(), boat) > STILL_M) {
+                track.lay.ifPresent(noted::add); // it has lain there until then
+                noted.add(seen);
+                track.lay = Optional.empty();
+            } else {
+                track.lay = Optional.of(seen);
+            }
+        }
+        noted.forEach(this::add);
+        return noted;
+    }
+
+    /** Notes down where a boat was, as somebody noted it down before; each boat's points come in the order of their times. */
+    public void add(Noted noted) {
+        Track track = track(noted.boat);
+        track.points.add(point(noted.atMillis, noted.boat));
+        int share = Math.max(LEAST, most / tracks.size());
+        if (track.points.size() > share) {
+            thin(track, share / 2);
+        }
+    }
+
+    /** Leaves out so many points that there is room for as many again. */
+    private static void thin(Track track, int enough) {
+        double toleranceM = Math.max(FIRST_TOLERANCE_M, track.toleranceM);
+        List<TrackPoint> thinned = TrackThinning.within(toleranceM, track.points);
+        while (thinned.size() > enough) {
+            toleranceM *= 2;
+            thinned = TrackThinning.within(toleranceM, track.points);
+        }
+        track.points = thinned;
+        track.toleranceM = toleranceM;
+        track.offM += toleranceM;
+    }
+
+    private Track track(BoatState boat) {
+        return tracks.computeIfAbsent(boat.id(), id -> new Track());
+    }
+
+    /** Says of whom points were left out, if of any, and how exact the tracks are. */
+    public List<NoteResult> notes(long atMillis) {
+        double worst = tracks.values().stream().mapToDouble(t -> t.offM).max().orElse(0);
+        long thinned = tracks.values().stream().filter(t -> t.toleranceM > 0).count();
+        return thinned == 0
+                ? List.of()
+                : List.of(new NoteResult(
+                        atMillis,
+                        "tracks",
+                        0,
+                        String.format(
+                                Locale.ROOT,
+                                "points were left out of the tracks of %d of %d boats, for there were more than %d; "
+                                        + "what is left is right to %.2f m",
+                                thinned,
+                                tracks.size(),
+                                most,
+                                worst + STILL_M)));
+    }
+
+    private static double moved(TrackPoint from, BoatState to) {
+        return PlaneMath.length(to.eastM() - from.eastM(), to.northM() - from.northM());
+    }
+
+    private static TrackPoint point(long nowMillis, BoatState boat) {
+        return new TrackPoint(
+                nowMillis,
+                boat.eastM(),
+                boat.northM(),
+                boat.latDeg(),
+                boat.lonDeg(),
+                boat.speedMps(),
+                boat.batteryPercent());
+    }
+
+    /**
+     * What the boats did, each with its track to where it is now.
+     *
+     * @param links gives each boat's link
+     */
+    public List<BoatResult> results(long nowMillis, List<BoatState> boats, Function<String, LinkResult> links) {
+        List<BoatResult> results = new ArrayList<>();
+        for (BoatState boat : boats) {
+            List<TrackPoint> track = new ArrayList<>();
+            Optional.ofNullable(tracks.get(boat.id())).ifPresent(known -> track.addAll(known.points));
+            if (track.isEmpty() || track.get(track.size() - 1).atMillis() < nowMillis) {
+                track.add(point(nowMillis, boat));
+            }
+            results.add(new BoatResult(
+                    boat.id(),
+                    links.apply(boat.id()),
+                    boat.distanceM(),
+                    boat.batteryPercent(),
+                    boat.recharges(),
+                    track));
+        }
+        return results;
+    }
+}

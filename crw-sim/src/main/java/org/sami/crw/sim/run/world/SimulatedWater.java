@@ -1,0 +1,118 @@
+package org.sami.crw.sim.run.world;
+
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.function.Function;
+import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.crw.proxy.BoatListener;
+import org.sami.crw.proxy.BoatPose;
+import org.sami.crw.sim.clock.VirtualClock;
+import org.sami.crw.sim.fleet.FleetConfig;
+import org.sami.crw.sim.fleet.SimulatedBoat;
+import org.sami.crw.sim.fleet.SimulatedFleet;
+import org.sami.crw.sim.hull.HullConfig;
+import org.sami.crw.sim.run.record.BoatState;
+import org.sami.crw.sim.run.record.RunHash;
+import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.spn.value.GeoPoint;
+
+/** The simulated part of the world that is not the base: the area, the boats on it, and their time. */
+public final class SimulatedWater {
+    private static final double SPACING_M = 5;
+
+    private final VirtualClock clock;
+    private final LocalFrame plane;
+    private final GeoPoint quay;
+    private final SimulatedFleet fleet;
+
+    /** Water with boats in a line from west to east, whose middle is the quay. */
+    public SimulatedWater(VirtualClock clock, RunSettings.Fleet settings, Function<String, BoatListener> listeners) {
+        this.clock = clock;
+        GeoPoint centre = settings.site().centreInProcess();
+        plane = new LocalFrame(centre.latDeg(), centre.lonDeg());
+        quay = settings.site().quayInProcess(settings.areaM());
+        double eastM = plane.eastM(quay.latDeg(), quay.lonDeg()) - (settings.boats() - 1) * SPACING_M / 2;
+        double northM = plane.northM(quay.latDeg(), quay.lonDeg());
+        double half = settings.areaM() / 2;
+        double farthestM = Math.hypot(Math.abs(eastM) + half, Math.abs(northM) + half);
+        BatteryThresholds thresholds = BatteryThresholds.forWayBackM(farthestM, HullConfig.DEFAULT);
+        fleet = new SimulatedFleet(
+                clock,
+                settings.seed(),
+                settings.boats(),
+                plane.latDeg(eastM, northM),
+                plane.lonDeg(eastM, northM),
+                listeners,
+                FleetConfig.DEFAULT
+                        .withConditions(settings.conditions())
+                        .withServer(server ->
+                                server.batteryThresholds(thresholds.lowPercent(), thresholds.criticalPercent())));
+        for (int i = 0; i < settings.boats(); i++) {
+            fleet.boats().get(i).hull().setBatteryPercent(settings.charges().of(i));
+        }
+    }
+
+    public VirtualClock clock() {
+        return clock;
+    }
+
+    /** The middle of the quay, where the boats lie at the start. */
+    public GeoPoint quay() {
+        return quay;
+    }
+
+    public SimulatedFleet fleet() {
+        return fleet;
+    }
+
+    /** In metres around the area's centre. */
+    public LocalFrame plane() {
+        return plane;
+    }
+
+    /** All boats as they truly are, in order. */
+    public List<BoatState> boats() {
+        List<BoatState> states = new ArrayList<>();
+        fleet.boats().forEach(boat -> states.add(state(boat, boat.position())));
+        return states;
+    }
+
+    /** All boats that have said where they are, each where it said last. */
+    public List<BoatState> reportedBoats() {
+        List<BoatState> states = new ArrayList<>();
+        fleet.boats()
+                .forEach(boat -> boat.proxy()
+                        .status()
+                        .pose()
+                        .map(BoatPose::position)
+                        .ifPresent(position -> states.add(state(boat, position))));
+        return states;
+    }
+
+    private BoatState state(SimulatedBoat boat, GeoPoint position) {
+        return new BoatState(
+                boat.id(),
+                plane.eastM(position.latDeg(), position.lonDeg()),
+                plane.northM(position.latDeg(), position.lonDeg()),
+                position.latDeg(),
+                position.lonDeg(),
+                boat.hull().speedMps(),
+                boat.batteryPercent(),
+                boat.distanceM(),
+                boat.recharges());
+    }
+
+    /** A short hash of the true positions and batteries, to the last bit: what a world is compared by. */
+    public String fingerprint() {
+        MessageDigest digest = RunHash.sha256();
+        for (SimulatedBoat boat : fleet.boats()) {
+            String state = boat.id() + " " + boat.hull().eastM() + " "
+                    + boat.hull().northM() + " " + boat.hull().headingRad() + " " + boat.batteryPercent() + "\n";
+            digest.update(state.getBytes(StandardCharsets.UTF_8));
+        }
+        return HexFormat.of().formatHex(digest.digest(), 0, 8);
+    }
+}

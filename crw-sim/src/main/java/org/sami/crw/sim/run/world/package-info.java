@@ -1,0 +1,6 @@
+/**
+ * The part of a run in process that is not the base: the water and the boats on it.
+ *
+ * <p>Does not belong here: how one boat moves and measures ({@code org.sami.crw.sim.hull}), its link ({@code org.sami.crw.sim.link}).
+ */
+package org.sami.crw.sim.run.world;

@@ -1,0 +1,136 @@
+package org.sami.crw.sim.run.settings;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.Flow;
+import org.sami.crw.sim.hull.SensorSetting;
+import org.sami.spn.value.GeoPoint;
+
+class RunSettingsTest {
+    private static final RunSettings FULL = new RunSettings(
+            "visit",
+            "Visit \u00e4",
+            new RunSettings.Fleet(5, 30, 612.5, -7),
+            new Speed(2.5),
+            OptionalLong.of(90_500),
+            Map.of("@x", "a=b", "event.field", "1"),
+            1_500,
+            "{\"rules\": []}",
+            List.of(),
+            List.of("recharge:2@10.5", "alarm@7", "alarm@7"));
+
+    @Test
+    void comesBackFromAJournalsHeader() {
+        assertThat(RunSettings.fromMap(FULL.toMap())).isEqualTo(FULL);
+    }
+
+    @Test
+    void comesBackWithoutALimit() {
+        RunSettings unlimited = FULL.withLimit(OptionalLong.empty());
+
+        assertThat(RunSettings.fromMap(unlimited.toMap())).isEqualTo(unlimited);
+        assertThat(unlimited.stopMillis()).isEqualTo(RunSettings.LONGEST_MILLIS);
+    }
+
+    private static final Conditions ROUGH = new Conditions(
+            1.5, 4, Flow.parse("0.3@90"), Flow.parse("5@270"), List.of(SensorSetting.parse("oxygen@0.2")));
+
+    @Test
+    void comesBackWithItsWater() {
+        RunSettings rough = new RunSettings(
+                "visit", "visit", FULL.fleet().on(ROUGH), Speed.MAX, OptionalLong.empty(), Map.of(), 0, "");
+
+        assertThat(RunSettings.fromMap(rough.toMap())).isEqualTo(rough);
+        assertThat(FULL.toMap()).doesNotContainKeys("current", "wind", "gpsNoiseM", "compassNoiseDeg", "sensors");
+        assertThatThrownBy(() -> rough.connectedTo(BoatAddress.parseAll("quay:5002")))
+                .hasMessageContaining("their own water");
+    }
+
+    @Test
+    void comesBackWithItsPlaceOnEarth() {
+        Site site = new Site(Optional.of(GeoPoint.of(-12.25, 0.1 + 0.2)), Optional.of(GeoPoint.of(-12.2501, 0.3)));
+        RunSettings there = new RunSettings(
+                "visit", "visit", FULL.fleet().at(site), Speed.MAX, OptionalLong.empty(), Map.of(), 0, "");
+
+        assertThat(RunSettings.fromMap(there.toMap())).isEqualTo(there);
+        assertThat(FULL.toMap()).doesNotContainKeys("at", "quay");
+        assertThatThrownBy(() -> there.connectedTo(BoatAddress.parseAll("quay:5002")))
+                .hasMessageContaining("where they were started");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"25.5", "100,0,20,19.9,80"})
+    void comesBackWithTheChargesOfItsBatteries(String charges) {
+        RunSettings low = new RunSettings(
+                "visit",
+                "visit",
+                FULL.fleet().with(InitialCharges.parse(charges)),
+                Speed.MAX,
+                OptionalLong.empty(),
+                Map.of(),
+                0,
+                "");
+
+        assertThat(RunSettings.fromMap(low.toMap())).isEqualTo(low);
+        assertThat(FULL.toMap()).doesNotContainKey("battery");
+        assertThatThrownBy(() -> low.connectedTo(BoatAddress.parseAll("a:1,b:2,c:3,d:4,e:5")))
+                .hasMessageContaining("their own batteries");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "full", "101", "-1", "NaN", "50,", "50,60"})
+    void refusesChargesThatAreNoneOrTooFew(String charges) {
+        assertThatThrownBy(() -> FULL.fleet().with(InitialCharges.parse(charges)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining(", not ");
+    }
+
+    @Test
+    void comesBackWithTheAddressesOfItsBoats() {
+        RunSettings connected = FULL.connectedTo(BoatAddress.parseAll("[::1]:5001,quay:5002"));
+
+        assertThat(RunSettings.fromMap(connected.toMap())).isEqualTo(connected);
+        assertThat(connected.fleet().boats()).isEqualTo(2);
+        assertThat(connected.isConnected()).isTrue();
+        assertThat(FULL.isConnected()).isFalse();
+    }
+
+    @Test
+    void boatsBehindTcpHaveNoOtherTimeThanTheRealOne() {
+        RunSettings connected = FULL.connectedTo(BoatAddress.parseAll("quay:5002"));
+
+        assertThat(connected.speed()).isEqualTo(Speed.REAL);
+        assertThatThrownBy(() -> connected.withSpeed(Speed.MAX)).hasMessageContaining("at speed 1, not max");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"plan", "boats", "seed", "speed", "answerAfterMillis", "answers"})
+    void namesTheSettingThatIsMissing(String name) {
+        Map<String, String> map = new TreeMap<>(FULL.toMap());
+        map.remove(name);
+
+        assertThatThrownBy(() -> RunSettings.fromMap(map))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("'" + name + "'");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0,12,600", "251,12,600", "3,0,600", "3,10001,600", "3,12,9", "3,12,20001", "3,12,NaN"})
+    void refusesNonsense(int boats, int locations, double areaM) {
+        assertThatThrownBy(() -> new RunSettings.Fleet(boats, locations, areaM, 1))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining(", not ");
+    }
+}
