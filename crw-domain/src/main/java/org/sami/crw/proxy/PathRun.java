@@ -194,6 +194,7 @@ final class PathRun extends CommandRun {
     /** What the boat has visited while nobody commanded it is behind it. */
     private Verdict goOn(Adopted list, long nowMs) {
         phase = Phase.STARTING;
+        reach(Upload.State.TAKEN_OVER);
         list.visited().accept(visited(list.held().get()));
         wayHome.has(listId, waysHome()); // the boat has kept those of the earlier process
         return resume(list.held().get(), nowMs);

@@ -22,12 +22,14 @@ public record Upload(String listId, String commandId, List<GeoPoint> way, State 
         ACKNOWLEDGED,
         /** The boat has said what it holds, and that is equal to the last bit. */
         READ_BACK_EQUAL,
+        /** It was not sent: the boat holds it since an earlier process of this base sent it, read back equal. */
+        TAKEN_OVER,
         /** It is given up; what the boat holds is not known, and is not started from here. */
         FAILED;
 
         /** Whether nothing more comes of it. */
         public boolean isFinal() {
-            return this == READ_BACK_EQUAL || this == FAILED;
+            return this != SENT && this != ACKNOWLEDGED;
         }
     }
 

@@ -26,6 +26,7 @@ public record UploadCount(int sent, int acknowledged, int readBackEqual, int fai
             case SENT -> new UploadCount(sent + 1, acknowledged, readBackEqual, failed);
             case ACKNOWLEDGED -> new UploadCount(sent, acknowledged + 1, readBackEqual, failed);
             case READ_BACK_EQUAL -> new UploadCount(sent, acknowledged, readBackEqual + 1, failed);
+            case TAKEN_OVER -> this; // counted by the process that sent it
             case FAILED -> new UploadCount(sent, acknowledged, readBackEqual, failed + 1);
         };
     }

@@ -26,6 +26,7 @@ import org.sami.crw.proxy.CommandQueueSnapshot;
 import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.TurnWait;
+import org.sami.crw.proxy.Upload;
 import org.sami.crw.proxy.Withdrawal;
 import org.sami.crw.session.CommandJson;
 import org.sami.crw.session.FleetHistory;
@@ -53,6 +54,8 @@ final class RecordedBoats implements SessionTelemetry.Reader {
         private Optional<BoatMode> mode = Optional.empty();
         private Commander commander = Commander.UNKNOWN;
         private CommandQueueSnapshot queue = CommandQueueSnapshot.EMPTY;
+        private String list = ""; // that went to it last
+        private List<GeoPoint> way = List.of(); // along that list
         private List<GeoPoint> wayHome = List.of();
         private BoatExplanation why = new BoatExplanation(false, Cause.NO_COMMAND, "not known: the journal is old");
     }
@@ -185,6 +188,7 @@ final class RecordedBoats implements SessionTelemetry.Reader {
             case "command" -> commands.put(json.required("id").asText(), CommandJson.read(json));
             case "queue" -> queue(id, json);
             case "progress" -> progress(id, json);
+            case "upload" -> upload(id, json);
             case "concluded" -> concluded(id, json);
             case "state" -> state(id, json);
             case "removed" -> gone(id);
@@ -237,6 +241,24 @@ final class RecordedBoats implements SessionTelemetry.Reader {
             feed.happened(new FleetEvent.Progressed(id, command, visited), nowMillis);
             seen(id, boat);
         });
+    }
+
+    private void upload(String id, JsonNode json) {
+        Recorded boat = of(id);
+        String list = json.required("list").asText();
+        if (json.has("way")) {
+            boat.way = CommandJson.points(json.get("way"));
+        } else if (!list.equals(boat.list)) {
+            boat.way = command(json).map(BoatCommand::points).orElse(List.of());
+        }
+        boat.list = list;
+        Upload upload = new Upload(
+                list,
+                json.required("command").asText(),
+                boat.way,
+                Upload.State.valueOf(json.required("state").asText()),
+                json.path("why").asText());
+        feed.happened(new FleetEvent.UploadAdvanced(id, upload), nowMillis);
     }
 
     private void concluded(String id, JsonNode json) {

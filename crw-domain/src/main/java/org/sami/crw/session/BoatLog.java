@@ -18,6 +18,7 @@ import org.sami.crw.proxy.BoatStatus;
 import org.sami.crw.proxy.CommandQueueSnapshot;
 import org.sami.crw.proxy.MissionTitles;
 import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.Upload;
 
 /**
  * Notes in the journal, beside where boats were, what the operator was shown of them: commands and how they ended, the link, who commands,
@@ -32,6 +33,9 @@ final class BoatLog {
 
     /** How many points of a path are behind a boat. */
     static final String PROGRESS = "progress";
+
+    /** How far a path has come on its way to a boat; with what it drives along, where that is not the path itself. */
+    static final String UPLOAD = "upload";
 
     /** How a command ended. */
     static final String CONCLUDED = "concluded";
@@ -50,6 +54,7 @@ final class BoatLog {
     private final LongSupplier nowMillis;
     private final Set<String> written = new HashSet<>(); // commands
     private final Map<String, String> states = new HashMap<>();
+    private final Map<String, String> lists = new HashMap<>(); // by boat, that which was written last
     private volatile boolean closed;
 
     BoatLog(Supplier<ProxyRegistry> boats, MissionTitles titles, SessionTelemetry telemetry, LongSupplier nowMillis) {
@@ -77,6 +82,8 @@ final class BoatLog {
             queue(changed.boat(), changed.queue());
         } else if (event instanceof FleetEvent.Progressed progressed) {
             add(progressed.boat(), PROGRESS, of(progressed.command()).put("visited", progressed.visited()));
+        } else if (event instanceof FleetEvent.UploadAdvanced advanced) {
+            upload(advanced.boat(), advanced.upload());
         } else if (event instanceof FleetEvent.CommandCompleted done) {
             add(done.boat(), CONCLUDED, of(done.command()).put("end", "completed"));
         } else if (event instanceof FleetEvent.CommandFailed failed) {
@@ -93,8 +100,31 @@ final class BoatLog {
                             .put("why", withdrawn.why().name()));
         } else if (event instanceof FleetEvent.Removed removed) {
             states.remove(removed.boat());
+            lists.remove(removed.boat());
             add(removed.boat(), REMOVED, JSON.createObjectNode());
         }
+    }
+
+    /** What the boat drives along is written once for each list, where it is not the command's path. */
+    private void upload(String boat, Upload upload) {
+        ObjectNode json = JSON.createObjectNode()
+                .put("command", upload.commandId())
+                .put("list", upload.listId())
+                .put("state", upload.state().name());
+        if (!upload.why().isEmpty()) {
+            json.put("why", upload.why());
+        }
+        boolean isNew = !upload.listId().equals(lists.put(boat, upload.listId()));
+        boolean isPath = boats.get()
+                .find(boat)
+                .flatMap(BoatProxy::currentCommand)
+                .filter(command -> command.commandId().equals(upload.commandId())
+                        && command.points().equals(upload.way()))
+                .isPresent();
+        if (isNew && !isPath) {
+            CommandJson.write(upload.way(), json.putArray("way"));
+        }
+        add(boat, UPLOAD, json);
     }
 
     private ObjectNode of(BoatCommand command) {

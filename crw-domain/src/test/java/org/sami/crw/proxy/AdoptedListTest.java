@@ -50,6 +50,11 @@ class AdoptedListTest {
                 .doesNotStartWith(LIST);
         boat.acknowledges(StartWaypoints.class);
         assertThat(boat.proxy.explain().shouldMove()).isTrue();
+        assertThat(boat.proxy.upload()).hasValueSatisfying(upload -> {
+            assertThat(upload.state()).isEqualTo(Upload.State.TAKEN_OVER);
+            assertThat(upload.way()).isEqualTo(POINTS);
+        });
+        assertThat(boat.proxy.uploads()).isEqualTo(UploadCount.NONE);
         boat.says(new Progress(LIST, 3, true));
         assertThat(heard).containsExactly("progress 2", "progress 3", "completed");
     }

@@ -126,6 +126,7 @@ final class BoatQueue {
                             case SENT -> "sent";
                             case ACKNOWLEDGED -> "acknowledged";
                             case READ_BACK_EQUAL -> "read back equal";
+                            case TAKEN_OVER -> "held already, read back equal";
                             case FAILED -> "not sent: " + up.why();
                         })
                 .orElse("");

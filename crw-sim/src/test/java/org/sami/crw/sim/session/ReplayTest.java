@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -22,15 +23,20 @@ import org.sami.crw.operator.map.MapSnapshot;
 import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.operator.mission.MissionsSnapshot;
+import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.Upload;
 import org.sami.crw.replay.Replay;
 import org.sami.crw.replay.ReplayedJournal;
 import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.water.Water;
 import org.sami.crw.session.Session;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.replay.TimeLine.Kind;
 import org.sami.spn.replay.TimeLine.Mark;
+import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.Value;
@@ -184,6 +190,45 @@ class ReplayTest {
             assertSame(now.boats().get(0), then.boats().get(0));
         }
         assertThat(replay.models().fleet().snapshot().get(0).pose()).isPresent();
+    }
+
+    @Test
+    void showsTheTurnsAroundWhatABoatIsToAvoid() throws Exception {
+        BoatOnTcp boat = world.boat("anna");
+        TestSession.get(session.fleet().connect(TestSession.address(boat)));
+        Await.until("anna lies somewhere", TestSession.WITHIN_S, this::areBoatsShown);
+        GeoPoint behind = Geodesy.offset(TestSession.PIER, 0, 120);
+        Water water = Water.of(TestSession.PIER, List.of(rock()), Optional.empty());
+        TestSession.get(session.fleet()
+                .ask(boats -> boats.find("anna").map(anna -> {
+                    anna.submit(FollowPath.goTo("around", 1, 1, behind, Priority.MEDIUM)
+                            .in(water));
+                    return anna;
+                })));
+        Await.until("she is under way", TestSession.WITHIN_S, () -> anna().why().shouldMove());
+        List<GeoPoint> driven = session.models().map().snapshot().paths().get(0).points();
+        long atMillis = shown().atMillis();
+        over();
+
+        Replay replay = replay();
+        replay.goTo(atMillis);
+
+        assertThat(driven).hasSizeGreaterThan(1);
+        assertThat(replay.models().map().snapshot().paths().get(0).points()).isEqualTo(driven);
+        assertThat(replay.models().commands().snapshot().get(0).upload())
+                .map(Upload::state)
+                .contains(Upload.State.READ_BACK_EQUAL);
+    }
+
+    /** Fifty metres north of the pier, forty metres wide. */
+    private static GeoArea rock() {
+        return new GeoArea(
+                List.of(
+                        Geodesy.offset(TestSession.PIER, -20, 50),
+                        Geodesy.offset(TestSession.PIER, 20, 50),
+                        Geodesy.offset(TestSession.PIER, 20, 70),
+                        Geodesy.offset(TestSession.PIER, -20, 70)),
+                List.of());
     }
 
     /** What effects tell of missions; what blocks them a session asks a few times a second, a replay at each moment. */
