@@ -76,6 +76,11 @@ public record FollowPath(
         return points.subList(startIndex, points.size());
     }
 
+    /** What a boat that is somewhere drives along: the points, and those at which it turns to stay in its water. */
+    public List<GeoPoint> way(GeoPoint from) {
+        return DrivenPath.of(points, startIndex, Optional.of(from), water).points();
+    }
+
     /** The same path, from its first unvisited point on. */
     public FollowPath startingAt(int index) {
         return new FollowPath(commandId, mission, activation, points, speedMps, index, priority, block, water);

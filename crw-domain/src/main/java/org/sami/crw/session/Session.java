@@ -16,6 +16,7 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.handler.motion.WayLimits;
 import org.sami.crw.operator.OperatorLogEntry;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.area.OperatingArea;
@@ -37,6 +38,7 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
@@ -367,6 +369,18 @@ public final class Session implements AutoCloseable {
     /** Asks the engine's state. */
     public <T> CompletionStage<T> ask(Function<EngineView, T> question) {
         return parts.replies.of(parts.host.query(question));
+    }
+
+    /**
+     * Finds the way on which a boat would go along a path for a mission now: from where it is, with the turns around what the mission's plan and the
+     * project avoid. Empty for a boat of which it is not known where it is.
+     */
+    public CompletionStage<Optional<List<GeoPoint>>> way(long mission, String boat, GeoPath path) {
+        CompletionStage<Optional<BoatStart>> start =
+                fleet().ask(boats -> boats.find(boat).flatMap(proxy -> BoatStart.of(proxy, setup.services())));
+        CompletionStage<WayLimits> limits = ask(view -> WayLimits.of(mission, view));
+        return start.thenCombineAsync(limits, (from, water) -> from.map(one -> one.way(path, water)), parts.drawing)
+                .thenApplyAsync(found -> found, parts.front);
     }
 
     /** Whether a service computes for a mission now, so that commands or answers are to come. */

@@ -71,6 +71,10 @@ final class SessionParts {
     private final Optional<ExecutorService> ownFiles;
     private final long showMillis;
     private final Optional<ExecutorService> forMap;
+
+    /** Computes what is only to be drawn. */
+    final Executor drawing;
+
     private final CompletableFuture<Void> ended = new CompletableFuture<>();
     private volatile boolean halted;
     private boolean replayed; // before it begins
@@ -112,8 +116,8 @@ final class SessionParts {
         posted = new PostedInputs(host, replies);
         telemetry = new SessionTelemetry(journal, scheduler::nowMs);
         forMap = loop.map(real -> newThread("map"));
-        models = new OperatorModels(
-                front, scheduler::nowMs, forMap.<Executor>map(map -> map).orElse(Runnable::run));
+        drawing = forMap.<Executor>map(map -> map).orElse(Runnable::run);
+        models = new OperatorModels(front, scheduler::nowMs, drawing);
         messages = new SessionMessages(telemetry, models);
         remembered = loop.map(real -> new RememberedBoats(host));
         connector = connector(setup.runtime());

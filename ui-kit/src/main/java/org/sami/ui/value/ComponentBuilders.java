@@ -143,7 +143,9 @@ public final class ComponentBuilders {
         }
         MapView map = context.maps().make();
         map.setInForm(true);
-        new PlacesOnMap(map, request.field().componentName("preview"), context.names()::mark).show(List.of(solution));
+        NamedThings names = context.names();
+        new PlacesOnMap(map, request.field().componentName("preview"), names::mark, names.ways(solution))
+                .show(List.of(solution));
         map.fitAll();
         return Optional.of(map);
     }

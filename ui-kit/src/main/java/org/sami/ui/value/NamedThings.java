@@ -35,6 +35,11 @@ public interface NamedThings {
         return row(new ProxyValue(proxy)).mark().orElse(new IdentityMark(0));
     }
 
+    /** The ways on which robots would go along the paths of a solution that is offered; the paths themselves where nothing is known of it. */
+    default RobotWays ways(Value solution) {
+        return RobotWays.AS_GIVEN;
+    }
+
     /** The same offer, with the marks of those that are known by one, and with what is known of those of which it says nothing. */
     default Offer known(Offer offer) {
         return new Offer(offer.rows().stream().map(this::known).toList(), offer.min(), offer.max());

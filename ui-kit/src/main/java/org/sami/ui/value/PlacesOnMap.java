@@ -28,7 +28,8 @@ public final class PlacesOnMap {
     private static final IdentityMark NOBODY = new IdentityMark(0);
 
     private final Function<String, IdentityMark> marks;
-    private final Function<String, Optional<GeoPoint>> positions;
+    private RobotWays ways;
+    private long shows;
     private final AreaLayer areas;
     private final PathLayer paths;
     private final PointLayer points;
@@ -45,29 +46,32 @@ public final class PlacesOnMap {
      * @param marks of robots
      */
     public PlacesOnMap(MapView map, String id, Function<String, IdentityMark> marks) {
-        this(map, id, marks, robot -> Optional.empty());
+        this(map, id, marks, RobotWays.AS_GIVEN);
     }
 
     /**
-     * The same, with paths that begin where their robots are.
+     * The same, with paths as their robots would go along them.
      *
-     * @param positions of robots, as far as they are known
+     * @param ways of robots
      */
-    public PlacesOnMap(
-            MapView map,
-            String id,
-            Function<String, IdentityMark> marks,
-            Function<String, Optional<GeoPoint>> positions) {
+    public PlacesOnMap(MapView map, String id, Function<String, IdentityMark> marks, RobotWays ways) {
         this.id = id;
         this.marks = marks;
-        this.positions = positions;
+        this.ways = ways;
         areas = map.layers().add(new AreaLayer(id + "-areas", "Areas of " + id));
         paths = map.layers().add(new PathLayer(id + "-paths", "Paths of " + id));
         points = map.layers().add(new PointLayer(id + "-points", "Points of " + id));
     }
 
+    /** The same with paths as their robots would go along them. */
+    public void show(List<Value> values, RobotWays by) {
+        ways = by;
+        show(values);
+    }
+
     /** Shows the places of these values, and no others. */
     public void show(List<Value> values) {
+        shows++;
         List.of(shownAreas, shownPaths, shownPoints).forEach(List::clear);
         ids.clear();
         values.forEach(value -> draw(Optional.empty(), value));
@@ -85,10 +89,7 @@ public final class PlacesOnMap {
         if (value instanceof GeoPoint point) {
             shownPoints.add(new PointLayer.MapPoint(newId(), String.valueOf(shownPoints.size() + 1), point));
         } else if (value instanceof GeoPath path) {
-            List<GeoPoint> points = new ArrayList<>();
-            robot.flatMap(positions).ifPresent(points::add);
-            points.addAll(path.points());
-            shownPaths.add(new PlannedPath(newId(), robot.map(marks).orElse(NOBODY), points, 0));
+            draw(robot, path);
         } else if (value instanceof GeoArea area) {
             shownAreas.add(new ShownArea(newId(), "", area, ShownArea.Kind.WORK));
         } else if (value instanceof ProxyValue proxy) {
@@ -100,6 +101,19 @@ public final class PlacesOnMap {
         } else if (value instanceof MapValue map) {
             map.entries().forEach((key, one) -> drawEntry(robot, key, one));
         }
+    }
+
+    private void draw(Optional<String> robot, GeoPath path) {
+        PlannedPath given = new PlannedPath(newId(), robot.map(marks).orElse(NOBODY), path.points(), 0);
+        int index = shownPaths.size();
+        long show = shows;
+        shownPaths.add(given);
+        robot.ifPresent(one -> ways.find(one, path, way -> {
+            if (show == shows) {
+                shownPaths.set(index, new PlannedPath(given.id(), given.mark(), way, 0));
+                paths.show(List.copyOf(shownPaths));
+            }
+        }));
     }
 
     private void drawEntry(Optional<String> robot, Value key, Value value) {

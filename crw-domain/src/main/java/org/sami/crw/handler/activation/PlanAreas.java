@@ -31,21 +31,33 @@ public final class PlanAreas {
 
     /** What is avoided by the activation itself, by its plan, by the plans that run it as a sub-mission, and by the project (0210); each area once. */
     public static List<GeoArea> avoided(Activation activation, EngineView view) {
-        Set<GeoArea> areas = new LinkedHashSet<>(Restrictions.avoid(activation));
-        areas.addAll(AvoidedAreas.of(activation.mission(), view));
+        return avoided(Restrictions.avoid(activation), holes(activation.value(AREA)), activation.mission(), view);
+    }
+
+    /** What is avoided by a mission's plan, by the plans that run it as a sub-mission, and by the project; each area once. */
+    public static List<GeoArea> avoided(long mission, EngineView view) {
+        return avoided(List.of(), List.of(), mission, view);
+    }
+
+    private static List<GeoArea> avoided(List<GeoArea> own, List<GeoArea> ownHoles, long mission, EngineView view) {
+        Set<GeoArea> areas = new LinkedHashSet<>(own);
+        areas.addAll(AvoidedAreas.of(mission, view));
         areas.addAll(areas(view.globals().get(OperatingArea.NO_GO)));
-        areas.addAll(holes(activation.value(AREA)));
-        forEachField(activation, view, AREA, value -> areas.addAll(holes(Optional.of(value))));
+        areas.addAll(ownHoles);
+        forEachField(mission, view, AREA, value -> areas.addAll(holes(Optional.of(value))));
         return List.copyOf(areas);
     }
 
     /** The area to stay in: the activation's own, else that of the plans, where they name one and not several. */
     public static Optional<GeoArea> within(Activation activation, EngineView view) {
+        Optional<GeoArea> own = Restrictions.within(activation);
+        return own.isPresent() ? own : within(activation.mission(), view);
+    }
+
+    /** The area that a mission's plans name as the one to stay in, where they name one and not several. */
+    public static Optional<GeoArea> within(long mission, EngineView view) {
         Set<GeoArea> areas = new LinkedHashSet<>();
-        Restrictions.within(activation).ifPresent(areas::add);
-        if (areas.isEmpty()) {
-            forEachField(activation, view, Restrictions.WITHIN, value -> areas.addAll(areas(value)));
-        }
+        forEachField(mission, view, Restrictions.WITHIN, value -> areas.addAll(areas(value)));
         return areas.size() == 1 ? areas.stream().findFirst() : Optional.empty();
     }
 
@@ -61,8 +73,8 @@ public final class PlanAreas {
                 .drivenWith(error);
     }
 
-    private static void forEachField(Activation activation, EngineView view, String field, Consumer<Value> action) {
-        Optional<MissionView> mission = view.mission(activation.mission());
+    private static void forEachField(long id, EngineView view, String field, Consumer<Value> action) {
+        Optional<MissionView> mission = view.mission(id);
         while (mission.isPresent()) {
             MissionView one = mission.get();
             view.planOf(one.id()).stream()

@@ -3,18 +3,15 @@ package org.sami.crw.handler.motion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.operator.message.MessageSink;
 import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.reach.WayDanger;
-import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Priority;
-import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -34,10 +31,11 @@ public final class ClearWays {
 
     /** The same moves, with the water in which the boats may go. */
     List<Move> limit(Activation activation, HandlerContext context, List<Move> moves) {
-        List<GeoArea> avoid = moves.isEmpty() ? List.of() : context.query(view -> PlanAreas.avoided(activation, view));
-        Optional<GeoArea> within =
-                moves.isEmpty() ? Optional.empty() : context.query(view -> PlanAreas.within(activation, view));
-        if (avoid.isEmpty() && within.isEmpty()) {
+        if (moves.isEmpty()) {
+            return moves;
+        }
+        WayLimits limits = context.query(view -> WayLimits.of(activation, view));
+        if (limits.avoid().isEmpty() && limits.within().isEmpty()) {
             return moves;
         }
         List<Move> limited = new ArrayList<>();
@@ -46,37 +44,13 @@ public final class ClearWays {
             Optional<GeoPoint> from =
                     boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
             List<GeoPoint> points = move.command().unvisitedPoints();
-            Optional<Water> water =
-                    points.isEmpty() ? Optional.empty() : water(from, points, avoid, within, errors.of(boat));
-            limited.add(
-                    water.map(limits -> move.with(move.command().in(limits))).orElse(move));
+            Optional<Water> water = points.isEmpty() ? Optional.empty() : limits.water(from, points, errors.of(boat));
+            limited.add(water.map(one -> move.with(move.command().in(one))).orElse(move));
             if (from.isPresent() && water.isPresent()) {
                 tellOfDanger(activation, context, move, from.get(), points, water.get());
             }
         }
         return limited;
-    }
-
-    /**
-     * A boat that is outside of the area to stay in, as a quay mostly is, or is sent there, is not kept in. Areas that are no simple polygons
-     * keep nobody out: they are named where they are asked with, and by the fence's alarm.
-     */
-    private Optional<Water> water(
-            Optional<GeoPoint> from,
-            List<GeoPoint> points,
-            List<GeoArea> avoid,
-            Optional<GeoArea> within,
-            CrossTrackError error) {
-        GeoPoint origin = from.orElse(points.get(0));
-        try {
-            Water inside = Water.of(origin, List.of(), within);
-            boolean stays =
-                    inside.allows(List.of(origin)) && points.stream().allMatch(point -> inside.allows(List.of(point)));
-            return Optional.of(
-                    Water.of(origin, avoid, stays ? within : Optional.empty()).drivenWith(error));
-        } catch (IllegalArgumentException crossed) {
-            return Optional.empty();
-        }
     }
 
     private void tellOfDanger(

@@ -2,14 +2,12 @@ package org.sami.crw.gui.map;
 
 import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
-import java.util.function.Function;
 import org.sami.crw.decision.DecisionPresentation;
+import org.sami.crw.gui.context.SessionWays;
 import org.sami.crw.gui.decision.DecisionMap;
 import org.sami.crw.operator.map.PlacesInText;
 import org.sami.spn.protocol.Question;
-import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 import org.sami.ui.geo.GeoSketch;
 import org.sami.ui.look.IdentityMarks;
@@ -22,6 +20,7 @@ import org.sami.ui.value.PlacesOnMap;
  */
 final class DecisionOverlay implements DecisionMap {
     private final MapView view;
+    private final SessionWays ways;
     private final PlacesOnMap places;
     private final NamedPlaces named;
     private long drawnFor;
@@ -30,11 +29,12 @@ final class DecisionOverlay implements DecisionMap {
     /**
      * Adds its layers to a map.
      *
-     * @param positions of boats, as far as they are known: the paths of an option begin there
+     * @param ways of boats: the paths of an option are drawn as they would be driven
      */
-    DecisionOverlay(MapView view, IdentityMarks marks, Function<String, Optional<GeoPoint>> positions) {
+    DecisionOverlay(MapView view, IdentityMarks marks, SessionWays ways) {
         this.view = view;
-        places = new PlacesOnMap(view, "decision", marks::of, positions);
+        this.ways = ways;
+        places = new PlacesOnMap(view, "decision", marks::of);
         named = new NamedPlaces(view, "question");
     }
 
@@ -44,7 +44,9 @@ final class DecisionOverlay implements DecisionMap {
             endDrawing();
         }
         shownFor = decision.id();
-        places.show(drawnFor == decision.id() ? List.of() : values);
+        places.show(
+                drawnFor == decision.id() ? List.of() : values,
+                ways.of(decision.decision().mission()));
         named.show(PlacesInText.of(decision.decision().prompt()));
         Set<String> lit = new HashSet<>(places.ids());
         if (decision.question() instanceof Question.ChooseProxies asked) {

@@ -15,15 +15,14 @@ import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.Timer;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.context.SessionWays;
 import org.sami.crw.gui.context.UseWatch;
 import org.sami.crw.gui.decision.DecisionMap;
 import org.sami.crw.operator.MapModel;
-import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.map.LayerState;
 import org.sami.crw.operator.map.MapSnapshot;
 import org.sami.crw.operator.map.PlacesInText;
 import org.sami.crw.operator.map.ShownPart;
-import org.sami.crw.proxy.BoatPose;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
@@ -290,14 +289,7 @@ public final class MapPanel extends JPanel {
 
     /** Where the shown decision is seen on this map; to be asked for once. */
     public DecisionMap decisionMap() {
-        return new DecisionOverlay(
-                view,
-                context.marks(),
-                boat -> context.models()
-                        .fleet()
-                        .boat(boat)
-                        .flatMap(BoatSnapshot::pose)
-                        .map(BoatPose::position));
+        return new DecisionOverlay(view, context.marks(), new SessionWays(context));
     }
 
     /** Gives up its files. */

@@ -14,6 +14,9 @@ import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.session.Session;
 import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
 
 @Timeout(120)
 class SessionOpenerTest {
@@ -38,6 +41,28 @@ class SessionOpenerTest {
                 assertThat(again.named()).contains(NamedConditions.rough);
             }
         }
+    }
+
+    @Test
+    void wayOfAPathThatAnOptionShowsLeadsAroundTheNoGoAreasOfTheProject() throws Exception {
+        try (DataDirectory data = DataDirectory.open(folder);
+                Session session = new SessionOpener(data, List.of(), Optional.empty()).openNew()) {
+            errorOf("anna", session);
+            GeoPoint behind = GeoPoint.of(25.3615, 51.532);
+            List<GeoPoint> way = wayOf("anna", new GeoPath(List.of(behind)), session);
+            List<GeoPoint> free = wayOf("anna", new GeoPath(List.of(GeoPoint.of(25.36, 51.528))), session);
+
+            assertThat(way).hasSizeGreaterThan(2).endsWith(behind);
+            assertThat(free).hasSize(2);
+        }
+    }
+
+    private static List<GeoPoint> wayOf(String boat, GeoPath path, Session session) {
+        return session.way(Ids.NONE, boat, path)
+                .toCompletableFuture()
+                .orTimeout(30, TimeUnit.SECONDS)
+                .join()
+                .orElseThrow();
     }
 
     /** What a boat says of itself. */

@@ -1,0 +1,38 @@
+package org.sami.crw.session;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.sami.crw.handler.motion.WayLimits;
+import org.sami.crw.handler.planning.CrwServices;
+import org.sami.crw.proxy.BoatPose;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.service.water.CrossTrackError;
+import org.sami.crw.service.water.Water;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
+
+/** Where a boat is, and how far it may be beside its ways: what a way that it has not been sent yet depends on. Immutable. */
+record BoatStart(GeoPoint at, CrossTrackError error) {
+    /** That of a boat, if it is known where it is; one that does not say how far it may be beside its ways is as the services have it. */
+    static Optional<BoatStart> of(BoatProxy boat, CrwServices services) {
+        return boat.status()
+                .pose()
+                .map(BoatPose::position)
+                .map(at -> new BoatStart(at, boat.error().orElse(services.error())));
+    }
+
+    /** The way along a path, from here on. */
+    List<GeoPoint> way(GeoPath path, WayLimits limits) {
+        List<GeoPoint> way = new ArrayList<>(List.of(at));
+        if (!path.points().isEmpty()) {
+            FollowPath along = FollowPath.of("preview", Ids.NONE, Ids.NONE, path.points(), Priority.MEDIUM);
+            Optional<Water> water = limits.water(Optional.of(at), path.points(), error);
+            way.addAll(water.map(along::in).orElse(along).way(at));
+        }
+        return way;
+    }
+}

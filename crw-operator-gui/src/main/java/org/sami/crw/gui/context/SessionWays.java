@@ -1,0 +1,65 @@
+package org.sami.crw.gui.context;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
+import org.sami.ui.value.RobotWays;
+
+/**
+ * The ways on which boats of a session would go along paths for a mission: at first the straight ones, and as soon as they are found those around what
+ * the mission avoids. In a replay straight ones only. On the event thread.
+ */
+public final class SessionWays {
+    private static final int KEPT = 100;
+
+    private final OperatorContext context;
+    private final Map<Asked, List<GeoPoint>> found = new LinkedHashMap<>();
+
+    private record Asked(long mission, String boat, GeoPath path) {}
+
+    /** Has found none yet. */
+    public SessionWays(OperatorContext context) {
+        this.context = context;
+    }
+
+    /** Those of a mission. */
+    public RobotWays of(long mission) {
+        return (boat, path, teller) -> find(new Asked(mission, boat, path), teller);
+    }
+
+    private void find(Asked asked, Consumer<List<GeoPoint>> teller) {
+        Optional.ofNullable(found.get(asked)).or(() -> straight(asked)).ifPresent(teller);
+        context.shown()
+                .session()
+                .ifPresent(session -> session.way(asked.mission(), asked.boat(), asked.path())
+                        .thenAccept(way -> way.ifPresent(one -> {
+                            keep(asked, one);
+                            teller.accept(one);
+                        })));
+    }
+
+    private Optional<List<GeoPoint>> straight(Asked asked) {
+        return context.models()
+                .fleet()
+                .boat(asked.boat())
+                .flatMap(BoatSnapshot::pose)
+                .map(pose -> {
+                    List<GeoPoint> way = new ArrayList<>(List.of(pose.position()));
+                    way.addAll(asked.path().points());
+                    return way;
+                });
+    }
+
+    private void keep(Asked asked, List<GeoPoint> way) {
+        if (found.size() >= KEPT) {
+            found.clear();
+        }
+        found.put(asked, way);
+    }
+}
