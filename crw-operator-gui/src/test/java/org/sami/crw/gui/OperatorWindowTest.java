@@ -99,6 +99,7 @@ class OperatorWindowTest {
 
         robot.untilSaid("mission-state", "aborted");
         assertThat(newest().outcome()).contains(Outcome.ABORTED);
+        robot.untilFocused("mission-parts"); // and not the fleet stop
         leaveTheMission();
     }
 

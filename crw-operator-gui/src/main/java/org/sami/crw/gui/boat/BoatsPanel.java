@@ -49,6 +49,10 @@ public final class BoatsPanel extends JPanel {
                         RowColumn.<Shown>number("Link", 104, Shown::link)
                                 .colored(shown -> shown.stale() ? SemanticColor.CRITICAL : SemanticColor.TEXT)));
         BoatTables.shareSelection(context, table, Shown::name);
+        context.models()
+                .fleet()
+                .addListener(boats -> context.boats()
+                        .retain(boats.stream().map(BoatSnapshot::boat).toList()));
         add(table);
         refresh();
     }

@@ -21,6 +21,13 @@ public final class BoatSelection {
         }
     }
 
+    /** Of those that are selected, only these stay so: the others are gone. */
+    public void retain(Collection<String> known) {
+        Set<String> left = new LinkedHashSet<>(boats);
+        left.retainAll(known);
+        select(left);
+    }
+
     /** The ids of those that are selected, in the order of their selection. */
     public List<String> boats() {
         return List.copyOf(boats);

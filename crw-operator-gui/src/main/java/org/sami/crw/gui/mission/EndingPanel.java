@@ -1,5 +1,7 @@
 package org.sami.crw.gui.mission;
 
+import java.awt.Component;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Optional;
@@ -25,6 +27,7 @@ final class EndingPanel extends JPanel {
     private final WrappedText lines = new WrappedText("");
     private final CommandButton confirm;
     private final Consumer<Boolean> end;
+    private final Runnable focusBack;
     private final Runnable changed;
     private Optional<Boolean> abort = Optional.empty();
 
@@ -32,11 +35,13 @@ final class EndingPanel extends JPanel {
      * Nothing is proposed.
      *
      * @param end is told true to abort, false to complete
+     * @param focusBack gives the focus to the mission
      * @param changed is told when something is proposed, or no longer
      */
-    EndingPanel(CommandRegistry commands, Consumer<Boolean> end, Runnable changed) {
+    EndingPanel(CommandRegistry commands, Consumer<Boolean> end, Runnable focusBack, Runnable changed) {
         super(new MigLayout("novisualpadding, insets 8 12 8 12, gap 8 4, fillx, wrap 3", "[grow,fill][][]"));
         this.end = end;
+        this.focusBack = focusBack;
         this.changed = changed;
         setName("mission-ending");
         title.setHeading(true);
@@ -103,7 +108,13 @@ final class EndingPanel extends JPanel {
     void leave() {
         if (abort.isPresent()) {
             abort = Optional.empty();
+            Component focused =
+                    KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+            boolean hadFocus = focused != null && isAncestorOf(focused);
             setVisible(false);
+            if (hadFocus) {
+                focusBack.run(); // else the next button has it, which may be the fleet stop
+            }
             changed.run();
         }
     }

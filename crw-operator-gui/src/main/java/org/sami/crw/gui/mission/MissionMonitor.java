@@ -193,7 +193,8 @@ public final class MissionMonitor extends JPanel {
     private MissionView added(MissionSnapshot mission, MissionsSnapshot all) {
         MissionView view = new MissionView(context, mission, all, this::refreshCommands);
         view.show(phases.of(mission.id()));
-        tabs.addTab(mission.title(), view);
+        boolean again = views.values().stream().anyMatch(other -> other.title().equals(mission.title()));
+        tabs.addTab(again ? mission.title() + " (" + mission.id() + ")" : mission.title(), view);
         tabs.setSelectedComponent(view);
         view.focusFirst();
         return view;

@@ -57,7 +57,7 @@ final class MissionView extends JPanel {
                 table("mission-places", "Nothing stands anywhere: the mission is over.", "Place", "Who waits for what");
         variables = table("mission-variables", "The plan has no variable with a value yet.", "Variable", "Value");
         head = new MissionHead(context.commands());
-        ending = new EndingPanel(context.commands(), this::end, proposed);
+        ending = new EndingPanel(context.commands(), this::end, this::focusFirst, proposed);
         parts.setName("mission-parts");
         parts.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
         parts.putClientProperty("JTabbedPane.minimumTabWidth", LEAST_TAB);
