@@ -165,7 +165,7 @@ public final class CrwDomain implements AutoCloseable {
                         computations,
                         errors));
         handlers.put(PathHandler.TYPE, new PathHandler(services.paths(), positions, messages, computations, errors));
-        handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions, errors));
+        handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions, messages, errors));
         handlers.put(
                 DistributeHandler.TYPE,
                 new DistributeHandler(services.allocation(), positions, messages, computations, errors));

@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.sami.boat.link.TrackingError;
 import org.sami.crw.event.Allocation;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.handler.activation.EventNames;
@@ -173,6 +175,40 @@ class RequestTest {
         assertThat(Geodesy.distanceM(first, second)).isGreaterThan(9.99);
         assertThat(point(answers.get(1), "west")).isEqualTo(first);
         assertFitsVocabulary(answers.get(1));
+    }
+
+    @Test
+    void ofPlacesThatLeaveNoWayBetweenBoatsWhosePositionsErrTheOperatorIsToldOnce() {
+        world.addBoat("erring", 0, 50, hull -> hull.error = Optional.of(new TrackingError(1.6, 0.2)));
+        world.addBoat("other", 0, 60, hull -> hull.error = Optional.of(new TrackingError(1.6, 0.2)));
+        world.run(1);
+
+        assemble(10, "erring");
+        assertThat(messages()).as("one boat is in nobody's way").noneMatch(text -> text.contains("apart"));
+        assemble(10, "other");
+        assemble(10, "erring", "other");
+
+        assertThat(messages().stream().filter(text -> text.contains("apart")))
+                .containsExactly(
+                        "Assembly: boats that lie 10 m apart leave others no way between them, which wait near by;"
+                                + " 17 m are enough for boats whose positions err by 1.6 m");
+    }
+
+    @Test
+    void placesThatLeaveWaysBetweenThemNeedNoMessage() {
+        assemble(10, "west", "east");
+
+        assertThat(messages()).noneMatch(text -> text.contains("apart"));
+    }
+
+    private void assemble(double spacingM, String... boats) {
+        world.happens(
+                engine,
+                new TestActivations("AssembleLocationRequest")
+                        .with("location", TestWorld.HOME)
+                        .with("spacing", new RealValue(spacingM))
+                        .of(boats)
+                        .effect());
     }
 
     @Test

@@ -25,6 +25,8 @@ import org.sami.boat.server.vehicle.Vehicle;
 final class ModeControl {
     private static final double TURNING_EFFORT = 0.3; // slow enough for pictures
     private static final double ASIDE_MPS = 0.6;
+    private static final double NEAR_OTHERS_M = 20;
+    private static final double KEPT_NEAR_OTHERS_M = 1.5;
 
     private final ServerConfig config;
     private final Vehicle vehicle;
@@ -268,10 +270,11 @@ final class ModeControl {
             steering.rest();
         }
         double distanceM = steering.distanceM(target);
-        if (drivingBack && distanceM < config.holdRadiusM() / 2) {
+        double keptM = keptM(nowMs);
+        if (drivingBack && distanceM < keptM / 2) {
             drivingBack = false;
             steering.rest();
-        } else if (distanceM > config.holdRadiusM()) {
+        } else if (distanceM > keptM) {
             drivingBack = true;
         }
         if (drivingBack) {
@@ -279,6 +282,13 @@ final class ModeControl {
         } else if (panorama.isPresent()) {
             tickPanorama(panorama.get());
         }
+    }
+
+    /** How far from its station it drifts before it drives back: where others are near it leaves them the way, as long as nobody wants its place. */
+    private double keptM(long nowMs) {
+        boolean isToStayNear = surroundings.isNear(vehicle.latDeg(), vehicle.lonDeg(), NEAR_OTHERS_M, nowMs)
+                && room.isClear(target, nowMs);
+        return isToStayNear ? Math.min(KEPT_NEAR_OTHERS_M, config.holdRadiusM()) : config.holdRadiusM();
     }
 
     private void tickPanorama(Panorama turn) {

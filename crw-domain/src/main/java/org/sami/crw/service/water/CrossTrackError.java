@@ -19,6 +19,10 @@ public record CrossTrackError(double steeringM, double positionM, double driftMp
     /** Ways are planned on one plane, told in degrees, and measured on another. */
     private static final double ROUNDING_M = 0.01;
 
+    private static final double APART_M = 3.5; // boats keep that between them,
+    private static final double APART_DEVIATIONS = 1.5; // that many of the distance between two (docs/decisions, 0320),
+    private static final double STATION_M = 1.5; // and to their stations, among others and where they drift (0322)
+
     private static final double KEPT_DEVIATIONS = 3; // exceeded once in some hours
     private static final double MOST_DEVIATIONS = 5; // exceeded once in some years
 
@@ -62,6 +66,12 @@ public record CrossTrackError(double steeringM, double positionM, double driftMp
     /** The most that a boat is ever taken to be beside its path, in metres. */
     public double mostM() {
         return steeringM + MOST_DEVIATIONS * positionM + 2 * TURN_S * driftMps;
+    }
+
+    /** How far from one another boats are to lie so that others find a way between them, in metres. */
+    public double berthM() {
+        double apartM = APART_M + APART_DEVIATIONS * Math.sqrt(2) * positionM;
+        return 2 * (apartM + (driftMps > 0 ? STATION_M : 0));
     }
 
     /** How far a boat may come into what its path passes at a distance, in metres; zero where it may not. */

@@ -147,7 +147,7 @@ class NewProjectTest {
                 .contains("--set ask-stations.location=point\n", "--set watch-time.duration=duration  (\"PT3M\")\n")
                 .doesNotContain("clv");
         assertThat(json.at("/plans/0/parameters/1").toString())
-                .isEqualTo("{\"name\":\"ask-stations.spacing\",\"type\":\"real\",\"default\":10,\"editable\":true}");
+                .isEqualTo("{\"name\":\"ask-stations.spacing\",\"type\":\"real\",\"default\":20,\"editable\":true}");
         assertThat(CommandResult.crw("plans", file.toString()).out())
                 .contains("mine  (mine)", "ask-stations.spacing=real");
     }

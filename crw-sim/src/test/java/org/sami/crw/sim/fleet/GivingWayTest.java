@@ -8,6 +8,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.hull.HullConfig;
 import org.sami.spn.protocol.Priority;
 
@@ -178,12 +180,44 @@ class GivingWayTest {
         double northM = keeper.hull().northM();
 
         drive("boat1", 0, 30, 0, 60);
-        watch(120, "boat1");
+        double farthestM = 0;
+        for (int i = 0; i < 120 && !hasArrived("boat1"); i++) {
+            watch(0.5, "boat1");
+            farthestM = Math.max(farthestM, awayM(keeper, eastM, northM));
+        }
 
         assertThat(hasArrived("boat1")).isTrue();
         assertThat(leastM).isGreaterThanOrEqualTo(APART_M);
-        assertThat(Math.hypot(keeper.hull().eastM() - eastM, keeper.hull().northM() - northM))
-                .isBetween(3.0, 5.5);
+        assertThat(farthestM).isBetween(3.0, 5.5);
+        assertThat(awayM(keeper, eastM, northM)).as("it has come back").isLessThan(2.5);
+    }
+
+    private static double awayM(SimulatedBoat boat, double eastM, double northM) {
+        return Math.hypot(boat.hull().eastM() - eastM, boat.hull().northM() - northM);
+    }
+
+    /** A boat that is alone drifts up to 5 m before it drives back. */
+    @Test
+    void boatsThatDriftKeepTheirStationsCloselyWhereOthersAreNear() {
+        Conditions drifting = new Conditions(0, 0, Flow.parse("0.25@90"), Flow.NONE, List.of());
+        world = new SimulatedTestWorld(2, 1, ENDURING.withConditions(drifting));
+        world.run(2);
+        drive("boat1", 0, 30);
+        drive("boat2", 15, 30);
+        watch(120, "boat1", "boat2");
+
+        leastM = Double.MAX_VALUE;
+        double farthestM = 0;
+        SimulatedBoat one = world.fleet.boats().get(0);
+        SimulatedBoat other = world.fleet.boats().get(1);
+        for (int i = 0; i < 120; i++) {
+            world.run(0.5);
+            leastM = Math.min(leastM, distanceM(one, other));
+            farthestM = Math.max(farthestM, Math.max(awayM(one, 0, 30), awayM(other, 15, 30)));
+        }
+
+        assertThat(farthestM).isLessThan(2.5);
+        assertThat(leastM).isGreaterThan(11);
     }
 
     @Test

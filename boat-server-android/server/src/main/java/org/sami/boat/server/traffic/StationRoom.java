@@ -61,6 +61,13 @@ public final class StationRoom {
         return nearest;
     }
 
+    /** Whether nobody who comes wants to go to the station, or past it. */
+    public boolean isClear(LocalFrame station, long nowMs) {
+        LocalFrame plane = surroundings.plane();
+        double eastM = plane.eastM(station.originLatDeg(), station.originLonDeg());
+        return isClear(eastM, plane.northM(station.originLatDeg(), station.originLonDeg()), nowMs);
+    }
+
     /** Whether nobody who comes wants to go there, and nobody waits to go past there. */
     private boolean isClear(double eastM, double northM, long nowMs) {
         for (OtherBoat other : surroundings.others()) {
