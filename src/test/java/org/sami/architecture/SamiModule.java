@@ -22,7 +22,7 @@ import java.util.stream.Stream;
 enum SamiModule {
     SPN_CORE("spn-core", 540, List.of("org.sami.spn.."), List.of()),
     BOAT_LINK("boat-link", 55, List.of("org.sami.boat.link.."), List.of()),
-    BOAT_SERVER("boat-server-android/server", 42, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
+    BOAT_SERVER("boat-server-android/server", 50, List.of("org.sami.boat.server.."), List.of(BOAT_LINK)),
     CRW_DOMAIN(
             "crw-domain",
             440,
