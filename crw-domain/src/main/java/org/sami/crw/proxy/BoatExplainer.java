@@ -53,7 +53,8 @@ final class BoatExplainer {
 
     /** Nobody sees whether it moves: what it does by itself is what it was set to. */
     private BoatExplanation outOfReach(Obstacle lost) {
-        String byItself = proxy.tuning()
+        String byItself = proxy.settings()
+                .inForce()
                 .map(BoatTuning::lostLinkAction)
                 .map(action -> "; by itself it " + LostLinkWords.of(action))
                 .orElse("");

@@ -59,7 +59,7 @@ public interface BoatListener {
     /** This base commands the boat from now on, or does so no longer. */
     default void onCommanding(String boatId, boolean commands) {}
 
-    /** Another client wishes to command the boat; {@link BoatProxy#grantCommand} hands it over. */
+    /** Another client wishes to command the boat; {@link HandOver#grantCommand} hands it over. */
     default void onCommandAsked(String boatId, String clientId) {}
 
     /** What one of the boat's sensors measured. */
@@ -68,7 +68,7 @@ public interface BoatListener {
     /** The boat said which settings are in force on it: when the link came, and after each one that was set. */
     default void onTuning(String boatId, BoatTuning tuning) {}
 
-    /** The boat took a setting: that of the command that {@link BoatProxy#setGains} and its like named. */
+    /** The boat took a setting: that of the command that {@link ProxySettings#setGains} and its like named. */
     default void onTuningTaken(String boatId, String commandId) {}
 
     /** The boat did not take a setting, for a reason in words. */

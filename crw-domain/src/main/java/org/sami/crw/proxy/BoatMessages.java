@@ -35,7 +35,7 @@ final class BoatMessages {
     private final BoatCondition condition;
     private final ProxyLink link;
     private final HandOver handOver;
-    private final SettingsSender tuner;
+    private final ProxySettings settings;
     private final PendingRequests fleetRequests;
     private final CommandDriver driver;
     private final DeferredNotifications announcements;
@@ -46,7 +46,7 @@ final class BoatMessages {
             BoatCondition condition,
             ProxyLink link,
             HandOver handOver,
-            SettingsSender tuner,
+            ProxySettings settings,
             PendingRequests fleetRequests,
             CommandDriver driver,
             DeferredNotifications announcements) {
@@ -54,7 +54,7 @@ final class BoatMessages {
         this.condition = condition;
         this.link = link;
         this.handOver = handOver;
-        this.tuner = tuner;
+        this.settings = settings;
         this.fleetRequests = fleetRequests;
         this.driver = driver;
         this.announcements = announcements;
@@ -93,7 +93,7 @@ final class BoatMessages {
         } else if (message instanceof SettingsReport report) {
             condition.home = report.home().map(home -> GeoPoint.of(home.latDeg(), home.lonDeg()));
             condition.error = report.error().map(error -> CrossTrackError.of(error.positionM(), error.driftMps()));
-            tuner.reported(report);
+            settings.reported(report);
         } else if (message instanceof Welcome welcome) {
             welcomed(welcome);
         } else if (message instanceof CommandAsked asked) {
@@ -176,7 +176,7 @@ final class BoatMessages {
 
     private boolean canMove(Telemetry telemetry) {
         return telemetry.batteryPercent() > 0
-                && tuner.inForce().map(BoatTuning::velocityMultiplier).orElse(1.0) > 0;
+                && settings.inForce().map(BoatTuning::velocityMultiplier).orElse(1.0) > 0;
     }
 
     /** Has the boat say again what it holds; until then it is told nothing. */
@@ -198,14 +198,14 @@ final class BoatMessages {
 
     private void answered(String commandId, LinkMessage answer) {
         if (!handOver.answered(commandId)
-                && !tuner.answered(commandId)
+                && !settings.answered(commandId)
                 && fleetRequests.answered(commandId).isEmpty()) { // else the next telemetry says what it has come to
             driver.answered(commandId, answer, condition.nowMs);
         }
     }
 
     private void refused(Nack nack) {
-        tuner.refused(nack);
+        settings.refused(nack);
         boolean mayPass = !handOver.refused(nack) && driver.refused(nack);
         boolean lostThere = nack.reason() == NackReason.NOT_GREETED && !condition.awaitingProgress; // though not here
         if (mayPass || lostThere) {
@@ -228,7 +228,7 @@ final class BoatMessages {
     /** Whether the boat returns to its home when its link is lost. */
     private boolean isToReturn() {
         return !condition.fleetStopped
-                && tuner.inForce()
+                && settings.inForce()
                         .map(BoatTuning::lostLinkAction)
                         .filter(LostLinkAction.RETURN::equals)
                         .isPresent();

@@ -4,21 +4,11 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalLong;
-import org.sami.boat.link.AskForCommand;
-import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
-import org.sami.boat.link.GainAxis;
-import org.sami.boat.link.Gains;
-import org.sami.boat.link.GrantCommand;
-import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.NoGoEdges;
-import org.sami.boat.link.SetGains;
-import org.sami.boat.link.SetLostLinkAction;
-import org.sami.boat.link.SetVelocityMultiplier;
-import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.Traffic;
 import org.sami.crw.service.water.CrossTrackError;
@@ -41,7 +31,7 @@ public final class BoatProxy {
     private final PendingRequests fleetRequests; // what stops or releases the whole fleet
     private final HandOver handOver;
     private final DeferredNotifications announcements;
-    private final SettingsSender tuner;
+    private final ProxySettings settings;
     private final CommandDriver driver;
     private final BoatCondition condition;
     private final BoatMessages messages;
@@ -54,11 +44,11 @@ public final class BoatProxy {
         link = new ProxyLink(boatId, Objects.requireNonNull(toBoat, "toBoat"), config);
         fleetRequests = new PendingRequests(link, config);
         announcements = new DeferredNotifications(Objects.requireNonNull(listener, "listener"));
-        handOver = new HandOver(boatId, link, config, announcements);
         condition = new BoatCondition(boatId, link);
         driver = new CommandDriver(boatId, config, link, announcements, this::position, condition.wayHome);
-        tuner = new SettingsSender(boatId, link, config, announcements);
-        messages = new BoatMessages(boatId, condition, link, handOver, tuner, fleetRequests, driver, announcements);
+        handOver = new HandOver(boatId, link, config, announcements, condition, driver::wireId);
+        settings = new ProxySettings(boatId, link, config, announcements, condition, driver::wireId, this::settle);
+        messages = new BoatMessages(boatId, condition, link, handOver, settings, fleetRequests, driver, announcements);
     }
 
     private Optional<GeoPoint> position() {
@@ -237,7 +227,7 @@ public final class BoatProxy {
      */
     public void retire(String reason) {
         driver.failAll(reason);
-        tuner.giveUp(reason);
+        settings.giveUp(reason);
         condition.unconfirmedRestart = false;
         announcements.add(l -> l.onRetired(boatId));
         settle();
@@ -321,7 +311,7 @@ public final class BoatProxy {
         if (link.isCommanding()) {
             driver.tick(condition.nowMs);
             fleetRequests.tick(condition.nowMs).forEach(request -> fleetRequests.send(request, condition.nowMs));
-            tuner.tick(condition.nowMs);
+            settings.tick(condition.nowMs);
             if (condition.awaitingProgress) {
                 link.helloIfDue(condition.nowMs);
             }
@@ -405,44 +395,14 @@ public final class BoatProxy {
         }
     }
 
-    /**
-     * Sets the gains of one of the boat's control loops. The listener is told whether the boat took them, and what is in force
-     * afterwards.
-     *
-     * @return the id of the command, by which the listener is told
-     */
-    public String setGains(GainAxis axis, Gains gains) {
-        return tune("gains " + axis, new SetGains(driver.wireId("gains"), axis, gains));
+    /** What can be set on the boat, and what it said is in force. */
+    public ProxySettings settings() {
+        return settings;
     }
 
-    /**
-     * Scales the speed of every leg; the listener is told as for {@link #setGains}.
-     *
-     * @param multiplier 0 to {@link SetVelocityMultiplier#MAX_MULTIPLIER}; the boat's own limit still holds
-     * @return the id of the command
-     */
-    public String setVelocityMultiplier(double multiplier) {
-        return tune("velocity", new SetVelocityMultiplier(driver.wireId("velocity"), multiplier));
-    }
-
-    /**
-     * Sets what the boat does when the link is lost; the listener is told as for {@link #setGains}.
-     *
-     * @return the id of the command
-     */
-    public String setLostLinkAction(LostLinkAction action) {
-        return tune("lost-link", new SetLostLinkAction(driver.wireId("lost-link"), action));
-    }
-
-    private String tune(String kind, CommandMessage setting) {
-        String id = tuner.ask(kind, setting, condition.nowMs);
-        settle();
-        return id;
-    }
-
-    /** The settings that the boat said last are in force; empty before it said so. */
-    public Optional<BoatTuning> tuning() {
-        return tuner.inForce();
+    /** Who commands the boat, where several bases may. */
+    public HandOver handOver() {
+        return handOver;
     }
 
     /** Stops the motors, latched on the boat; commands wait until {@link #fleetRelease}. */
@@ -462,32 +422,6 @@ public final class BoatProxy {
     /** Whether the boat has still to acknowledge a fleet stop or the release of one. */
     public boolean isAwaitingFleetAnswer() {
         return fleetRequests.areWaiting();
-    }
-
-    /**
-     * Only watches the boat from now on, until the base asks for the command, takes it or is granted it. A boat that it has
-     * commanded, and nobody else wants, does what is set for a lost link.
-     */
-    public void observe() {
-        link.observe();
-        if (link.isCommanding()) {
-            link.hello(condition.nowMs);
-        }
-    }
-
-    /** Tells the boat that this base wishes to command it; who commands it then decides. */
-    public void askForCommand() {
-        handOver.request(new AskForCommand(driver.wireId("ask-command")), condition.nowMs);
-    }
-
-    /** Commands the boat from now on, whoever did before: for an operator who knows why. */
-    public void takeCommand() {
-        handOver.request(new TakeCommand(driver.wireId("take-command")), condition.nowMs);
-    }
-
-    /** Hands the command over to another client and observes; commands that are queued here wait. */
-    public void grantCommand(String clientId) {
-        handOver.request(new GrantCommand(driver.wireId("grant-command"), clientId), condition.nowMs);
     }
 
     /** Why the boat moves or does not; missions are told by their numbers. */

@@ -1,28 +1,76 @@
 package org.sami.crw.proxy;
 
+import java.util.function.UnaryOperator;
+import org.sami.boat.link.AskForCommand;
 import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.GrantCommand;
 import org.sami.boat.link.Nack;
+import org.sami.boat.link.TakeCommand;
 
-/** Who commands the boat: what the operator asks of it, and what the listener has been told. */
-final class HandOver {
+/**
+ * The hand-over of a boat's command between bases: what the operator asks of the boat, and what the proxy's listener has been told of it.
+ * Only one of several bases commands a boat. For the proxy's thread.
+ */
+public final class HandOver {
     private final String boatId;
     private final ProxyLink link;
     private final PendingRequests requests;
     private final DeferredNotifications announcements;
+    private final BoatCondition condition;
+    private final UnaryOperator<String> ids;
     private boolean toldCommanding;
 
-    HandOver(String boatId, ProxyLink link, ProxyConfig config, DeferredNotifications announcements) {
+    /**
+     * A hand-over that nobody has asked for yet.
+     *
+     * @param ids makes the id of a command of what it is about
+     */
+    HandOver(
+            String boatId,
+            ProxyLink link,
+            ProxyConfig config,
+            DeferredNotifications announcements,
+            BoatCondition condition,
+            UnaryOperator<String> ids) {
         this.boatId = boatId;
         this.link = link;
         this.announcements = announcements;
+        this.condition = condition;
+        this.ids = ids;
         requests = new PendingRequests(link, config);
     }
 
+    /**
+     * Only watches the boat from now on, until this base asks for the command, takes it or is granted it. A boat that it has
+     * commanded, and nobody else wants, does what is set for a lost link.
+     */
+    public void observe() {
+        link.observe();
+        if (link.isCommanding()) {
+            link.hello(condition.nowMs);
+        }
+    }
+
+    /** Tells the boat that this base wishes to command it; who commands it then decides. */
+    public void askForCommand() {
+        request(new AskForCommand(ids.apply("ask-command")));
+    }
+
+    /** Commands the boat from now on, whoever did before: for an operator who knows why. */
+    public void takeCommand() {
+        request(new TakeCommand(ids.apply("take-command")));
+    }
+
+    /** Hands the command over to another client and observes; commands that are queued here wait. */
+    public void grantCommand(String clientId) {
+        request(new GrantCommand(ids.apply("grant-command"), clientId));
+    }
+
     /** Asks it of the boat, in place of what was asked before; nothing is asked without a link. */
-    void request(CommandMessage request, long nowMs) {
+    private void request(CommandMessage request) {
         requests.clear();
         if (link.state() == LinkState.LINKED) {
-            requests.send(request, nowMs);
+            requests.send(request, condition.nowMs);
         }
     }
 

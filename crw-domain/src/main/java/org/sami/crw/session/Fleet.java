@@ -65,7 +65,7 @@ public final class Fleet {
 
     private void found(BoatProxy boat) {
         if (remembered.map(memory -> memory.isWatched(boat.boatId())).orElse(false)) {
-            boat.observe();
+            boat.handOver().observe();
         }
         if (stopped) {
             boat.fleetStop();
@@ -212,7 +212,7 @@ public final class Fleet {
         return tell(boat, "took the command of " + boat, proxy -> {
             checkLinked(proxy);
             remembered.ifPresent(memory -> memory.watched(boat, false));
-            proxy.takeCommand();
+            proxy.handOver().takeCommand();
         });
     }
 
@@ -220,7 +220,7 @@ public final class Fleet {
     public CompletionStage<Void> askForCommand(String boat) {
         return tell(boat, "asked for the command of " + boat, proxy -> {
             checkLinked(proxy);
-            proxy.askForCommand();
+            proxy.handOver().askForCommand();
         });
     }
 
@@ -229,7 +229,7 @@ public final class Fleet {
         return tell(boat, "only watches " + boat, proxy -> {
             checkLinked(proxy);
             remembered.ifPresent(memory -> memory.watched(boat, true));
-            proxy.observe();
+            proxy.handOver().observe();
         });
     }
 
@@ -237,7 +237,7 @@ public final class Fleet {
     public CompletionStage<Void> handOver(String boat, String clientId) {
         return tell(boat, "gave the command of " + boat + " to " + clientId, proxy -> {
             checkCommanding(proxy);
-            proxy.grantCommand(clientId);
+            proxy.handOver().grantCommand(clientId);
         });
     }
 
@@ -297,14 +297,14 @@ public final class Fleet {
 
     /** The settings that a boat said last are in force on it; empty before it said so. */
     public CompletionStage<Optional<BoatTuning>> settings(String boat) {
-        return onBoat(boat, BoatProxy::tuning);
+        return onBoat(boat, proxy -> proxy.settings().inForce());
     }
 
     /** Sets the gains of one of a boat's control loops; completes when the boat has taken them, fails with its reason where it refuses. */
     public CompletionStage<Void> setGains(String boat, GainAxis axis, Gains gains) {
         return set(
                 boat,
-                proxy -> proxy.setGains(axis, gains),
+                proxy -> proxy.settings().setGains(axis, gains),
                 "set the " + axis.name().toLowerCase(Locale.ROOT) + " gains of " + boat + " to " + gains);
     }
 
@@ -316,7 +316,7 @@ public final class Fleet {
     public CompletionStage<Void> setVelocityMultiplier(String boat, double multiplier) {
         return set(
                 boat,
-                proxy -> proxy.setVelocityMultiplier(multiplier),
+                proxy -> proxy.settings().setVelocityMultiplier(multiplier),
                 "set the velocity multiplier of " + boat + " to " + multiplier);
     }
 
@@ -324,7 +324,7 @@ public final class Fleet {
     public CompletionStage<Void> setLostLinkAction(String boat, LostLinkAction action) {
         return set(
                 boat,
-                proxy -> proxy.setLostLinkAction(action),
+                proxy -> proxy.settings().setLostLinkAction(action),
                 "set " + boat + " to " + action.name().toLowerCase(Locale.ROOT) + " when its link is lost");
     }
 

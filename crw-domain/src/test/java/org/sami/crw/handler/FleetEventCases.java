@@ -243,7 +243,8 @@ final class FleetEventCases {
                             .boats
                             .find("boat-1")
                             .orElseThrow()
-                            .tuning()
+                            .settings()
+                            .inForce()
                             .orElseThrow()
                             .heading())
                     .isEqualTo(new Gains(0.7, 0, 0));

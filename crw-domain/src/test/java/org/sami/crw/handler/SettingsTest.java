@@ -42,7 +42,8 @@ class SettingsTest {
                 .extracting(Occurrence::proxies, Occurrence::activation)
                 .containsExactlyInAnyOrder(tuple(List.of("a"), 7L), tuple(List.of("b"), 7L));
         for (String boat : List.of("a", "b")) {
-            BoatTuning tuning = world.boats.find(boat).orElseThrow().tuning().orElseThrow();
+            BoatTuning tuning =
+                    world.boats.find(boat).orElseThrow().settings().inForce().orElseThrow();
             assertThat(tuning.heading()).isEqualTo(new Gains(0.5, 0.25, 0.125));
             assertThat(tuning.speed()).isEqualTo(new Gains(2, 1, 0.5));
         }
@@ -50,7 +51,8 @@ class SettingsTest {
 
     @Test
     void gainsThatNoBoatTakesFailWithAReasonAndNothingIsSet() {
-        BoatTuning before = world.boats.find("a").orElseThrow().tuning().orElseThrow();
+        BoatTuning before =
+                world.boats.find("a").orElseThrow().settings().inForce().orElseThrow();
         happens(gains(0.5, -2));
         world.run(1);
 
@@ -59,7 +61,7 @@ class SettingsTest {
                 .hasSize(2)
                 .allSatisfy(failed -> assertThat(((TextValue) failed.values().get("reason")).value())
                         .contains("-2"));
-        assertThat(world.boats.find("a").orElseThrow().tuning()).contains(before);
+        assertThat(world.boats.find("a").orElseThrow().settings().inForce()).contains(before);
         assertThat(world.operator.messages().messages())
                 .extracting(OperatorMessage::text)
                 .anyMatch(text -> text.startsWith("a has not taken over what here set"));
@@ -119,7 +121,13 @@ class SettingsTest {
         assertThat(engine.received("SetVelocityMultiplierSucceeded"))
                 .extracting(Occurrence::activation)
                 .containsExactly(9L);
-        assertThat(world.boats.find("a").orElseThrow().tuning().orElseThrow().velocityMultiplier())
+        assertThat(world.boats
+                        .find("a")
+                        .orElseThrow()
+                        .settings()
+                        .inForce()
+                        .orElseThrow()
+                        .velocityMultiplier())
                 .isEqualTo(0.75);
     }
 

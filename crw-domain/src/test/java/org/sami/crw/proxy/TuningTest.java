@@ -92,7 +92,7 @@ class TuningTest {
 
     @Test
     void settingIsAskedForUntilTheBoatAnswers() {
-        proxy.setVelocityMultiplier(0.5);
+        proxy.settings().setVelocityMultiplier(0.5);
         tickAlive(10);
         int sent = asked().size();
         assertThat(sent).isGreaterThan(1);
@@ -106,9 +106,9 @@ class TuningTest {
 
     @Test
     void olderSettingOfAKindIsNotSentAgainAfterANewerOne() {
-        proxy.setGains(GainAxis.HEADING, new Gains(1, 0, 0));
-        proxy.setGains(GainAxis.SPEED, new Gains(3, 0, 0));
-        proxy.setGains(GainAxis.HEADING, new Gains(2, 0, 0));
+        proxy.settings().setGains(GainAxis.HEADING, new Gains(1, 0, 0));
+        proxy.settings().setGains(GainAxis.SPEED, new Gains(3, 0, 0));
+        proxy.settings().setGains(GainAxis.HEADING, new Gains(2, 0, 0));
         said.clear();
         tickAlive(5);
 
@@ -120,7 +120,7 @@ class TuningTest {
 
     @Test
     void refusalThatWillPassIsNoRefusal() {
-        proxy.setLostLinkAction(LostLinkAction.RETURN);
+        proxy.settings().setLostLinkAction(LostLinkAction.RETURN);
         int before = asked().size();
         boatSays(new Nack(askedId(), NackReason.NOT_COMMANDER, "another commands"));
         tickAlive(5);
@@ -137,7 +137,7 @@ class TuningTest {
 
     @Test
     void boatThatNeverAnswersIsTold() {
-        proxy.setVelocityMultiplier(2);
+        proxy.settings().setVelocityMultiplier(2);
         tickAlive(120);
 
         assertThat(heard).hasSize(1);
@@ -146,7 +146,7 @@ class TuningTest {
 
     @Test
     void listenerLearnsWhatIsInForceAndWhatSensorsMeasure() {
-        assertThat(proxy.tuning()).isEmpty();
+        assertThat(proxy.settings().inForce()).isEmpty();
         Gains heading = new Gains(1, 0, 0);
         boatSays(new SettingsReport(heading, heading, 0.5, LostLinkAction.DRIFT));
         boatSays(new SensorReport("ctd", "temperature", List.of(17.5), "°C", 45, 10, 123));
@@ -155,6 +155,6 @@ class TuningTest {
         assertThat(heard)
                 .containsExactly(
                         tuning, new BoatReading("ctd", "temperature", List.of(17.5), "°C", GeoPoint.of(45, 10), 123));
-        assertThat(proxy.tuning()).isEqualTo(Optional.of(tuning));
+        assertThat(proxy.settings().inForce()).isEqualTo(Optional.of(tuning));
     }
 }

@@ -123,7 +123,7 @@ public final class BoatQuestions implements BoatListener, HostListener {
             } else if (question == DomainQuestion.COMMAND_ASKED) {
                 Optional.ofNullable(askers.remove(answered.about()))
                         .filter(client -> answered.yes())
-                        .ifPresent(boat.get()::grantCommand);
+                        .ifPresent(boat.get().handOver()::grantCommand);
             }
         });
     }

@@ -29,7 +29,9 @@ public final class SetGainsHandler implements ActivationHandler {
         settings.ask(activation, context, ANSWERS, boat -> {
             Gains steering = gains(activation, "rudder");
             Gains driving = gains(activation, "thrust");
-            return Set.of(boat.setGains(GainAxis.HEADING, steering), boat.setGains(GainAxis.SPEED, driving));
+            return Set.of(
+                    boat.settings().setGains(GainAxis.HEADING, steering),
+                    boat.settings().setGains(GainAxis.SPEED, driving));
         });
     }
 

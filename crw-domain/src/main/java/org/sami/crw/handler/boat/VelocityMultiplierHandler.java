@@ -22,6 +22,7 @@ public final class VelocityMultiplierHandler implements ActivationHandler {
     @Override
     public void handle(Activation activation, HandlerContext context) {
         double multiplier = ActivationFields.number(activation, "multiplier");
-        settings.ask(activation, context, ANSWERS, boat -> Set.of(boat.setVelocityMultiplier(multiplier)));
+        settings.ask(
+                activation, context, ANSWERS, boat -> Set.of(boat.settings().setVelocityMultiplier(multiplier)));
     }
 }

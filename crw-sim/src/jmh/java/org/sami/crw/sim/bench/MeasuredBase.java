@@ -65,7 +65,9 @@ final class MeasuredBase implements BaseListener, BoatListener, AutoCloseable {
     void command(String boat, double multiplier) {
         if (askedNanos.putIfAbsent(boat, System.nanoTime()) == null) {
             base.executor()
-                    .execute(() -> base.boats().find(boat).ifPresent(proxy -> proxy.setVelocityMultiplier(multiplier)));
+                    .execute(() -> base.boats()
+                            .find(boat)
+                            .ifPresent(proxy -> proxy.settings().setVelocityMultiplier(multiplier)));
         }
     }
 

@@ -70,7 +70,7 @@ public final class FleetOrder {
         @Override
         public void onBoat(BoatProxy boat) {
             if (kind == Kind.LOOK) {
-                boat.observe();
+                boat.handOver().observe();
             }
         }
     }
@@ -129,7 +129,7 @@ public final class FleetOrder {
         } else if (!boat.isCommanding()) {
             if (!takenOver) {
                 takenOver = true;
-                boat.takeCommand();
+                boat.handOver().takeCommand();
             }
             return answer(boat, false, "it has not handed over its command");
         } else if (!told) {

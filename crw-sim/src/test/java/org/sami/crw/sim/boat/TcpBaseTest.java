@@ -344,7 +344,7 @@ class TcpBaseTest {
         second.connect(boat.address(), "anna");
         Await.until("it observes", 30, () -> !second.ask("anna", BoatProxy::isCommanding));
         second.ask("anna", proxy -> {
-            proxy.takeCommand();
+            proxy.handOver().takeCommand();
             return true;
         });
 
@@ -355,12 +355,12 @@ class TcpBaseTest {
         Await.until("it does what the second wants", 30, () -> uploads("upload") == 2 && uploads("start") == 2);
 
         first.ask("anna", proxy -> {
-            proxy.askForCommand();
+            proxy.handOver().askForCommand();
             return true;
         });
         Await.until("the second is asked", 30, () -> second.count("anna asked for by first") == 1);
         second.ask("anna", proxy -> {
-            proxy.grantCommand("first");
+            proxy.handOver().grantCommand("first");
             return true;
         });
         Await.until("the first goes on", 30, () -> uploads("start") == 3);

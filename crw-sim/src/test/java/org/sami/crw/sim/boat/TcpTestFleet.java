@@ -226,7 +226,7 @@ final class TcpTestFleet implements AutoCloseable {
         @Override
         public void onBoat(BoatProxy proxy) {
             if (onlyWatches) {
-                proxy.observe();
+                proxy.handOver().observe();
             }
         }
 

@@ -229,7 +229,7 @@ class BoatProcessTest {
             until("under way", () -> is(BoatMode.PATH));
             until("some 8 m from home", () -> northOf(45.4) > 8 / 111_000.0);
         }
-        try (TcpBase watching = base(boat.port, BoatProxy::observe)) {
+        try (TcpBase watching = base(boat.port, proxy -> proxy.handOver().observe())) {
             until("it does what the option says", () -> is(doing));
             assertThat(watching.links().join()).hasSize(1);
         }

@@ -120,7 +120,7 @@ class GivingWayTest {
         begin(slow, 0, 15);
         begin(fast, 0, 0);
 
-        world.fleet.boat(slow).orElseThrow().proxy().setVelocityMultiplier(0.3);
+        world.fleet.boat(slow).orElseThrow().proxy().settings().setVelocityMultiplier(0.3);
         drive(slow, 0, 60);
         drive(fast, 0, 90);
         double seconds = watch(200, fast);

@@ -71,14 +71,14 @@ class RoughWaterTest {
         world.proxy().submit(world.path(1, 0, 400));
         world.run(30);
         double before = world.hull().speedMps();
-        world.proxy().setVelocityMultiplier(0.5);
+        world.proxy().settings().setVelocityMultiplier(0.5);
         world.run(30);
         assertThat(world.hull().speedMps()).isBetween(0.45 * before, 0.55 * before);
 
-        world.proxy().setGains(GainAxis.SPEED, new Gains(0, 0, 0));
-        world.proxy().setLostLinkAction(LostLinkAction.DRIFT);
+        world.proxy().settings().setGains(GainAxis.SPEED, new Gains(0, 0, 0));
+        world.proxy().settings().setLostLinkAction(LostLinkAction.DRIFT);
         world.run(1);
-        told.add(world.proxy().tuning().orElseThrow());
+        told.add(world.proxy().settings().inForce().orElseThrow());
         assertThat(told)
                 .containsExactly(new BoatTuning(new Gains(1.2, 0, 0), new Gains(0, 0, 0), 0.5, LostLinkAction.DRIFT));
     }

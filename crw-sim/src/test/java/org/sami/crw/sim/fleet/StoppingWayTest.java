@@ -16,7 +16,7 @@ class StoppingWayTest {
     @CsvSource({"1.5, 0", "2, 0", "2, 90", "2, 170", "3, 0", "3, 90"})
     void boatStopsWithinTheWayThatOthersReckonWith(double mps, double turnDeg) {
         world.run(2);
-        world.proxy().setVelocityMultiplier(mps / CRUISE_MPS);
+        world.proxy().settings().setVelocityMultiplier(mps / CRUISE_MPS);
         world.proxy().submit(world.path(1, 0, 200));
         world.run(20);
         double turn = Math.toRadians(turnDeg);

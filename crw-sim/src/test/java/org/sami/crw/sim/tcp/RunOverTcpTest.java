@@ -150,7 +150,7 @@ class RunOverTcpTest {
             other.connect(new InetSocketAddress(InetAddress.getLoopbackAddress(), fleet.port("anna")));
             Await.until("the other base watches anna", 20, () -> isLinked(other));
             other.query(boats -> {
-                        boats.find("anna").orElseThrow().takeCommand();
+                        boats.find("anna").orElseThrow().handOver().takeCommand();
                         return true;
                     })
                     .join();
@@ -180,7 +180,7 @@ class RunOverTcpTest {
 
         @Override
         public void onBoat(BoatProxy proxy) {
-            proxy.observe();
+            proxy.handOver().observe();
         }
     }
 }

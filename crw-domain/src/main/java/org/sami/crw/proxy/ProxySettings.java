@@ -3,39 +3,94 @@ package org.sami.crw.proxy;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.GainAxis;
+import org.sami.boat.link.Gains;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.Nack;
+import org.sami.boat.link.SetGains;
+import org.sami.boat.link.SetLostLinkAction;
+import org.sami.boat.link.SetVelocityMultiplier;
 import org.sami.boat.link.SettingsReport;
 
 /**
- * Sets what can be set on a boat, and knows what it said is in force. Of each kind of setting the newest is asked for, and asked
- * again until the boat answers: an older one that is still unanswered must not overtake it.
+ * The settings of one boat: sets them over its proxy's link, and knows which the boat said are in force. Of each kind of setting the newest is asked for, and asked
+ * again until the boat answers: an older one that is still unanswered must not overtake it. The proxy's listener is told whether the boat
+ * took a setting, and what is in force afterwards. For the proxy's thread.
  */
-final class SettingsSender {
+public final class ProxySettings {
     private final String boatId;
     private final ProxyLink link;
     private final ProxyConfig config;
     private final DeferredNotifications announcements;
+    private final BoatCondition condition;
+    private final UnaryOperator<String> ids;
+    private final Runnable afterwards;
     private final Map<String, PendingRequests> byKind = new LinkedHashMap<>();
     private Optional<BoatTuning> inForce = Optional.empty();
 
-    SettingsSender(String boatId, ProxyLink link, ProxyConfig config, DeferredNotifications announcements) {
+    /**
+     * Settings of a boat that has said nothing yet.
+     *
+     * @param ids makes the id of a command of what it is about
+     * @param afterwards called after each setting was asked for
+     */
+    ProxySettings(
+            String boatId,
+            ProxyLink link,
+            ProxyConfig config,
+            DeferredNotifications announcements,
+            BoatCondition condition,
+            UnaryOperator<String> ids,
+            Runnable afterwards) {
         this.boatId = boatId;
         this.link = link;
         this.config = config;
         this.announcements = announcements;
+        this.condition = condition;
+        this.ids = ids;
+        this.afterwards = afterwards;
     }
 
-    /** What the boat said last; empty before it said anything. */
-    Optional<BoatTuning> inForce() {
+    /** The settings that the boat said last are in force; empty before it said so. */
+    public Optional<BoatTuning> inForce() {
         return inForce;
     }
 
-    /** Asks for a setting. Returns the id of the command, by which the listener hears what became of it. */
-    String ask(String kind, CommandMessage setting, long nowMs) {
+    /**
+     * Sets the gains of one of the boat's control loops.
+     *
+     * @return the id of the command, by which the listener is told
+     */
+    public String setGains(GainAxis axis, Gains gains) {
+        return ask("gains " + axis, new SetGains(ids.apply("gains"), axis, gains));
+    }
+
+    /**
+     * Scales the speed of every leg.
+     *
+     * @param multiplier 0 to {@link SetVelocityMultiplier#MAX_MULTIPLIER}; the boat's own limit still holds
+     * @return the id of the command, by which the listener is told
+     */
+    public String setVelocityMultiplier(double multiplier) {
+        return ask("velocity", new SetVelocityMultiplier(ids.apply("velocity"), multiplier));
+    }
+
+    /**
+     * Sets what the boat does when the link is lost.
+     *
+     * @return the id of the command, by which the listener is told
+     */
+    public String setLostLinkAction(LostLinkAction action) {
+        return ask("lost-link", new SetLostLinkAction(ids.apply("lost-link"), action));
+    }
+
+    private String ask(String kind, CommandMessage setting) {
         PendingRequests requests = byKind.computeIfAbsent(kind, unused -> new PendingRequests(link, config));
         requests.clear().forEach(older -> refused(older, "a newer setting took its place"));
-        requests.send(setting, nowMs);
+        requests.send(setting, condition.nowMs);
+        afterwards.run();
         return setting.commandId();
     }
 
