@@ -6,7 +6,7 @@ import java.io.IOException;
 import org.sami.boat.link.Checks.BadValueException;
 import org.sami.boat.link.LinkException.Fault;
 
-/** A straight piece of the edge of what a boat is not to enter, one row of {@link NoGoEdges}. */
+/** A straight piece of the edge of what a boat is not to enter, which lies to starboard of it; one row of {@link NoGoEdges}. */
 public final class NoGoEdge {
     private static final int NUMBERS = 4;
 

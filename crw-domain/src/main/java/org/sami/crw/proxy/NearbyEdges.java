@@ -32,7 +32,7 @@ final class NearbyEdges {
     /** Those of the water in which the boat may go. */
     NearbyEdges(Water water) {
         this.water = water;
-        for (Object line : LinearComponentExtracter.getLines(water.forbidden())) {
+        for (Object line : LinearComponentExtracter.getLines(water.forbidden().norm())) { // inside to starboard
             Coordinate[] places = ((LineString) line).getCoordinates();
             for (int i = 1; i < places.length; i++) {
                 edges.insert(new Envelope(places[i - 1], places[i]), new LineSegment(places[i - 1], places[i]));

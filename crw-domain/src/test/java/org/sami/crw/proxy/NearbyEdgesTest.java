@@ -4,12 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
+import org.locationtech.jts.geom.Coordinate;
 import org.sami.boat.link.NoGoEdge;
 import org.sami.boat.link.NoGoEdges;
 import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.LocalPlane;
+import org.sami.crw.service.water.Areas;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoArea;
@@ -77,6 +82,40 @@ class NearbyEdgesTest {
                 .drivenWith(CrossTrackError.CALM);
 
         assertThat(new NearbyEdges(inside).near(ORIGIN).orElseThrow().edges()).hasSize(1);
+    }
+
+    /** Whichever way round its outline is told, and around a hole in it. */
+    @Test
+    void whatIsNotToBeEnteredLiesToStarboardOfItsEdges() {
+        List<GeoPoint> outline = new ArrayList<>(area(10, -9, 30, 9).outline());
+        List<GeoPoint> hole = area(14, -2, 18, 2).outline();
+
+        assertThat(starboardSides(outline, hole)).hasSize(8).allMatch(isInside(outline, hole));
+        Collections.reverse(outline);
+        assertThat(starboardSides(outline, hole)).hasSize(8).allMatch(isInside(outline, hole));
+    }
+
+    private static Predicate<GeoPoint> isInside(List<GeoPoint> outline, List<GeoPoint> hole) {
+        Water water = Water.of(ORIGIN, List.of(new GeoArea(outline, List.of(hole))), Optional.empty());
+        return place -> water.depthM(place) > 0;
+    }
+
+    /** A place 0.5 m to starboard of the middle of each edge. */
+    private static List<GeoPoint> starboardSides(List<GeoPoint> outline, List<GeoPoint> hole) {
+        LocalPlane plane = new LocalPlane(ORIGIN);
+        List<GeoPoint> places = new ArrayList<>();
+        for (NoGoEdge edge : avoiding(new GeoArea(outline, List.of(hole)))
+                .near(ORIGIN)
+                .orElseThrow()
+                .edges()) {
+            Coordinate from = Areas.coordinate(GeoPoint.of(edge.fromLatDeg(), edge.fromLonDeg()), plane);
+            Coordinate to = Areas.coordinate(GeoPoint.of(edge.toLatDeg(), edge.toLonDeg()), plane);
+            double lengthM = from.distance(to);
+            places.add(at(
+                    (from.x + to.x) / 2 + 0.5 * (to.y - from.y) / lengthM,
+                    (from.y + to.y) / 2 - 0.5 * (to.x - from.x) / lengthM));
+        }
+        return places;
     }
 
     @Test

@@ -45,6 +45,11 @@ final class DriftEstimate {
         return PlaneMath.length(eastMps, northMps);
     }
 
+    /** The course in radians straight against it. */
+    double againstRad() {
+        return StrictMath.atan2(-eastMps, -northMps);
+    }
+
     /** Heading in radians at which a vehicle of that speed through the water makes good a course; the course where it is too slow. */
     double headingRad(double courseRad, double speedMps) {
         double acrossMps = eastMps * StrictMath.cos(courseRad) - northMps * StrictMath.sin(courseRad); // to starboard

@@ -11,6 +11,9 @@ import org.sami.boat.server.vehicle.Vehicle;
  * first leg begins where the vehicle is when it is told to follow.
  */
 final class PathFollower {
+    private static final double CARRIED_MPS = 0.1; // with less it may be what turning looks like in still water
+    private static final double STANDING_MPS = 0.3;
+
     private final Vehicle vehicle;
     private final SteeringControl steering;
     private final GivingWay givingWay;
@@ -75,9 +78,25 @@ final class PathFollower {
         double courseRad = leg.courseRad(eastM, northM, wantedMps);
         CourseAndSpeed wanted = new CourseAndSpeed(courseRad, wantedMps);
         CourseAndSpeed chosen = givingWay.choose(wanted, leg.line(eastM, northM, courseRad), true, nowMs, seconds);
+        if (waits(chosen)) {
+            steering.holdAgainst(drift.againstRad(), drift.speedMps(), seconds);
+        } else {
+            steering.steerAlong(heading(chosen), chosen.speedMps(), seconds);
+        }
+    }
+
+    /** Whether the vehicle is to stand for others in water that carries it: then it heads against that, since only along its heading it can hold its place. */
+    private boolean waits(CourseAndSpeed chosen) {
+        return chosen.speedMps() == 0
+                && givingWay.isGivingWay()
+                && !givingWay.isTurning()
+                && drift.speedMps() > CARRIED_MPS
+                && Math.abs(vehicle.speedMps()) < STANDING_MPS;
+    }
+
+    private double heading(CourseAndSpeed chosen) {
         double chosenMps = chosen.speedMps();
-        double heading = chosenMps > 0 ? drift.headingRad(chosen.courseRad(), chosenMps) : chosen.courseRad();
-        steering.steerAlong(heading, chosenMps, seconds);
+        return chosenMps > 0 ? drift.headingRad(chosen.courseRad(), chosenMps) : chosen.courseRad();
     }
 
     private double eastM() {

@@ -63,6 +63,20 @@ final class SteeringControl {
      * @param speedMps along that heading; 0 = it is to stand, as far as the motors can have it so
      */
     void steerAlong(double headingRad, double speedMps, double seconds) {
+        steer(headingRad, speedMps, 0, seconds);
+    }
+
+    /**
+     * Has the vehicle hold its place for one tick by heading against what carries it.
+     *
+     * @param headingRad against it, in radians
+     * @param driftMps how fast it carries the vehicle, as far as that is known; what more it is, shows in the speed
+     */
+    void holdAgainst(double headingRad, double driftMps, double seconds) {
+        steer(headingRad, 0, Math.max(0, driftMps - vehicle.speedMps()), seconds);
+    }
+
+    private void steer(double headingRad, double speedMps, double driftMps, double seconds) {
         double error = PlaneMath.sameTurn(headingRad - vehicle.headingRad());
         if (Double.isNaN(error + vehicle.speedMps())) {
             rest();
@@ -75,7 +89,8 @@ final class SteeringControl {
         }
         stands = speedMps == 0;
         double learningS = hadThrust && Math.abs(lackMps) < LEARNING_MPS ? seconds : 0;
-        double thrust = wantedMps / fullThrustSpeedMps + speed.effort(lackMps, learningS);
+        double throughMps = wantedMps + driftMps * Math.max(0, StrictMath.cos(error));
+        double thrust = throughMps / fullThrustSpeedMps + speed.effort(lackMps, learningS);
         drive(thrust, heading.effort(error, seconds));
     }
 

@@ -1,6 +1,7 @@
 package org.sami.boat.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Optional;
@@ -86,14 +87,64 @@ class TrafficTest {
         assertThat(bench.vehicle.rudder()).as("to starboard").isPositive();
     }
 
+    /** An edge from south to north; what lies beyond it from the middle is not to be entered. */
     private static NoGoEdges edge(double eastM) {
-        return new NoGoEdges(
-                0.6,
-                List.of(new NoGoEdge(
-                        FRAME.latDeg(eastM, -30),
-                        FRAME.lonDeg(eastM, -30),
-                        FRAME.latDeg(eastM, 30),
-                        FRAME.lonDeg(eastM, 30))));
+        double fromNorthM = eastM > 0 ? -30 : 30;
+        return new NoGoEdges(0.6, List.of(edge(eastM, fromNorthM, -fromNorthM)));
+    }
+
+    private static NoGoEdge edge(double eastM, double fromNorthM, double toNorthM) {
+        return new NoGoEdge(
+                FRAME.latDeg(eastM, fromNorthM),
+                FRAME.lonDeg(eastM, fromNorthM),
+                FRAME.latDeg(eastM, toNorthM),
+                FRAME.lonDeg(eastM, toNorthM));
+    }
+
+    /** It keeps 5 m off, as far as its line does, and errors or a current have brought it nearer, or inside. */
+    @ParameterizedTest
+    @CsvSource({"3", "7", "9"})
+    void boatThatCameNearerToAnEdgeThanItsLineGoesStraightOffIt(double eastM) {
+        NoGoEdges edges = new NoGoEdges(5, List.of(edge(6, -30, 30)));
+        bench.vehicle.eastM = eastM;
+        bench.vehicle.northM = 5;
+        bench.vehicle.speedMps = 0;
+        bench.vehicle.headingRad = -Math.PI / 2;
+
+        commander.say(new Traffic(List.of(boat("boat2", 20, 20, 0)), Optional.of(edges)));
+        bench.run(0.2, commander);
+
+        assertThat(bench.vehicle.thrust()).isPositive();
+        assertThat(bench.vehicle.rudder()).as("westward it goes on").isCloseTo(0, within(0.1));
+    }
+
+    @Test
+    void boatThatWaitsHeadsAgainstTheCurrentThatCarriesItAside() {
+        bench.vehicle.speedMps = 0;
+        waitInCurrent();
+        assertThat(bench.vehicle.rudder())
+                .as("to port, where the current comes from")
+                .isLessThan(-0.5);
+
+        bench.vehicle.headingRad = -Math.PI / 2;
+        waitInCurrent();
+
+        assertThat(bench.vehicle.rudder()).isCloseTo(0, within(0.1));
+        assertThat(bench.vehicle.thrust()).as("as much as the current takes").isGreaterThan(0.3 / 3.2);
+    }
+
+    /** Among boats that leave it no way, 20 s long carried eastward at 0.5 m/s, as they are. */
+    private void waitInCurrent() {
+        for (int i = 0; i < 40; i++) {
+            bench.vehicle.eastM += bench.vehicle.headingRad == 0 ? 0.25 : 0;
+            double eastM = bench.vehicle.eastM;
+            commander.say(traffic(
+                    boat("boat2", eastM, 3.4, 0),
+                    boat("boat3", eastM - 3.4, 0, 0),
+                    boat("boat4", eastM + 3.4, 0, 0),
+                    boat("boat5", eastM, -3.4, 0)));
+            bench.run(0.5, commander);
+        }
     }
 
     @Test

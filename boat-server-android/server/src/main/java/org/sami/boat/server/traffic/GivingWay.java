@@ -44,6 +44,8 @@ public final class GivingWay {
     private static final double SLOW_MPS = 0.2; // turns on the spot
     private static final double FARTHEST_M = 8; // from its line
     private static final double ON_LINE_M = 0.6; // steering keeps it no nearer to it
+    private static final double OFF_M = 0.3; // so much nearer to an edge than its line it need not be to go off it
+    private static final double OFF_PART = 0.15; // of what it keeps, on top of that until it begins to
     private static final Course[] OFFSETS = offsets(0, 20, -20, 40, -40, 60, -60, 90, -90, 120, -120, 150, -150, 180);
     private static final double ON_COURSE_RAD =
             Math.toRadians(30); // with less offset a boat goes no faster than it wants to
@@ -76,6 +78,8 @@ public final class GivingWay {
     private NoGoBorder border = NoGoBorder.NONE;
     private double chosenRad = Double.NaN; // while it gives way
     private double waitedS;
+    private boolean goesOff; // an edge that it has come too near to
+    private boolean turns; // on the spot, to go on then
     private double stoodS; // the same, however long it lasts
 
     /**
@@ -97,6 +101,11 @@ public final class GivingWay {
         return !Double.isNaN(chosenRad);
     }
 
+    /** Whether a boat that is not to get on is to turn to its course, and not only to stay where it is. */
+    public boolean isTurning() {
+        return turns;
+    }
+
     /**
      * Where the boat goes now.
      *
@@ -109,6 +118,7 @@ public final class GivingWay {
         if (hasWay) {
             retreat.record(vehicle.latDeg(), vehicle.lonDeg());
         }
+        turns = false;
         isOnLine = surroundings.border().isEmpty() || isOn(along);
         if (surroundings.isEmpty() && isOnLine) {
             forget();
@@ -126,6 +136,12 @@ public final class GivingWay {
         boolean isFree = !isRisky && neighbours.allStopApart() && isOnLine; // most of the time
         if (!isFree) {
             measureStopping(along);
+        }
+        Optional<LineAhead> off = hasWay && !isOnLine ? border.off() : Optional.empty();
+        double tooNearM = off.map(LineAhead::aheadM).orElse(0.0);
+        goesOff = tooNearM > (goesOff ? OFF_M : OFF_M + border.keepM() * OFF_PART);
+        if (goesOff) {
+            return goBack(off.get());
         }
         boolean isBarred = !isOnLine && !border.seesLine();
         Optional<LineAhead> back =
@@ -268,12 +284,14 @@ public final class GivingWay {
                     if (isSafe || turnsFirst) {
                         least = cost;
                         best = other;
+                        turns = !isSafe;
                         bestMps = isSafe ? mps : 0;
                     }
                 }
             }
         }
         boolean astern = cost(heading, -ASTERN_MPS, least) < least && isSafeAstern();
+        turns &= !astern;
         return astern ? new CourseAndSpeed(heading.rad(), -ASTERN_MPS) : new CourseAndSpeed(best.rad(), bestMps);
     }
 

@@ -1,6 +1,7 @@
 package org.sami.boat.server.traffic;
 
 import java.util.List;
+import java.util.Optional;
 import org.sami.boat.link.NoGoEdge;
 import org.sami.boat.link.NoGoEdges;
 import org.sami.boat.server.vehicle.LocalFrame;
@@ -9,7 +10,7 @@ import org.sami.boat.server.vehicle.PlaneMath;
 /**
  * The edge of what a boat is not to enter, as far as it is near, on the plane of {@link Surroundings}. A boat that has left its line keeps as far off it as
  * its line does, and where it is nearer already it comes no nearer; and it stays where it can go straight back to its line, so that nothing bars
- * it from there (docs/decisions, 0321).
+ * it from there. One that errors or a current have brought nearer goes off ({@link #off}); inside, it goes only where it is less deep (docs/decisions, 0321).
  */
 final class NoGoBorder {
     /** Nothing is near. All boats share it: it takes down nothing. */
@@ -38,6 +39,8 @@ final class NoGoBorder {
     private double alongEast; // unit vector of the line
     private double alongNorth;
     private boolean seesLine = true;
+    private double depthM; // of where the boat is; negative outside
+    private Optional<LineAhead> off = Optional.empty();
 
     private NoGoBorder(double keepM, Segment[] edges) {
         this.keepM = keepM;
@@ -63,6 +66,11 @@ final class NoGoBorder {
 
     boolean isEmpty() {
         return edges.length == 0;
+    }
+
+    /** How far the boat keeps off it where its line does, in metres. */
+    double keepM() {
+        return keepM;
     }
 
     /** Whether the boat was told of it so far from here that other edges may be near. */
@@ -99,12 +107,54 @@ final class NoGoBorder {
                 lineNorthM(line.onLineM(withinM)));
         Segment back = back(eastM, northM);
         seesLine = true;
+        measureNearness(near);
         for (int i = 0; i < edges.length; i++) {
             backM[i] = back.distanceM(edges[i], BACK * keepM) - ROUNDING_M;
             double mostM = near.distanceM(edges[i], own.distanceM(edges[i], keepM)) - ROUNDING_M;
             leastM[i] = backM[i] > 0 ? back.distanceM(edges[i], mostM) : mostM;
             seesLine &= backM[i] > 0;
         }
+    }
+
+    /** Measures how deep inside the boat is, and how it gets off an edge to which it is nearer than its line comes. */
+    private void measureNearness(Segment near) {
+        depthM = depthM(eastM, northM);
+        off = Optional.empty();
+        if (depthM(lineEastM(line.onLineM(0)), lineNorthM(line.onLineM(0))) > 0) {
+            return; // there it has been sent
+        }
+        double mostM = 0;
+        for (Segment edge : edges) {
+            double hereM = edge.distanceM(eastM, northM);
+            double nearerM = near.distanceM(edge, keepM) - hereM;
+            if (depthM <= 0 && nearerM > mostM) {
+                mostM = nearerM;
+                off = Optional.of(LineAhead.straight(edge.awayRad(eastM, northM), nearerM));
+            } else if (hereM == depthM) {
+                off = Optional.of(LineAhead.straight(edge.awayRad(eastM, northM) + Math.PI, depthM + keepM));
+            }
+        }
+    }
+
+    /** How deep inside a place is, in metres; negative outside. What is not to be entered lies to starboard of its edges. */
+    private double depthM(double atEastM, double atNorthM) {
+        double nearestM = Double.MAX_VALUE;
+        double portM = 0;
+        for (Segment edge : edges) {
+            double awayM = edge.distanceM(atEastM, atNorthM);
+            double edgePortM = edge.portM(atEastM, atNorthM);
+            boolean isAtSameCorner = awayM < nearestM + ROUNDING_M && Math.abs(edgePortM) > Math.abs(portM);
+            if (awayM < nearestM - ROUNDING_M || isAtSameCorner) {
+                nearestM = Math.min(awayM, nearestM);
+                portM = edgePortM;
+            }
+        }
+        return portM < -ROUNDING_M ? nearestM : -nearestM;
+    }
+
+    /** The line straight off an edge to which the boat is nearer than its line comes, or out of what it is not to enter; as long as it is too near. */
+    Optional<LineAhead> off() {
+        return off;
     }
 
     /** Whether nothing bars the boat from going straight back to its line. */
@@ -116,6 +166,9 @@ final class NoGoBorder {
     boolean allows(Segment way) {
         if (isEmpty()) {
             return true;
+        }
+        if (depthM > 0) {
+            return depthM(way.toEastM(), way.toNorthM()) < depthM;
         }
         Segment back = back(way.toEastM(), way.toNorthM());
         for (int i = 0; i < edges.length; i++) {

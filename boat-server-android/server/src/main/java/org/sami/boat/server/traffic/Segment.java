@@ -31,6 +31,35 @@ final class Segment {
                 fromEastM, fromNorthM, toEastM, toNorthM, PlaneMath.length(toEastM - fromEastM, toNorthM - fromNorthM));
     }
 
+    /** The distance of a place, in metres. */
+    double distanceM(double eastM, double northM) {
+        return Math.sqrt(squareTo(eastM, northM));
+    }
+
+    /** How far a place is to port of the line on which the segment lies, in metres; negative to starboard, 0 where it has no length. */
+    double portM(double eastM, double northM) {
+        return lengthM > 0 ? side(eastM, northM) / lengthM : 0;
+    }
+
+    /** Where on it a place is nearest: 0 = at its beginning, 1 = at its end. */
+    private double partAt(double eastM, double northM) {
+        double alongEast = toEastM - fromEastM;
+        double alongNorth = toNorthM - fromNorthM;
+        double square = alongEast * alongEast + alongNorth * alongNorth;
+        double part = square > 0 ? ((eastM - fromEastM) * alongEast + (northM - fromNorthM) * alongNorth) / square : 0;
+        return Math.max(0, Math.min(1, part));
+    }
+
+    /** The course to a place from what is nearest to it on the segment, in radians; to port where the place lies on it. */
+    double awayRad(double eastM, double northM) {
+        double part = partAt(eastM, northM);
+        double offEastM = eastM - fromEastM - part * (toEastM - fromEastM);
+        double offNorthM = northM - fromNorthM - part * (toNorthM - fromNorthM);
+        return PlaneMath.length(offEastM, offNorthM) < SLACK_M
+                ? StrictMath.atan2(fromNorthM - toNorthM, toEastM - fromEastM)
+                : StrictMath.atan2(offEastM, offNorthM);
+    }
+
     /** East of its end. */
     double toEastM() {
         return toEastM;
@@ -69,13 +98,9 @@ final class Segment {
 
     /** The square of the distance to a point, in m². */
     private double squareTo(double eastM, double northM) {
-        double alongEast = toEastM - fromEastM;
-        double alongNorth = toNorthM - fromNorthM;
-        double square = alongEast * alongEast + alongNorth * alongNorth;
-        double part = square > 0 ? ((eastM - fromEastM) * alongEast + (northM - fromNorthM) * alongNorth) / square : 0;
-        double within = Math.max(0, Math.min(1, part));
-        double offEastM = eastM - fromEastM - within * alongEast;
-        double offNorthM = northM - fromNorthM - within * alongNorth;
+        double part = partAt(eastM, northM);
+        double offEastM = eastM - fromEastM - part * (toEastM - fromEastM);
+        double offNorthM = northM - fromNorthM - part * (toNorthM - fromNorthM);
         return offEastM * offEastM + offNorthM * offNorthM;
     }
 }
