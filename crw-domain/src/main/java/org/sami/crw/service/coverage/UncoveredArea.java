@@ -23,6 +23,9 @@ final class UncoveredArea {
     /** Round ends are polygons inside the circle: what they cover is covered. */
     private static final int QUADRANT_SEGMENTS = 16;
 
+    /** Longer tracks are taken in pieces: one that stays at a place crosses itself as often as the square of its points. */
+    private static final int PIECE = 32;
+
     private static final GeometryFactory FACTORY = new GeometryFactory();
 
     private UncoveredArea() {}
@@ -34,16 +37,44 @@ final class UncoveredArea {
      * @param angleRad the direction of most lanes
      */
     static Geometry of(Geometry region, List<List<Coordinate>> tracks, double distanceM, double angleRad) {
+        AffineTransformation turn = AffineTransformation.rotationInstance(-angleRad);
+        Geometry rest = turn.transform(region);
+        List<LineString> pieces = new ArrayList<>();
+        List<LineString> lanes = new ArrayList<>();
+        for (List<Coordinate> track : tracks) {
+            if (track.size() <= PIECE) {
+                lanes.add(line(track));
+            } else {
+                for (int from = 0; from + 1 < track.size(); from += PIECE) {
+                    pieces.add(line(track.subList(from, Math.min(track.size(), from + PIECE + 1))));
+                }
+            }
+        }
+        if (!lanes.isEmpty()) {
+            Geometry covered = covered(turn.transform(lines(lanes)), distanceM);
+            rest = OverlayNGRobust.overlay(rest, covered, OverlayNG.DIFFERENCE);
+        }
+        if (!pieces.isEmpty()) {
+            List<Geometry> covered = pieces.stream()
+                    .map(piece -> covered(turn.transform(piece), distanceM))
+                    .toList();
+            rest = OverlayNGRobust.overlay(rest, OverlayNGRobust.union(covered), OverlayNG.DIFFERENCE);
+        }
+        return AffineTransformation.rotationInstance(angleRad).transform(rest);
+    }
+
+    private static Geometry covered(Geometry lines, double distanceM) {
         BufferParameters parameters = new BufferParameters(QUADRANT_SEGMENTS);
         parameters.setSimplifyFactor(0);
-        LineString[] lines = tracks.stream()
-                .map(track -> FACTORY.createLineString(track.toArray(Coordinate[]::new)))
-                .toArray(LineString[]::new);
-        AffineTransformation turn = AffineTransformation.rotationInstance(-angleRad);
-        Geometry covered =
-                BufferOp.bufferOp(turn.transform(FACTORY.createMultiLineString(lines)), distanceM, parameters);
-        Geometry rest = OverlayNGRobust.overlay(turn.transform(region), covered, OverlayNG.DIFFERENCE);
-        return AffineTransformation.rotationInstance(angleRad).transform(rest);
+        return BufferOp.bufferOp(lines, distanceM, parameters);
+    }
+
+    private static LineString line(List<Coordinate> track) {
+        return FACTORY.createLineString(track.toArray(Coordinate[]::new));
+    }
+
+    private static Geometry lines(List<LineString> lines) {
+        return FACTORY.createMultiLineString(lines.toArray(LineString[]::new));
     }
 
     /** The polygons of a geometry as areas. */

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
@@ -81,6 +82,30 @@ class AreaCoverageTest {
             }
         }
         assertThat(leftM2).isBetween(300.0, 2500.0).isCloseTo(points * 0.25, within(0.05 * leftM2));
+    }
+
+    /** As boats that wait for one another in rough water do: measured in one piece, such tracks took gigabytes. */
+    @Test
+    @Timeout(30)
+    void tracksThatStayAtOnePlaceForLongAreMeasuredSoon() {
+        Random random = new Random(7);
+        List<List<GeoPoint>> tracks = new ArrayList<>();
+        for (int boat = 0; boat < 4; boat++) {
+            List<GeoPoint> track = new ArrayList<>();
+            double x = 0;
+            double y = 0;
+            for (int i = 0; i < 3000; i++) {
+                x = 0.95 * x + 0.8 * random.nextGaussian();
+                y = 0.95 * y + 0.8 * random.nextGaussian();
+                track.add(at(x, y));
+            }
+            tracks.add(track);
+        }
+
+        double leftM2 = open(box(0, 0, 120, 90)).left(tracks).areaM2();
+
+        double radiusM = Math.sqrt((120 * 90 - leftM2) / Math.PI);
+        assertThat(radiusM).isBetween(3 * 2.56 + 3, 5 * 2.56 + 5); // three to five deviations, and half the spacing
     }
 
     private static boolean isNear(double x, double y, List<double[]> places) {
