@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.regex.Pattern;
 import org.sami.crw.service.path.Detour;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.service.water.Water;
@@ -11,7 +13,17 @@ import org.sami.spn.value.GeoPoint;
 
 /** Says of a way, before it is driven, how far a boat may come into what is to be avoided. Pure functions. */
 public final class WayDanger {
+    private static final Pattern DEPTH = Pattern.compile("(\\d+\\.\\d) m inside");
+
     private WayDanger() {}
+
+    /** How deep a boat comes inside at most by words of {@link #of}, in metres to a tenth; empty where they say nothing of it. */
+    public static OptionalDouble announcedM(String words) {
+        return DEPTH.matcher(words)
+                .results()
+                .mapToDouble(found -> Double.parseDouble(found.group(1)))
+                .max();
+    }
 
     /**
      * Clauses for the operator, each without the boat's name: where the way begins or leads inside, and where it passes too near. None for a way

@@ -1,6 +1,7 @@
 package org.sami.crw.service.reach;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Optional;
@@ -63,5 +64,19 @@ class WayDangerTest {
         assertThat(WayDanger.of(at(45, 0), List.of(at(0, 0)), FIELD)).hasSize(1);
         assertThat(WayDanger.of(at(45, 0), List.of(at(0, 0), at(120, 0)), FIELD))
                 .hasSize(2);
+    }
+
+    @Test
+    void depthIsReadFromWhatIsSaid() {
+        assertThat(announcedM(WayDanger.of(at(0, 0), List.of(at(52, 0)), CALM))).isEqualTo(12.6, within(0.05));
+        assertThat(announcedM(WayDanger.of(at(45, 0), List.of(at(0, 0)), CALM))).isEqualTo(5);
+        assertThat(announcedM(WayDanger.of(at(0, 0), List.of(at(120, 0)), FIELD)))
+                .isEqualTo(3.9, within(0.05));
+        assertThat(WayDanger.announcedM("boat2 waits: boat5 lies at its next waypoint"))
+                .isEmpty();
+    }
+
+    private static double announcedM(List<String> words) {
+        return WayDanger.announcedM("boat1 " + words.get(0)).orElseThrow();
     }
 }

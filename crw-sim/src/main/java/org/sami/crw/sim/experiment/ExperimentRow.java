@@ -27,6 +27,7 @@ import org.sami.crw.sim.report.RunReport;
  * @param plannedUncoveredM2 square metres of it that the tracks leave that boats were given; empty where that is not known
  * @param uncoveredM2 square metres of it that no boat came near
  * @param insideM how deep a boat came into what was to be avoided; empty where nothing was
+ * @param announcedM how deep they might come at most, as the operator was told; empty where nothing was to be avoided
  * @param closestM how near two boats came to one another
  * @param underWayM the same, once both were under way
  * @param nearMillis how long every two boats that came nearer than 3 m were so near, all taken together
@@ -49,11 +50,15 @@ public record ExperimentRow(
         OptionalDouble plannedUncoveredM2,
         double uncoveredM2,
         OptionalDouble insideM,
+        OptionalDouble announcedM,
         OptionalDouble closestM,
         OptionalDouble underWayM,
         long nearMillis,
         int emptyBoats,
         String runHash) {
+    /** Depths are announced to a tenth of a metre. */
+    private static final double TOLD_TO_M = 0.1;
+
     public ExperimentRow {
         Objects.requireNonNull(label, "label");
         Objects.requireNonNull(conditions, "conditions");
@@ -88,6 +93,7 @@ public record ExperimentRow(
                         .mapToDouble(Exploration::uncoveredM2)
                         .sum(),
                 NoGoDepth.of(report),
+                NoGoDepth.announced(report),
                 metres(report.map().closest().ever()),
                 metres(report.map().closest().underWay()),
                 report.map().closest().nearMillis(),
@@ -115,6 +121,7 @@ public record ExperimentRow(
                 OptionalDouble.empty(),
                 OptionalDouble.empty(),
                 OptionalDouble.empty(),
+                OptionalDouble.empty(),
                 0,
                 0,
                 "");
@@ -138,8 +145,13 @@ public record ExperimentRow(
         return boat.batteryPercent() <= 0 || boat.track().stream().anyMatch(point -> point.batteryPercent() <= 0);
     }
 
-    /** Whether the mission ended and nothing went wrong beside it. */
+    /** Whether a boat came deeper into what was to be avoided than the operator was told. */
+    public boolean isDeeperThanAnnounced() {
+        return insideM.orElse(0) > announcedM.orElse(0) + TOLD_TO_M / 2;
+    }
+
+    /** Whether the mission ended, nothing went wrong beside it, and no boat came where it was not to be expected. */
     public boolean isGreen() {
-        return outcome == RunOutcome.ENDED && problems == 0;
+        return outcome == RunOutcome.ENDED && problems == 0 && !isDeeperThanAnnounced();
     }
 }

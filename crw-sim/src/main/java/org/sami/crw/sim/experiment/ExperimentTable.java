@@ -27,6 +27,7 @@ public final class ExperimentTable {
             "planned",
             "explored",
             "inside",
+            "announced",
             "closest",
             "under way",
             "near",
@@ -36,7 +37,7 @@ public final class ExperimentTable {
 
     private ExperimentTable() {}
 
-    /** The table as text with line feeds; below it a line for each run that did not end, or not without problems. */
+    /** The table as text with line feeds; below it a line for each run that is not green. */
     public static String text(List<ExperimentRow> rows) {
         Map<List<String>, List<ExperimentRow>> groups = new LinkedHashMap<>();
         rows.forEach(row -> groups.computeIfAbsent(List.of(row.label(), row.conditions()), key -> new ArrayList<>())
@@ -70,6 +71,7 @@ public final class ExperimentTable {
                 percent(group, ExperimentRow::plannedUncoveredM2),
                 percent(group, row -> OptionalDouble.of(row.uncoveredM2())),
                 metres(most(group, ExperimentRow::insideM)),
+                metres(most(group, ExperimentRow::announcedM)),
                 metres(least(group, ExperimentRow::closestM)),
                 metres(least(group, ExperimentRow::underWayM)),
                 near(group),
@@ -140,16 +142,21 @@ public final class ExperimentTable {
         String problems =
                 row.problems() == 0 ? "" : ", " + row.problems() + (row.problems() == 1 ? " problem" : " problems");
         String reason = row.reason().isEmpty() ? "" : ": " + row.reason();
+        String depth = row.isDeeperThanAnnounced()
+                ? "; a boat came deeper into what is avoided than the operator was told: " + metres(row.insideM())
+                        + ", not " + metres(row.announcedM()) + " at most"
+                : "";
         return String.format(
                 Locale.ROOT,
-                "%s, %s, seed %d: %s after %s%s%s\n",
+                "%s, %s, seed %d: %s after %s%s%s%s\n",
                 row.label(),
                 row.conditions(),
                 row.seed(),
                 row.outcome().word(),
                 ReportWords.duration(row.simulatedMillis()),
                 problems,
-                reason);
+                reason,
+                depth);
     }
 
     /** A table in the form of RFC 4180 with a row for each run; times are simulated seconds, lengths metres. */
@@ -170,6 +177,7 @@ public final class ExperimentTable {
                 "planned_uncovered_m2",
                 "uncovered_m2",
                 "inside_m",
+                "announced_m",
                 "closest_m",
                 "under_way_m",
                 "near_s",
@@ -192,6 +200,7 @@ public final class ExperimentTable {
                     cell(row.plannedUncoveredM2()),
                     CsvRow.fixed(row.uncoveredM2(), 1),
                     cell(row.insideM()),
+                    cell(row.announcedM()),
                     cell(row.closestM()),
                     cell(row.underWayM()),
                     CsvRow.fixed(row.nearMillis() / 1000.0, 3),

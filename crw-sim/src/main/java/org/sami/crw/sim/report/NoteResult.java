@@ -20,6 +20,9 @@ public record NoteResult(long atMillis, String kind, long mission, String messag
     /** A boat was, or was sent, where it may not be. */
     public static final String FENCE = "fence";
 
+    /** What a handler or service told the operator. */
+    public static final String DOMAIN_MESSAGE = "domain message";
+
     /** What could not be written to the journal. */
     public static final String JOURNAL = "journal";
 

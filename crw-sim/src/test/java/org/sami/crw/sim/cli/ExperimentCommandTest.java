@@ -55,6 +55,35 @@ class ExperimentCommandTest {
         assertThat(Files.readAllLines(out)).hasSize(7).element(6).asString().startsWith("clv,field,6,ended,,0,");
     }
 
+    /** Before boats held their place against a current and left edges that they came near to, they were 14.7 and 14.9 m inside with these seeds. */
+    @Test
+    void inRoughWaterBoatsThatGiveWayAmongRocksComeNoDeeperInsideThanWasAnnounced() {
+        CommandResult ran = crw(
+                "experiment",
+                "../docs/experiments/rocks.json",
+                "--plan",
+                "explore-area",
+                "--boats",
+                "8",
+                "--area",
+                "200",
+                "--at",
+                "45.6988,10.72",
+                "--interrupt",
+                "Let somebody pass@60",
+                "--seeds",
+                "26,36",
+                "--for",
+                "1200",
+                "--conditions",
+                "rough",
+                "--jobs",
+                "2");
+
+        assertThat(ran.out()).doesNotContain("deeper");
+        assertThat(ran.exitCode()).as(ran.err()).isZero();
+    }
+
     @Test
     void missionsOfAFileRunWithFilesBesideIt() throws Exception {
         Files.writeString(folder.resolve("none.json"), """

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
@@ -117,6 +118,42 @@ class ExperimentTest {
         assertThat(table.lines().toList()).hasSize(4).element(1).asString().startsWith("clv   calm           2      0");
         assertThat(table)
                 .contains("clv, calm, seed 4: running after 30 s\n", "clv, calm, seed 2: running after 30 s\n");
+    }
+
+    @Test
+    void tableNamesEachRunInWhichABoatCameDeeperThanWasAnnounced() {
+        List<ExperimentRow> rows = List.of(inside(1, 8.34, 8.3), inside(2, 8.36, 8.3), inside(3, 0, 0));
+
+        assertThat(rows).extracting(ExperimentRow::isGreen).containsExactly(true, false, true);
+        assertThat(ExperimentTable.text(rows).lines().skip(2))
+                .containsExactly("rocks, rough, seed 2: ended after 1 min 0 s; a boat came deeper into what is avoided "
+                        + "than the operator was told: 8.4 m, not 8.3 m at most");
+    }
+
+    private static ExperimentRow inside(long seed, double insideM, double announcedM) {
+        OptionalDouble none = OptionalDouble.empty();
+        return new ExperimentRow(
+                "rocks",
+                "rough",
+                seed,
+                RunOutcome.ENDED,
+                "",
+                0,
+                60_000,
+                0,
+                0,
+                0,
+                none,
+                0,
+                none,
+                0,
+                OptionalDouble.of(insideM),
+                OptionalDouble.of(announcedM),
+                none,
+                none,
+                0,
+                0,
+                "");
     }
 
     private static Map<String, Conditions> waters() {

@@ -23,7 +23,28 @@ class NoGoDepthTest {
         assertThat(NoGoDepth.of(report(0, MapArea.Kind.EXPLORED))).isEmpty();
     }
 
-    private static RunReport report(double northM, MapArea.Kind kind) {
+    @Test
+    void deepestOfWhatTheOperatorWasToldIsAnnounced() {
+        NoteResult[] told = {
+            note(
+                    NoteResult.DOMAIN_MESSAGE,
+                    "boat1 passes it; boats may be 9 m beside their way, so up to 2.5 m inside"),
+            note(
+                    NoteResult.DOMAIN_MESSAGE,
+                    "boat2 passes it; boats may be 9 m beside their way, so up to 3.5 m inside"),
+            note(NoteResult.FENCE, "boat2 is 7.5 m inside")
+        };
+
+        assertThat(NoGoDepth.announced(report(9, MapArea.Kind.AVOIDED, told))).hasValue(3.5);
+        assertThat(NoGoDepth.announced(report(9, MapArea.Kind.AVOIDED))).hasValue(0);
+        assertThat(NoGoDepth.announced(report(9, MapArea.Kind.EXPLORED, told))).isEmpty();
+    }
+
+    private static NoteResult note(String kind, String message) {
+        return new NoteResult(1000, kind, 1, message);
+    }
+
+    private static RunReport report(double northM, MapArea.Kind kind, NoteResult... notes) {
         RunReport sample = SampleReport.of(1, 1);
         List<TrackPoint> track = List.of(at(0, -50, northM), at(60_000, 50, northM));
         BoatResult boat = new BoatResult("boat1", sample.boats().get(0).link(), 100, 90, 0, track);
@@ -42,7 +63,7 @@ class NoGoDepthTest {
                 List.of(),
                 List.of(),
                 List.of(),
-                List.of(),
+                List.of(notes),
                 map);
     }
 
