@@ -17,6 +17,7 @@ public abstract class Model<S> {
     private final ListenerList<Consumer<? super S>> listeners = new ListenerList<>();
     private volatile S snapshot;
     private boolean changed; // for the owner's thread
+    private boolean takenWhenAsked; // then only that thread asks
 
     Model(S empty) {
         snapshot = Objects.requireNonNull(empty, "empty");
@@ -24,7 +25,18 @@ public abstract class Model<S> {
 
     /** What lies before the operator now. From any thread. */
     public final S snapshot() {
+        if (takenWhenAsked && changed) {
+            replace();
+        }
         return snapshot;
+    }
+
+    /**
+     * From now on a snapshot for which nobody listens is made when somebody asks for it. Only where nobody but the owner's thread asks; to be called before
+     * anybody does.
+     */
+    final void takeWhenAsked() {
+        takenWhenAsked = true;
     }
 
     /** Adds a listener, which is given each new snapshot on the owner's thread; closing the result takes it away. From any thread. */
@@ -42,9 +54,12 @@ public abstract class Model<S> {
 
     /** Replaces the snapshot where the state has changed, and tells the listeners. */
     final void publish() {
-        if (!changed) {
-            return;
+        if (changed && !(takenWhenAsked && listeners.isEmpty())) {
+            replace();
         }
+    }
+
+    private void replace() {
         changed = false;
         S next = take();
         if (!next.equals(snapshot)) {

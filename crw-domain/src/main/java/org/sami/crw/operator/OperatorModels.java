@@ -126,6 +126,16 @@ public final class OperatorModels implements HostListener, MessageSink {
         });
     }
 
+    /**
+     * From now on what follows each move of boats is only put together when somebody asks for it, or listens: the boats, their communication, the map. Only
+     * where nobody but the owner's thread asks; to be called before anybody does.
+     */
+    public void showBoatsWhenAsked() {
+        fleet.takeWhenAsked();
+        communication.takeWhenAsked();
+        map.takeWhenAsked();
+    }
+
     private void publish() {
         if (held) {
             return;

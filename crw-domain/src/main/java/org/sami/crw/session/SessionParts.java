@@ -118,6 +118,9 @@ final class SessionParts {
         forMap = loop.map(real -> newThread("map"));
         drawing = forMap.<Executor>map(map -> map).orElse(Runnable::run);
         models = new OperatorModels(front, scheduler::nowMs, drawing);
+        if (loop.isEmpty()) {
+            models.showBoatsWhenAsked();
+        }
         messages = new SessionMessages(telemetry, models);
         remembered = loop.map(real -> new RememberedBoats(host));
         connector = connector(setup.runtime());

@@ -54,6 +54,11 @@ public record FleetConfig(
         return new FleetConfig(hull, newConditions, pipe, proxy, server, trackEveryMs);
     }
 
+    /** The same for who notes down tracks otherwise: boats only know where they began. */
+    public FleetConfig withoutTracks() {
+        return new FleetConfig(hull, conditions, pipe, proxy, server, Long.MAX_VALUE);
+    }
+
     /** The same with other links. */
     public FleetConfig withPipe(PipeConfig newPipe) {
         return new FleetConfig(hull, conditions, newPipe, proxy, server, trackEveryMs);

@@ -47,6 +47,7 @@ public final class SimulatedWater {
                 plane.lonDeg(eastM, northM),
                 listeners,
                 FleetConfig.DEFAULT
+                        .withoutTracks()
                         .withConditions(settings.conditions())
                         .withServer(server ->
                                 server.batteryThresholds(thresholds.lowPercent(), thresholds.criticalPercent())));
