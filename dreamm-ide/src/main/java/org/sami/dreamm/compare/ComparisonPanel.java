@@ -1,6 +1,7 @@
 package org.sami.dreamm.compare;
 
 import java.awt.BorderLayout;
+import java.awt.CardLayout;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
@@ -13,6 +14,7 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
+import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.spn.drawing.NetDetail;
 import org.sami.spn.drawing.NetLayout;
@@ -22,18 +24,29 @@ import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.IdentityMarks;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.Spacing;
 import org.sami.ui.net.NetMode;
 import org.sami.ui.net.NetView;
+import org.sami.ui.value.WrappedText;
 
 /** Two versions of the open plan on one net, with a list of what differs; a chosen line is shown on the net. */
 public final class ComparisonPanel extends JPanel {
     private static final String NOTHING = "No version is compared";
+    private static final String HINT =
+            "Here the open plan and another version of it stand on one net, with a list of what differs. Compare with what was "
+                    + "saved, or with a file.";
+    private static final String EMPTY = "empty";
+    private static final String BOTH = "both";
 
     private final transient DreammContext context;
     private final NetView view = new NetView(new IdentityMarks());
     private final JLabel title = new JLabel(NOTHING);
     private final DefaultListModel<Difference> rows = new DefaultListModel<>();
     private final JList<Difference> list = new JList<>(rows);
+    private final CardLayout cards = new CardLayout();
+    private final JPanel deck = new JPanel(cards);
+    private final JPanel empty =
+            new JPanel(new MigLayout("novisualpadding, fill, insets " + Spacing.WIDE, "[grow, fill]", "[]"));
     private transient Optional<Compared> compared = Optional.empty();
 
     /** With which version of which plan the open one is compared. */
@@ -63,8 +76,16 @@ public final class ComparisonPanel extends JPanel {
         JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, view, new JScrollPane(list));
         split.setResizeWeight(0.7);
         split.setBorder(BorderFactory.createEmptyBorder());
+        WrappedText hint = new WrappedText(HINT);
+        hint.setName("comparison-empty");
+        hint.setColor(SemanticColor.MUTED);
+        empty.add(hint, "wmin 0, growx");
+        empty.setOpaque(false);
+        deck.setOpaque(false);
+        deck.add(empty, EMPTY);
+        deck.add(split, BOTH);
         add(row, BorderLayout.NORTH);
-        add(split);
+        add(deck);
         context.document().addListener(change -> refresh());
         style();
     }
@@ -87,8 +108,10 @@ public final class ComparisonPanel extends JPanel {
         if (after.isEmpty()) {
             title.setText(NOTHING);
             rows.clear();
+            cards.show(deck, EMPTY);
             return;
         }
+        cards.show(deck, BOTH);
         PlanComparison comparison = PlanComparison.of(compared.get().before(), after.get(), context.vocabulary());
         view.show(
                 comparison.both(),

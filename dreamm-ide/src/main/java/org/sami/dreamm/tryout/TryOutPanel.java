@@ -38,12 +38,26 @@ import org.sami.ui.table.RowTable;
 public final class TryOutPanel extends JPanel {
     private static final int ALL_WORDS = 840;
     private static final int FEWEST_WORDS = 660;
+    private static final String BESIDE = "[64%, grow, fill][36%, grow, fill]";
+    private static final int TAB = 30;
+    private static final int HIGH_TAB = 40; // with buttons behind it
+    private static final String BEHIND_TABS = "JTabbedPane.trailingComponent";
 
     private final transient DreammContext context;
     private final transient TryOut tryOut;
     private final transient TryOutCommands commands;
     private final RowTable<Happening> happenings;
     private final Column editorPlace = new Column();
+    private final JPanel now = new JPanel(
+            new MigLayout("insets 0, gap 1, fill", "[36%, grow, fill][260:64%, grow, fill]", "[grow, fill]"));
+    private final JPanel one = new JPanel(new BorderLayout());
+    private final JPanel buttons =
+            new JPanel(new MigLayout("novisualpadding, insets 4, gap 8, hidemode 3", "push[][]", "[]"));
+    private final JPanel behindTabs =
+            new JPanel(new MigLayout("novisualpadding, insets 0, gap 8", "[grow, fill][]", "[]"));
+    private final JPanel foot = new JPanel(new MigLayout("insets 2 12 4 12, gap 16", "[grow, fill][]", "[]"));
+    private final transient MigLayout columns = new MigLayout("insets 0, gap 1, fill", BESIDE, "[grow, fill]");
+    private final JPanel parts = new JPanel(columns);
     private final JButton happen = new JButton("Let it happen");
     private final JButton reject = new JButton("None of them");
     private final JLabel message = new JLabel();
@@ -77,7 +91,7 @@ public final class TryOutPanel extends JPanel {
         run = new CommandButton(context.commands().get("try-run"));
         tabs.setName("try-tabs");
         tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
-        tabs.putClientProperty("JTabbedPane.tabHeight", 30);
+        tabs.putClientProperty("JTabbedPane.tabHeight", TAB);
         tabs.putClientProperty("JTabbedPane.minimumTabWidth", 40); // all four beside each other
         tabs.putClientProperty("JTabbedPane.tabInsets", new Insets(0, 8, 0, 8));
         tab("Steps", new StepsView(tryOut));
@@ -142,7 +156,40 @@ public final class TryOutPanel extends JPanel {
         label.setVisible(!small);
         operator.setText(small ? "Operator" : "Operator answers");
         answering.setText(small ? "Robots" : "Robots answer");
+        run.setText(runWord());
+        arrange(small);
+        foot.setVisible(!small); // the message stands behind the tabs then
         super.doLayout();
+    }
+
+    private String runWord() {
+        boolean icon = getWidth() > 0 && getWidth() < Look.px(ALL_WORDS);
+        return icon ? "" : commands.isRunning() ? "Pause" : "Run";
+    }
+
+    /** What can happen stands beside the tabs, or, where both would have no room, is the first of them. */
+    private void arrange(boolean small) {
+        boolean isTab = tabs.indexOfComponent(now) >= 0;
+        if (small && !isTab) {
+            parts.remove(now);
+            columns.setColumnConstraints("[grow, fill]");
+            tabs.insertTab("Now", null, now, "What can happen now", 0);
+            tabs.setSelectedIndex(0);
+            behindTabs.add(message, "w 0, growx"); // tabs come first
+            behindTabs.add(buttons, "wmin 0");
+            tabs.putClientProperty("JTabbedPane.tabHeight", HIGH_TAB);
+            tabs.putClientProperty(BEHIND_TABS, behindTabs);
+            parts.revalidate();
+        } else if (!small && isTab) {
+            tabs.remove(now);
+            columns.setColumnConstraints(BESIDE);
+            parts.add(now, "wmin 0, hmin 0", 0);
+            one.add(buttons, BorderLayout.SOUTH);
+            tabs.putClientProperty("JTabbedPane.tabHeight", TAB);
+            tabs.putClientProperty(BEHIND_TABS, null);
+            foot.add(message, "wmin 0, h 20!", 0);
+            parts.revalidate();
+        }
     }
 
     private JPanel middle() {
@@ -152,27 +199,25 @@ public final class TryOutPanel extends JPanel {
         happen.addActionListener(e -> happen(false));
         reject.setName("try-reject");
         reject.addActionListener(e -> happen(true));
-        JPanel one = new JPanel(new BorderLayout());
         one.setOpaque(false);
         JScrollPane scroll = editorPlace.inPane();
-        JPanel buttons = new JPanel(new MigLayout("insets 4 8 4 8, gap 8, hidemode 3", "push[][]", "[]"));
         buttons.setOpaque(false);
         buttons.add(reject, "hmin 32");
         buttons.add(happen, "hmin 32");
         one.add(scroll);
         one.add(buttons, BorderLayout.SOUTH);
-        JPanel all = new JPanel(new MigLayout(
-                "insets 0, gap 1, fill", "[26%, grow, fill][260:38%, grow, fill][36%, grow, fill]", "[grow, fill]"));
-        all.setOpaque(false);
-        all.add(happenings, "wmin 0, hmin 0");
-        all.add(one, "wmin 0, hmin 0");
-        all.add(tabs, "wmin 0, hmin 0");
-        return all;
+        now.setOpaque(false);
+        now.add(happenings, "wmin 0, hmin 0");
+        now.add(one, "wmin 0, hmin 0");
+        parts.setOpaque(false);
+        parts.add(now, "wmin 0, hmin 0");
+        parts.add(tabs, "wmin 0, hmin 0");
+        return parts;
     }
 
     private JPanel foot() {
-        JPanel foot = new JPanel(new MigLayout("insets 2 12 4 12, gap 16", "[grow, fill][]", "[]"));
         foot.setOpaque(false);
+        behindTabs.setOpaque(false);
         message.setName("try-message");
         foot.add(message, "wmin 0, h 20!");
         where.setName("try-where");
@@ -195,19 +240,19 @@ public final class TryOutPanel extends JPanel {
     }
 
     private void happen(boolean none) {
-        editor.ifPresent(now -> {
-            Optional<String> refused = none ? now.reject() : now.happen();
+        editor.ifPresent(one -> {
+            Optional<String> refused = none ? one.reject() : one.happen();
             refused.ifPresent(why -> message.setText("▲ " + why));
         });
     }
 
     private void refresh() {
         Optional<Stepper> stepper = tryOut.stepper();
-        List<Happening> now =
+        List<Happening> possible =
                 stepper.filter(s -> !tryOut.isOver()).map(Happening::of).orElse(List.of());
-        happenings.show(now);
-        if (happenings.selected().isEmpty() && !now.isEmpty()) {
-            happenings.selectKeys(Set.of(now.get(0).key()));
+        happenings.show(possible);
+        if (happenings.selected().isEmpty() && !possible.isEmpty()) {
+            happenings.selectKeys(Set.of(possible.get(0).key()));
         }
         showEditor(tryOut.steps() != shownSteps);
         shownSteps = tryOut.steps();
@@ -217,7 +262,7 @@ public final class TryOutPanel extends JPanel {
         where.setText(stepper.map(this::words).orElse(""));
         operator.setSelected(tryOut.isMockOperator());
         answering.setSelected(tryOut.isMockRobots());
-        run.setText(commands.isRunning() ? "Pause" : "Run");
+        run.setText(runWord());
     }
 
     private String words(Stepper stepper) {

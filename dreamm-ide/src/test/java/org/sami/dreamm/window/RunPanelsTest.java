@@ -97,6 +97,29 @@ class RunPanelsTest {
         });
     }
 
+    /** As it is in a window of 1280 by 800 pixels with letters of 150 %. */
+    @Test
+    void inASmallPanelWhatCanHappenHasItsRoomAndNoButtonIsCut() throws Exception {
+        onEventThread(() -> {
+            Look.apply(Theme.LIGHT, 150);
+            open();
+            JComponent panel = parts.tryOut();
+            Layout.layOut(panel, 786, 197);
+            context.commands().get("try-start").run();
+            Layout.layOut(panel, 786, 197);
+
+            assertThat(faults(panel)).isEmpty();
+            JComponent last =
+                    Layout.find(panel, "try-robots-answer", JComponent.class).orElseThrow();
+            assertThat(last.getX() + last.getWidth()).isLessThanOrEqualTo(panel.getWidth());
+            assertThat(table(panel, "try-happenings").getWidth()).isGreaterThan(240);
+
+            Layout.layOut(panel, 1400, 480);
+            assertThat(faults(panel)).isEmpty();
+            Look.apply(Theme.LIGHT, 100);
+        });
+    }
+
     @Test
     void whatCanHappenIsLetHappenByItsButton() throws Exception {
         onEventThread(() -> {
