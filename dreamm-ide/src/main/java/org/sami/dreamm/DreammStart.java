@@ -35,6 +35,7 @@ final class DreammStart {
                 RecoveryFolder.take(data.recovery(), first.domain().vocabulary());
         WindowSettings settings = new WindowSettings(data.settings());
         DreammWindow window = EventThread.get(() -> {
+            Look.setHighRows(settings.highRows());
             Look.apply(options.theme().orElse(settings.theme()), options.scale().orElse(settings.scale()));
             settings.keepLook();
             DreammContext context =

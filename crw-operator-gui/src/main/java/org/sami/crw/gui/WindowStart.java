@@ -44,6 +44,7 @@ final class WindowStart {
     static OperatorWindow open(StartOptions options, DataDirectory data, IntConsumer ended) throws IOException {
         WindowSettings settings = new WindowSettings(data.settings());
         EventThread.get(() -> {
+            Look.setHighRows(settings.highRows());
             Look.apply(options.theme().orElse(settings.theme()), options.scale().orElse(settings.scale()));
             settings.keepLook();
             return null;
@@ -73,6 +74,7 @@ final class WindowStart {
         ReplayedJournal journal = ReplayedJournal.open(options.replay().orElseThrow());
         WindowSettings settings = new WindowSettings(data.settings());
         return EventThread.get(() -> {
+            Look.setHighRows(settings.highRows());
             Look.apply(options.theme().orElse(settings.theme()), options.scale().orElse(settings.scale()));
             settings.keepLook();
             ReplayWindow made = new ReplayWindow(journal, data, settings, ended);

@@ -27,6 +27,7 @@ public final class Look {
     private static final List<Runnable> LISTENERS = new CopyOnWriteArrayList<>();
     private static volatile Theme theme = Theme.LIGHT;
     private static volatile int scalePercent = 100;
+    private static volatile boolean highRows;
 
     private Look() {}
 
@@ -60,6 +61,16 @@ public final class Look {
     /** The scale in force, in percent. */
     public static int scalePercent() {
         return scalePercent;
+    }
+
+    /** Makes rows of tables and lists high enough for wet fingers from the next {@link #apply} on, or as high as their text needs. */
+    public static void setHighRows(boolean high) {
+        highRows = high;
+    }
+
+    /** Whether rows of tables and lists are high enough for wet fingers. */
+    public static boolean hasHighRows() {
+        return highRows;
     }
 
     /** The next larger or smaller of {@link #SCALES}; the one in force where there is none. */

@@ -49,7 +49,7 @@ final class RowCell<R> extends DefaultTableCellRenderer {
 
     /** How high a row of one line is, in pixels. */
     static int leastHeight() {
-        return Look.px(LEAST_HEIGHT);
+        return Look.px(Look.hasHighRows() ? Spacing.HIT_TARGET_FIELD : LEAST_HEIGHT);
     }
 
     private static int heightOf(int lines, FontMetrics metrics) {

@@ -53,6 +53,7 @@ public final class CommandMenus {
                 "scale-larger",
                 "scale-smaller",
                 "scale-reset",
+                "rows-high",
                 "");
         panels.forEach(panel -> add(view, "panel-" + panel.getPersistentID()));
         add(view, "", "panels-reset");

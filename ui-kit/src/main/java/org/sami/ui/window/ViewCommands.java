@@ -32,6 +32,11 @@ public final class ViewCommands {
                 .withKey("ctrl MINUS")
                 .withIcon("zoom-out"));
         add(new Command("scale-reset", "Text of 100 %", () -> look(Look.theme(), 100)).withKey("ctrl 0"));
+        add(new Command("rows-high", "High rows on or off", () -> {
+                    Look.setHighRows(!Look.hasHighRows());
+                    look(Look.theme(), Look.scalePercent());
+                })
+                .withIcon("hand"));
         add(new Command("command-search", "Find a command…", () -> CommandSearch.open(frame, commands))
                 .withKey("ctrl shift P")
                 .withIcon("search"));

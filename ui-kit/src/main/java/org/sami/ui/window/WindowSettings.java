@@ -15,6 +15,7 @@ public final class WindowSettings {
     private static final System.Logger LOG = System.getLogger(WindowSettings.class.getName());
     private static final String THEME = "theme";
     private static final String SCALE = "scale";
+    private static final String HIGH_ROWS = "high-rows";
 
     private final Path file;
     private final Properties values = new Properties();
@@ -45,6 +46,11 @@ public final class WindowSettings {
         }
     }
 
+    /** Whether high rows were chosen. */
+    public boolean highRows() {
+        return Boolean.parseBoolean(values.getProperty(HIGH_ROWS, "false"));
+    }
+
     /** A text that was kept, such as the parameters of a plan; empty where there is none. */
     public String text(String key) {
         return values.getProperty(key, "");
@@ -60,6 +66,7 @@ public final class WindowSettings {
     public void keepLook() {
         values.setProperty(THEME, Look.theme().id());
         values.setProperty(SCALE, Integer.toString(Look.scalePercent()));
+        values.setProperty(HIGH_ROWS, Boolean.toString(Look.hasHighRows()));
         write();
     }
 

@@ -7,9 +7,12 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.Spacing;
 
 class RowTableTest {
     private record Row(String id, int value) {}
@@ -33,6 +36,24 @@ class RowTableTest {
 
         table.show(List.of(new Row("a", 1)));
         assertThat(table.selected()).isEmpty();
+    }
+
+    @Test
+    void rowsAreHighEnoughForWetFingersWhereThatIsChosen() {
+        table.show(List.of(new Row("a", 1)));
+        Layout.layOut(table, 400, 200);
+        int low = table.table().getRowHeight(0);
+
+        Look.setHighRows(true);
+        try {
+            SwingUtilities.updateComponentTreeUI(table);
+            Layout.layOut(table, 400, 200);
+
+            assertThat(low).isLessThan(Spacing.HIT_TARGET_FIELD);
+            assertThat(table.table().getRowHeight(0)).isEqualTo(Spacing.HIT_TARGET_FIELD);
+        } finally {
+            Look.setHighRows(false);
+        }
     }
 
     @Test

@@ -11,6 +11,7 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
@@ -81,7 +82,7 @@ final class WaitingList extends JPanel {
         age.setName("decision-waiting-age-" + (ages.size() + 1));
         dress(age);
         ages.add(age);
-        add(row, "wmin 0, hmin " + Spacing.HIT_TARGET);
+        add(row, "wmin 0, hmin " + (Look.hasHighRows() ? Spacing.HIT_TARGET_FIELD : Spacing.HIT_TARGET));
         add(age);
     }
 
