@@ -211,15 +211,33 @@ class GivingWayAmongRocksTest {
         assertThat(seconds).isLessThan(400);
     }
 
-    /** Too many for such a gap: some may wait long, but what their control has learned may not carry one on into a rock where it is to stop. */
+    /** Too many for such a gap, of 2.4 to 5 m: some may wait long, but none comes inside (docs/decisions, 0321). */
     @ParameterizedTest
-    @CsvSource({
-        "boat1, boat2, boat3, 1.2, 45",
-        "boat2, boat1, boat3, 1.2, 45",
-        "boat2, boat3, boat1, 1.2, 80",
-        "boat2, boat3, boat1, 1.6, 60"
-    })
-    void threeBoatsInAGapForOneStayOutOfTheRocks(String first, String second, String other, double halfM, double toM) {
+    @ValueSource(doubles = {1.2, 1.6, 2, 2.5})
+    void threeBoatsInAGapForOneStayOutOfTheRocksAndAlmostAllGetThrough(double halfM) {
+        List<String> late = new ArrayList<>();
+        for (double toM : new double[] {34, 45, 60, 80}) {
+            for (String order : List.of("123", "132", "213", "231", "312", "321")) {
+                GivingWayAmongRocksTest one = new GivingWayAmongRocksTest();
+                if (!one.getThrough(halfM, toM, order)) {
+                    late.add(order + " to " + toM + " m");
+                }
+                assertThat(one.deepestM).as(order + ": " + one.deepest).isZero();
+                assertThat(one.leastM).as(order).isGreaterThanOrEqualTo(APART_M);
+            }
+        }
+        assertThat(late).hasSizeLessThanOrEqualTo(1);
+    }
+
+    /**
+     * Two boats behind each other meet a third in a gap that ends so far north.
+     *
+     * @param order the numbers of the two from the north, the nearer first, and of the one from the south
+     */
+    private boolean getThrough(double halfM, double toM, String order) {
+        String first = "boat" + order.charAt(0);
+        String second = "boat" + order.charAt(1);
+        String other = "boat" + order.charAt(2);
         launch(3);
         gap(halfM, 30, toM);
         begin(second, 0, toM + 60);
@@ -229,10 +247,7 @@ class GivingWayAmongRocksTest {
         drive(other, 0, toM + 80);
         drive(first, 0, -10);
         drive(second, -10, -20);
-        watch(500, boats());
-
-        assertThat(deepestM).as(deepest).isZero();
-        assertThat(leastM).isGreaterThanOrEqualTo(APART_M);
+        return watch(500, boats()) < 499;
     }
 
     /** Two rocks that leave a gap from south to north. */
