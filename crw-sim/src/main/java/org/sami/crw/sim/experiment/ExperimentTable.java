@@ -40,7 +40,8 @@ public final class ExperimentTable {
     /** The table as text with line feeds; below it a line for each run that is not green. */
     public static String text(List<ExperimentRow> rows) {
         Map<List<String>, List<ExperimentRow>> groups = new LinkedHashMap<>();
-        rows.forEach(row -> groups.computeIfAbsent(List.of(row.label(), row.conditions()), key -> new ArrayList<>())
+        rows.forEach(row -> groups.computeIfAbsent(
+                        List.of(row.run().label(), row.run().conditions()), key -> new ArrayList<>())
                 .add(row));
         List<List<String>> lines = new ArrayList<>();
         lines.add(HEADER);
@@ -53,27 +54,27 @@ public final class ExperimentTable {
     private static List<String> line(List<ExperimentRow> group) {
         ExperimentRow first = group.get(0);
         long[] millis = group.stream()
-                .filter(row -> row.outcome() == RunOutcome.ENDED)
-                .mapToLong(ExperimentRow::simulatedMillis)
+                .filter(row -> row.ending().outcome() == RunOutcome.ENDED)
+                .mapToLong(row -> row.ending().simulatedMillis())
                 .sorted()
                 .toArray();
-        int locations = sum(group, ExperimentRow::locations);
+        int locations = sum(group, row -> row.visits().locations());
         return List.of(
-                first.label(),
-                first.conditions(),
+                first.run().label(),
+                first.run().conditions(),
                 String.valueOf(group.size()),
                 String.valueOf(millis.length),
                 millis.length == 0 ? NONE : ReportWords.duration(median(millis)),
                 millis.length == 0 ? NONE : ReportWords.duration(millis[millis.length - 1]),
-                locations == 0 ? NONE : sum(group, ExperimentRow::reported) + "/" + locations,
-                locations == 0 ? NONE : sum(group, ExperimentRow::visited) + "/" + locations,
-                metres(most(group, ExperimentRow::farthestM)),
-                percent(group, ExperimentRow::plannedUncoveredM2),
-                percent(group, row -> OptionalDouble.of(row.uncoveredM2())),
-                metres(most(group, ExperimentRow::insideM)),
-                metres(most(group, ExperimentRow::announcedM)),
-                metres(least(group, ExperimentRow::closestM)),
-                metres(least(group, ExperimentRow::underWayM)),
+                locations == 0 ? NONE : sum(group, row -> row.visits().reported()) + "/" + locations,
+                locations == 0 ? NONE : sum(group, row -> row.visits().visited()) + "/" + locations,
+                metres(most(group, row -> row.visits().farthestM())),
+                percent(group, row -> row.coverage().plannedUncoveredM2()),
+                percent(group, row -> OptionalDouble.of(row.coverage().uncoveredM2())),
+                metres(most(group, row -> row.distances().insideM())),
+                metres(most(group, row -> row.distances().announcedM())),
+                metres(least(group, row -> row.distances().closestM())),
+                metres(least(group, row -> row.distances().underWayM())),
                 near(group),
                 String.valueOf(sum(group, ExperimentRow::emptyBoats)));
     }
@@ -97,9 +98,11 @@ public final class ExperimentTable {
     /** How much of the areas is covered, of the runs that say how much is not. */
     private static String percent(List<ExperimentRow> group, Function<ExperimentRow, OptionalDouble> uncoveredM2) {
         List<ExperimentRow> told = group.stream()
-                .filter(row -> row.areaM2() > 0 && uncoveredM2.apply(row).isPresent())
+                .filter(row ->
+                        row.coverage().areaM2() > 0 && uncoveredM2.apply(row).isPresent())
                 .toList();
-        double areaM2 = told.stream().mapToDouble(ExperimentRow::areaM2).sum();
+        double areaM2 =
+                told.stream().mapToDouble(row -> row.coverage().areaM2()).sum();
         double leftM2 = told.stream()
                 .mapToDouble(row -> uncoveredM2.apply(row).getAsDouble())
                 .sum();
@@ -108,9 +111,13 @@ public final class ExperimentTable {
 
     /** Seconds of a run, on the average. */
     private static String near(List<ExperimentRow> group) {
-        boolean isKnown = group.stream().anyMatch(row -> row.closestM().isPresent());
-        double seconds =
-                group.stream().mapToLong(ExperimentRow::nearMillis).average().orElse(0) / 1000;
+        boolean isKnown =
+                group.stream().anyMatch(row -> row.distances().closestM().isPresent());
+        double seconds = group.stream()
+                        .mapToLong(row -> row.distances().nearMillis())
+                        .average()
+                        .orElse(0)
+                / 1000;
         return isKnown ? String.format(Locale.ROOT, "%.1f s", seconds) : NONE;
     }
 
@@ -139,21 +146,24 @@ public final class ExperimentTable {
     }
 
     private static String trouble(ExperimentRow row) {
-        String problems =
-                row.problems() == 0 ? "" : ", " + row.problems() + (row.problems() == 1 ? " problem" : " problems");
-        String reason = row.reason().isEmpty() ? "" : ": " + row.reason();
-        String depth = row.isDeeperThanAnnounced()
-                ? "; a boat came deeper into what is avoided than the operator was told: " + metres(row.insideM())
-                        + ", not " + metres(row.announcedM()) + " at most"
+        String problems = row.ending().problems() == 0
+                ? ""
+                : ", " + row.ending().problems() + (row.ending().problems() == 1 ? " problem" : " problems");
+        String reason =
+                row.ending().reason().isEmpty() ? "" : ": " + row.ending().reason();
+        String depth = row.distances().areDeeperThanAnnounced()
+                ? "; a boat came deeper into what is avoided than the operator was told: "
+                        + metres(row.distances().insideM()) + ", not "
+                        + metres(row.distances().announcedM()) + " at most"
                 : "";
         return String.format(
                 Locale.ROOT,
                 "%s, %s, seed %d: %s after %s%s%s%s\n",
-                row.label(),
-                row.conditions(),
-                row.seed(),
-                row.outcome().word(),
-                ReportWords.duration(row.simulatedMillis()),
+                row.run().label(),
+                row.run().conditions(),
+                row.run().seed(),
+                row.ending().outcome().word(),
+                ReportWords.duration(row.ending().simulatedMillis()),
                 problems,
                 reason,
                 depth);
@@ -185,27 +195,27 @@ public final class ExperimentTable {
                 "run_hash"));
         for (ExperimentRow row : rows) {
             text.append(CsvRow.of(
-                    row.label(),
-                    row.conditions(),
-                    row.seed(),
-                    row.outcome().word(),
-                    row.reason(),
-                    row.problems(),
-                    CsvRow.fixed(row.simulatedMillis() / 1000.0, 3),
-                    row.locations(),
-                    row.reported(),
-                    row.visited(),
-                    cell(row.farthestM()),
-                    CsvRow.fixed(row.areaM2(), 1),
-                    cell(row.plannedUncoveredM2()),
-                    CsvRow.fixed(row.uncoveredM2(), 1),
-                    cell(row.insideM()),
-                    cell(row.announcedM()),
-                    cell(row.closestM()),
-                    cell(row.underWayM()),
-                    CsvRow.fixed(row.nearMillis() / 1000.0, 3),
+                    row.run().label(),
+                    row.run().conditions(),
+                    row.run().seed(),
+                    row.ending().outcome().word(),
+                    row.ending().reason(),
+                    row.ending().problems(),
+                    CsvRow.fixed(row.ending().simulatedMillis() / 1000.0, 3),
+                    row.visits().locations(),
+                    row.visits().reported(),
+                    row.visits().visited(),
+                    cell(row.visits().farthestM()),
+                    CsvRow.fixed(row.coverage().areaM2(), 1),
+                    cell(row.coverage().plannedUncoveredM2()),
+                    CsvRow.fixed(row.coverage().uncoveredM2(), 1),
+                    cell(row.distances().insideM()),
+                    cell(row.distances().announcedM()),
+                    cell(row.distances().closestM()),
+                    cell(row.distances().underWayM()),
+                    CsvRow.fixed(row.distances().nearMillis() / 1000.0, 3),
                     row.emptyBoats(),
-                    row.runHash()));
+                    row.ending().hash()));
         }
         return text.toString();
     }

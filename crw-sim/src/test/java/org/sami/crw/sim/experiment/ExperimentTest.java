@@ -37,14 +37,15 @@ class ExperimentTest {
         assertThat(ExperimentTable.text(sideBySide)).isEqualTo(ExperimentTable.text(alone));
         assertThat(progress).containsExactly(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12);
         assertThat(alone)
-                .extracting(row -> row.label() + " " + row.conditions() + " " + row.seed())
+                .extracting(row -> row.run().label() + " " + row.run().conditions() + " "
+                        + row.run().seed())
                 .startsWith("clv calm 4", "clv calm 2", "clv field 4", "clv field 2", "measure calm 4")
                 .hasSize(12)
                 .doesNotHaveDuplicates();
         assertThat(alone).allMatch(ExperimentRow::isGreen);
         assertThat(alone)
-                .filteredOn(row -> row.conditions().equals("field"))
-                .extracting(ExperimentRow::runHash)
+                .filteredOn(row -> row.run().conditions().equals("field"))
+                .extracting(row -> row.ending().hash())
                 .doesNotHaveDuplicates();
     }
 
@@ -60,11 +61,13 @@ class ExperimentTest {
                 .run(2, () -> false, done -> {})
                 .get(0);
 
-        assertThat(row.runHash()).isEqualTo(report.result().runHash());
-        assertThat(row.simulatedMillis()).isEqualTo(report.result().simulatedMillis());
-        assertThat(row.reported()).isEqualTo(report.locationsReported()).isEqualTo(9);
-        assertThat(row.visited()).isEqualTo(report.locationsVisited());
-        assertThat(row.closestM().orElseThrow())
+        assertThat(row.ending().hash()).isEqualTo(report.result().runHash());
+        assertThat(row.ending().simulatedMillis()).isEqualTo(report.result().simulatedMillis());
+        assertThat(row.visits().reported())
+                .isEqualTo(report.locationsReported())
+                .isEqualTo(9);
+        assertThat(row.visits().visited()).isEqualTo(report.locationsVisited());
+        assertThat(row.distances().closestM().orElseThrow())
                 .isEqualTo(report.map().closest().ever().orElseThrow().distanceM());
     }
 
@@ -75,7 +78,7 @@ class ExperimentTest {
         List<ExperimentRow> rows = EXPERIMENT.run(1, stop::get, done -> stop.set(done >= 3));
 
         assertThat(rows).hasSizeBetween(3, 4);
-        assertThat(rows).extracting(ExperimentRow::outcome).containsOnly(RunOutcome.ENDED);
+        assertThat(rows).extracting(row -> row.ending().outcome()).containsOnly(RunOutcome.ENDED);
     }
 
     @Test
@@ -101,7 +104,7 @@ class ExperimentTest {
             over.set(true);
         }
 
-        assertThat(rows).extracting(ExperimentRow::label).containsExactly("clv");
+        assertThat(rows).extracting(row -> row.run().label()).containsExactly("clv");
     }
 
     @Test
@@ -133,27 +136,12 @@ class ExperimentTest {
     private static ExperimentRow inside(long seed, double insideM, double announcedM) {
         OptionalDouble none = OptionalDouble.empty();
         return new ExperimentRow(
-                "rocks",
-                "rough",
-                seed,
-                RunOutcome.ENDED,
-                "",
-                0,
-                60_000,
-                0,
-                0,
-                0,
-                none,
-                0,
-                none,
-                0,
-                OptionalDouble.of(insideM),
-                OptionalDouble.of(announcedM),
-                none,
-                none,
-                0,
-                0,
-                "");
+                new ExperimentRow.Run("rocks", "rough", seed),
+                new ExperimentRow.Ending(RunOutcome.ENDED, "", 0, 60_000, ""),
+                new ExperimentRow.Visits(0, 0, 0, none),
+                new ExperimentRow.Coverage(0, none, 0),
+                new ExperimentRow.Distances(OptionalDouble.of(insideM), OptionalDouble.of(announcedM), none, none, 0),
+                0);
     }
 
     private static Map<String, Conditions> waters() {

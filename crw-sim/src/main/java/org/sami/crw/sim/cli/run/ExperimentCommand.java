@@ -200,7 +200,7 @@ public final class ExperimentCommand implements Callable<Integer> {
             printed.flush();
             boolean written = write(rows);
             long ended = rows.stream()
-                    .filter(row -> row.outcome() == RunOutcome.ENDED)
+                    .filter(row -> row.ending().outcome() == RunOutcome.ENDED)
                     .count();
             err.println(
                     stopped
@@ -231,7 +231,7 @@ public final class ExperimentCommand implements Callable<Integer> {
     /** The gravest of the runs' exit codes: failed, aborted, running, with problems. */
     private static int exitCode(List<ExperimentRow> rows, boolean stopped) {
         List<RunOutcome> outcomes =
-                new ArrayList<>(rows.stream().map(ExperimentRow::outcome).toList());
+                new ArrayList<>(rows.stream().map(row -> row.ending().outcome()).toList());
         if (stopped) {
             outcomes.add(RunOutcome.RUNNING);
         }
