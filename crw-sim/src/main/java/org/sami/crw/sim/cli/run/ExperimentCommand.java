@@ -51,7 +51,7 @@ import picocli.CommandLine.Spec;
             "3:a mission was aborted; none failed",
             "4:a mission or the program failed",
             "5:a mission was still running at its time (--for), or not all were run (Ctrl-C); none failed or was aborted",
-            "6:all missions ended, some with problems"
+            "6:all missions ended, some with problems, or with a boat deeper inside what is avoided than was announced"
         },
         footerHeading = "%nExamples:%n",
         footer = {
