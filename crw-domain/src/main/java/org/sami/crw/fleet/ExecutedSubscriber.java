@@ -5,7 +5,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.function.Consumer;
 import org.sami.spn.host.ListenerList;
 
-/** A subscriber that is called on an executor of its own; one whose executor has stopped hears nothing any longer. */
+/** A subscriber that is called on an executor of its own; one whose executor has stopped is called no longer. */
 final class ExecutedSubscriber implements Consumer<FleetEvent> {
     private final Executor executor;
     private final ListenerList<Consumer<? super FleetEvent>> subscriber = new ListenerList<>();

@@ -76,7 +76,7 @@ public final class FleetEvents implements BaseListener {
         return proxies;
     }
 
-    /** From now on the domain hears of boats as well, after the subscribers; before the first proxy is made. */
+    /** From now on the domain is told of boats as well, after the subscribers; before the first proxy is made. */
     public void passTo(BoatListener domain) {
         proxies = new BoatListeners(publisher, domain);
     }

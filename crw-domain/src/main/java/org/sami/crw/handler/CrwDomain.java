@@ -253,7 +253,7 @@ public final class CrwDomain implements AutoCloseable {
     /**
      * Puts the domain on a host.
      *
-     * @param events hears of all boats; the proxies of {@code boats} tell it, and it tells the domain
+     * @param events is told of all boats by the proxies of {@code boats}, and tells the domain
      */
     public static CrwDomain install(
             EngineHost host,
@@ -286,7 +286,7 @@ public final class CrwDomain implements AutoCloseable {
      * The same for a base that gets to more boats while it runs.
      *
      * @param connector how plans get to them
-     * @param events hears of all boats; the proxies of {@code boats} tell it, and it tells the domain
+     * @param events is told of all boats by the proxies of {@code boats}, and tells the domain
      */
     public static CrwDomain installInRealTime(
             EngineHost host,

@@ -338,7 +338,7 @@ public final class OperatorModels implements HostListener, MessageSink {
         if (now == stepsLookedAt.get() || !looking.compareAndSet(false, true)) {
             return;
         }
-        CompletableFuture<EngineLook> look = host.query(view -> EngineLook.at(view, vocabulary));
+        CompletableFuture<EngineSnapshot> look = host.query(view -> EngineSnapshot.at(view, vocabulary));
         look.whenComplete((told, fault) -> {
                     looking.set(false);
                     if (fault == null) {
@@ -349,7 +349,7 @@ public final class OperatorModels implements HostListener, MessageSink {
                 .exceptionally(stopped -> null); // the host takes no more questions: what was known stays
     }
 
-    private void looked(EngineLook told) {
+    private void looked(EngineSnapshot told) {
         inbox.post(() -> {
             missions.details(told.details());
             interrupts.show(told.buttons());
@@ -403,7 +403,7 @@ public final class OperatorModels implements HostListener, MessageSink {
 
     /** Shows what an engine says when it is asked. On the engine's thread. */
     void look(EngineView view, Vocabulary vocabulary) {
-        looked(EngineLook.at(view, vocabulary));
+        looked(EngineSnapshot.at(view, vocabulary));
     }
 
     // ---- fed by handlers and by the fleet

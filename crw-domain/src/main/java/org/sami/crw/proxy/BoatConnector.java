@@ -7,7 +7,7 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * How a base gets to boats that it does not have yet, while missions run. A boat that it gets to is in the base's
- * {@link ProxyRegistry}, and its listener hears of its link as of any other's. For the fleet's thread.
+ * {@link ProxyRegistry}, and its listener is told of its link as of any other's. For the fleet's thread.
  */
 public interface BoatConnector {
     /** For a base whose boats are settled before it begins. */

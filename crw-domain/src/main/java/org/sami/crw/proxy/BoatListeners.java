@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import org.sami.spn.host.ListenerList;
 import org.sami.spn.value.GeoPoint;
 
-/** Several listeners as one, told in order. What one throws is logged and told to all; the next hears what it would have heard. */
+/** Several listeners as one, told in order. What one throws is logged and told to all; the next one is called all the same. */
 public final class BoatListeners implements BoatListener {
     private final ListenerList<BoatListener> listeners = new ListenerList<>();
 

@@ -69,7 +69,7 @@ final class PathRun extends CommandRun {
      * @param position gives where the boat is, if that is known
      * @param wayHome learns what the boat knows of its ways home
      * @param adopted goes on with the list that the boat holds, if that is the path; else the path is sent under a new id
-     * @param reached hears how far the upload has come, once for each state
+     * @param reached is told how far the upload has come, once for each state
      */
     PathRun(
             QueuedCommand queued,

@@ -4,7 +4,7 @@ import java.util.List;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Hears what a session notes beside the engine's steps. Called on the thread on which it happens, most of it the fleet's: must be
+ * Is told what a session notes beside the engine's steps. Called on the thread on which it happens, most of it the fleet's: must be
  * quick, and must not wait for the session.
  */
 public interface SessionListener {
@@ -14,7 +14,7 @@ public interface SessionListener {
     /** The operator is told something that need not be kept, such as why a boat still stands. On the fleet's thread. */
     default void onNotice(String text) {}
 
-    /** A boat says that these points of its path are behind it. On the fleet's thread, before the engine hears of it. */
+    /** A boat says that these points of its path are behind it. On the fleet's thread, before the engine is told of it. */
     default void onPassed(String boat, List<GeoPoint> points, long atMillis) {}
 
     /** A sensor has measured. On the fleet's thread. */

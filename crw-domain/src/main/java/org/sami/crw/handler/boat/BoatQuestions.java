@@ -21,8 +21,8 @@ import org.sami.spn.protocol.Priority;
 /**
  * What the operator is asked about single boats outside of plans: whether one that has started anew may be moved again, and whether
  * another base may have one. The answer is carried out on the boat. Which start of a boat was met last is kept in the session's
- * journal, so that a boat that started anew while the base was down is noticed too. For the fleet's thread; what it hears
- * of the engine it brings there.
+ * journal, so that a boat that started anew while the base was down is noticed too. For the fleet's thread; it passes
+ * the engine's steps on to it.
  */
 public final class BoatQuestions implements BoatListener, HostListener {
     private final EngineHost host;

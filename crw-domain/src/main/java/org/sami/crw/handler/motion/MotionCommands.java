@@ -28,7 +28,7 @@ import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.TaskId;
 
 /**
- * The commands that activations have sent to boats, and what the plan hears of each: its progress, and one answer (path completed
+ * The commands that activations have sent to boats, and what the plan is told of each: its progress, and one answer (path completed
  * or path failed). A lost link is no failure: the command waits. A command whose id is with the boat already is not sent twice.
  * For the fleet's thread.
  */
@@ -97,7 +97,7 @@ public final class MotionCommands implements BoatListener {
     }
 
     /**
-     * Has boats be sent the waypoints of their present command once more, whichever mission's that is. The plan hears of this
+     * Has boats be sent the waypoints of their present command once more, whichever mission's that is. The plan is told of this
      * command too what becomes of it; a boat that has no waypoints now has nothing left of them.
      */
     void sendAgain(Activation activation, HandlerContext context, List<Addressee> addressees) {
@@ -164,7 +164,7 @@ public final class MotionCommands implements BoatListener {
         }
     }
 
-    /** Takes back what a mission has for a boat, because another wanted it so; whoever waits for it hears that it failed. */
+    /** Takes back what a mission has for a boat, because another wanted it so; whoever waits for it is told that it failed. */
     void abort(long mission, String boat, String reason) {
         questions.withdraw(mission, List.of(boat));
         boats.find(boat)

@@ -43,7 +43,7 @@ import org.sami.spn.value.GeoPoint;
 /**
  * Asks the operator before boats are sent where something is wrong ({@link WayCheck}): one question for each activation and kind of
  * doubt. Boats whose way is doubted wait for the answer, the others go. The answer is kept in the mission's memory, so that a base
- * that goes on does not ask again. For the fleet's thread; what it hears of the engine it brings there.
+ * that goes on does not ask again. For the fleet's thread; it passes the engine's steps on to it.
  */
 public final class WayQuestions implements HostListener {
     private static final int NAMED = 3;

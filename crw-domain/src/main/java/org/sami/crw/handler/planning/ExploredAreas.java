@@ -28,7 +28,7 @@ import org.sami.spn.value.GeoPath;
 
 /**
  * Watches what boats cover of the areas that they explore, by the positions that they report, and tells the operator when the last share is driven, or
- * when the mission ends before that. For the fleet's thread; what it hears of the engine it brings there.
+ * when the mission ends before that. For the fleet's thread; it passes the engine's steps on to it.
  */
 public final class ExploredAreas implements BoatListener, HostListener {
     private final MessageSink messages;

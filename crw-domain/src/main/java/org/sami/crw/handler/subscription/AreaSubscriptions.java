@@ -29,8 +29,8 @@ import org.sami.spn.value.GeoPoint;
 /**
  * Proxy Area Subscription (thesis Fig. 7.4): tells at once which of the boats that entered the place are in an area, and then of each
  * that enters or leaves the area, while it stands in the place. Its border belongs to an area. What was told last is
- * kept in the mission's memory, so that a base that goes on repeats nothing. For the fleet's thread; what it hears of the engine
- * it brings there.
+ * kept in the mission's memory, so that a base that goes on repeats nothing. For the fleet's thread; it passes the engine's
+ * steps on to it.
  */
 public final class AreaSubscriptions implements ActivationHandler, BoatListener, HostListener {
     public static final String TYPE = "ProxyAreaSubscription";

@@ -32,7 +32,7 @@ import org.sami.spn.value.Value;
  * Battery Level Subscription (appendix .2.1): answers for each boat that entered at once, or as soon as its charge is known, and then
  * at each change of level by the subscription's own thresholds, while the boat stands in the place. What was answered last is
  * kept in the mission's memory, so that neither a link that comes back nor a base that goes on repeats it. For the fleet's
- * thread; what it hears of the engine it brings there.
+ * thread; it passes the engine's steps on to it.
  */
 public final class BatterySubscriptions implements ActivationHandler, BoatListener, HostListener {
     public static final String TYPE = "BatteryLevelSubscription";

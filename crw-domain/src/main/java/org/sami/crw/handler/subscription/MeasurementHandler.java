@@ -32,7 +32,7 @@ import org.sami.spn.value.TextValue;
  * their own rates; a sensor is named by the channel ({@code temperature}), the instrument ({@code ctd}) or both ({@code
  * ctd/temperature}). Of readings of several values the first is told. When nothing has come for a while the operator is told which
  * sensors there are, and the measurement has failed: for the plan where a transition waits for that, else for the journal, and the boat
- * waits on. For the fleet's thread; what it hears of the engine it brings there.
+ * waits on. For the fleet's thread; it passes the engine's steps on to it.
  */
 public final class MeasurementHandler implements ActivationHandler, BoatListener, HostListener {
     public static final String TYPE = "TakeMeasurement";

@@ -15,8 +15,8 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 
 /**
- * The subscriptions of one kind that stand, by activation; those whose activation ends are dropped. For the fleet's thread; what it
- * hears of the engine it brings there.
+ * The subscriptions of one kind that stand, by activation; those whose activation ends are dropped. For the fleet's thread; it
+ * passes the engine's steps on to it.
  *
  * @param <S> what is kept of a subscription
  */

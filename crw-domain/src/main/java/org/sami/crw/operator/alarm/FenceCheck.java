@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import org.sami.crw.operator.area.GuardedWater;
+import org.sami.crw.operator.area.AllowedWater;
 import org.sami.crw.proxy.CommandQueueSnapshot;
 import org.sami.crw.proxy.CommandQueueSnapshot.Entry;
 import org.sami.crw.proxy.MissionTitles;
@@ -29,9 +29,9 @@ public final class FenceCheck {
 
     private final MissionTitles titles;
     private final Map<String, GeoPoint> last = new HashMap<>();
-    private Optional<GuardedWater> fence = Optional.empty();
+    private Optional<AllowedWater> fence = Optional.empty();
     private Map<Long, List<GeoArea>> avoided = Map.of();
-    private Map<Long, GuardedWater> missions = Map.of();
+    private Map<Long, AllowedWater> missions = Map.of();
 
     public FenceCheck(MissionTitles titles) {
         this.titles = titles;
@@ -39,12 +39,12 @@ public final class FenceCheck {
 
     /** From now on boats may go in this water; empty for everywhere. */
     public void setWater(Optional<Water> allowed) {
-        fence = allowed.map(water -> new GuardedWater(water, water));
+        fence = allowed.map(water -> new AllowedWater(water, water));
     }
 
     /** From now on missions keep out of these areas, by mission. */
     public void setAvoided(Map<Long, List<GeoArea>> areas) {
-        Map<Long, GuardedWater> now = new LinkedHashMap<>();
+        Map<Long, AllowedWater> now = new LinkedHashMap<>();
         areas.forEach((mission, avoid) -> {
             if (avoid.equals(avoided.get(mission))) {
                 Optional.ofNullable(missions.get(mission)).ifPresent(same -> now.put(mission, same));
@@ -57,10 +57,10 @@ public final class FenceCheck {
     }
 
     /** Empty for an area that is no simple polygon: the mission's own request is refused with the reason. */
-    private static Optional<GuardedWater> water(List<GeoArea> avoid) {
+    private static Optional<AllowedWater> water(List<GeoArea> avoid) {
         try {
             Water water = Water.of(avoid.get(0).outline().get(0), avoid, Optional.empty());
-            return Optional.of(new GuardedWater(water.shrunk(POSITION_DEPTH_M), water.shrunk(PATH_DEPTH_M)));
+            return Optional.of(new AllowedWater(water.shrunk(POSITION_DEPTH_M), water.shrunk(PATH_DEPTH_M)));
         } catch (IllegalArgumentException crossed) {
             return Optional.empty();
         }
@@ -89,7 +89,7 @@ public final class FenceCheck {
     }
 
     private static Optional<String> position(
-            GuardedWater water, Optional<GeoPoint> before, GeoPoint now, String isThere, String wasThere) {
+            AllowedWater water, Optional<GeoPoint> before, GeoPoint now, String isThere, String wasThere) {
         if (water.isForbidden(now)) {
             return Optional.of(isThere);
         }
@@ -115,12 +115,12 @@ public final class FenceCheck {
         return Optional.empty();
     }
 
-    private Optional<GuardedWater> of(Entry entry) {
+    private Optional<AllowedWater> of(Entry entry) {
         return Optional.ofNullable(missions.get(entry.command().mission()));
     }
 
     private Optional<String> path(
-            Optional<GuardedWater> guarded, String boat, Optional<GeoPoint> from, Entry entry, String what) {
+            Optional<AllowedWater> guarded, String boat, Optional<GeoPoint> from, Entry entry, String what) {
         return guarded.flatMap(water -> water.wayThere(from, entry)
                 .map(point -> words(boat, entry, what, "to", point))
                 .or(() -> water.segment(boat, entry).map(point -> words(boat, entry, what, "near", point))));

@@ -19,7 +19,7 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.mission.AllocationSnapshot;
-import org.sami.crw.operator.mission.TaskGift;
+import org.sami.crw.operator.mission.TaskMovePreview;
 import org.sami.spn.value.TaskId;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
@@ -73,7 +73,7 @@ public final class AllocationPanel extends JPanel {
         view.getActionMap().put("give", give);
         view.setSelectionMode(ListSelectionModel.SINGLE_SELECTION); // else a drag from a row selects more rows
         view.setDropMode(DropMode.ON);
-        view.setTransferHandler(new TaskTransfer(this::taskAt, this::giftTo, this::say, this::give));
+        view.setTransferHandler(new TaskTransfer(this::taskAt, this::previewTo, this::say, this::give));
         view.setDragEnabled(context.whyNotAct().isEmpty() && !GraphicsEnvironment.isHeadless());
         effect.setName("allocation-effect");
         effect.setColor(SemanticColor.MUTED);
@@ -139,25 +139,25 @@ public final class AllocationPanel extends JPanel {
     }
 
     /** What dropping a task on a row would change. */
-    private Optional<TaskGift> giftTo(TaskId task, int row) {
-        return row >= 0 && row < rows.size() ? gift(task, rows.get(row).boat()) : Optional.empty();
+    private Optional<TaskMovePreview> previewTo(TaskId task, int row) {
+        return row >= 0 && row < rows.size() ? preview(task, rows.get(row).boat()) : Optional.empty();
     }
 
-    private Optional<TaskGift> gift(TaskId task, String boat) {
-        return TaskGift.of(
+    private Optional<TaskMovePreview> preview(TaskId task, String boat) {
+        return TaskMovePreview.of(
                 task,
                 Optional.of(boat).filter(name -> !name.isEmpty()),
                 context.models().allocation().snapshot());
     }
 
-    private void say(Optional<TaskGift> gift) {
-        effect.setText(gift.map(TaskGift::words).orElse(HINT));
-        effect.setColor(gift.isPresent() ? SemanticColor.ACCENT : SemanticColor.MUTED);
+    private void say(Optional<TaskMovePreview> preview) {
+        effect.setText(preview.map(TaskMovePreview::words).orElse(HINT));
+        effect.setColor(preview.isPresent() ? SemanticColor.ACCENT : SemanticColor.MUTED);
     }
 
-    private void give(TaskGift gift) {
+    private void give(TaskMovePreview preview) {
         say(Optional.empty());
-        context.tell(context.session().moveTask(gift.task(), gift.to()), gift.words());
+        context.tell(context.session().moveTask(preview.task(), preview.to()), preview.words());
     }
 
     /** The menu of whom the chosen task can be given to; each entry says what it changes. */
@@ -167,13 +167,13 @@ public final class AllocationPanel extends JPanel {
         chosen().ifPresent(task -> {
             List<String> whom = new ArrayList<>(boats());
             whom.add("");
-            whom.forEach(boat -> gift(task, boat).ifPresent(gift -> {
-                JMenuItem item = new JMenuItem(gift.words());
+            whom.forEach(boat -> preview(task, boat).ifPresent(preview -> {
+                JMenuItem item = new JMenuItem(preview.words());
                 item.setName("allocation-give-" + (boat.isEmpty() ? "nobody" : boat));
                 if (!boat.isEmpty()) {
                     item.setIcon(new MarkIcon(context.marks().of(boat)));
                 }
-                item.addActionListener(e -> give(gift));
+                item.addActionListener(e -> give(preview));
                 menu.add(item);
             }));
         });

@@ -10,32 +10,32 @@ import java.util.function.IntFunction;
 import javax.swing.JComponent;
 import javax.swing.JTable;
 import javax.swing.TransferHandler;
-import org.sami.crw.operator.mission.TaskGift;
+import org.sami.crw.operator.mission.TaskMovePreview;
 import org.sami.spn.value.TaskId;
 
 /** Lets a task be dragged within the table of tasks; what a drop would change is said while it is dragged. */
 final class TaskTransfer extends TransferHandler {
     private final transient IntFunction<Optional<TaskId>> taskAt;
-    private final transient BiFunction<TaskId, Integer, Optional<TaskGift>> giftTo;
-    private final transient Consumer<Optional<TaskGift>> say;
-    private final transient Consumer<TaskGift> give;
+    private final transient BiFunction<TaskId, Integer, Optional<TaskMovePreview>> previewTo;
+    private final transient Consumer<Optional<TaskMovePreview>> say;
+    private final transient Consumer<TaskMovePreview> give;
     private transient Optional<TaskId> dragged = Optional.empty();
 
     /**
      * A handler of one table.
      *
      * @param taskAt the task of a row
-     * @param giftTo what dropping a task on a row would change; empty where nothing
+     * @param previewTo what dropping a task on a row would change; empty where nothing
      * @param say is told what a drop would change now; empty when nothing is dragged any longer
      * @param give does it
      */
     TaskTransfer(
             IntFunction<Optional<TaskId>> taskAt,
-            BiFunction<TaskId, Integer, Optional<TaskGift>> giftTo,
-            Consumer<Optional<TaskGift>> say,
-            Consumer<TaskGift> give) {
+            BiFunction<TaskId, Integer, Optional<TaskMovePreview>> previewTo,
+            Consumer<Optional<TaskMovePreview>> say,
+            Consumer<TaskMovePreview> give) {
         this.taskAt = taskAt;
-        this.giftTo = giftTo;
+        this.previewTo = previewTo;
         this.say = say;
         this.give = give;
     }
@@ -53,25 +53,25 @@ final class TaskTransfer extends TransferHandler {
 
     @Override
     public boolean canImport(TransferSupport support) {
-        Optional<TaskGift> gift = gift(support);
-        say.accept(gift);
-        return gift.isPresent();
+        Optional<TaskMovePreview> preview = preview(support);
+        say.accept(preview);
+        return preview.isPresent();
     }
 
     /** Only what is dragged from this table itself is taken. */
-    private Optional<TaskGift> gift(TransferSupport support) {
+    private Optional<TaskMovePreview> preview(TransferSupport support) {
         return support.isDrop()
                         && support.isDataFlavorSupported(DataFlavor.stringFlavor)
                         && support.getDropLocation() instanceof JTable.DropLocation place
-                ? dragged.flatMap(task -> giftTo.apply(task, place.getRow()))
+                ? dragged.flatMap(task -> previewTo.apply(task, place.getRow()))
                 : Optional.empty();
     }
 
     @Override
     public boolean importData(TransferSupport support) {
-        Optional<TaskGift> gift = gift(support);
-        gift.ifPresent(give);
-        return gift.isPresent();
+        Optional<TaskMovePreview> preview = preview(support);
+        preview.ifPresent(give);
+        return preview.isPresent();
     }
 
     @Override

@@ -60,7 +60,7 @@ public final class Experiment {
      *
      * @param threads how many runs go at a time
      * @param stop asked often, from several threads: whether somebody wants it to stop; who wants it at once interrupts the caller's thread as well
-     * @param progress hears on the caller's thread how many runs are done
+     * @param progress is told on the caller's thread how many runs are done
      */
     public List<ExperimentRow> run(int threads, BooleanSupplier stop, IntConsumer progress) {
         Objects.requireNonNull(progress, "progress");

@@ -49,7 +49,7 @@ public record ExperimentRow(
      * How a run ended.
      *
      * @param reason why it failed, in one sentence; else empty text
-     * @param problems how many things went wrong of which no plan hears
+     * @param problems how many things went wrong of which no plan is told
      * @param hash equal for equal runs; empty text where the program broke
      */
     public record Ending(RunOutcome outcome, String reason, int problems, long simulatedMillis, String hash) {

@@ -26,7 +26,7 @@ public record NoteResult(long atMillis, String kind, long mission, String messag
     /** What could not be written to the journal. */
     public static final String JOURNAL = "journal";
 
-    /** Whether something went wrong that no plan hears of: a run in which that happened is not quite right, however it ends. */
+    /** Whether something went wrong of which no plan is told: a run in which that happened is not quite right, however it ends. */
     public boolean isProblem() {
         return kind.equals(HANDLER_FAILED) || kind.equals(UNANSWERED) || kind.equals(JOURNAL);
     }

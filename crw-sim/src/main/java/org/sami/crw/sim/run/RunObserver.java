@@ -8,7 +8,7 @@ import org.sami.crw.sim.run.record.RunProgress;
 /**
  * Who watches a run, on its thread.
  *
- * @param progress hears how far it is, often; must be quick
+ * @param progress is told how far it is, often; must be quick
  * @param stop asked often: whether the user wants it to stop
  * @param news where it is told what the operator is asked and told
  */
@@ -19,7 +19,7 @@ public record RunObserver(Consumer<RunProgress> progress, BooleanSupplier stop, 
     /**
      * What a person follows of a run.
      *
-     * @param lines hears it line by line; must be quick
+     * @param lines is given it line by line; must be quick
      * @param isDetailed whether descriptions, long answers and repeated messages are wanted as well
      */
     public record News(Consumer<String> lines, boolean isDetailed) {
@@ -31,7 +31,7 @@ public record RunObserver(Consumer<RunProgress> progress, BooleanSupplier stop, 
         }
     }
 
-    /** Hears how far it is, and does nothing with it. */
+    /** Is told how far it is, and does nothing with it. */
     private enum Nobody implements Consumer<RunProgress> {
         LOOKS;
 
@@ -52,7 +52,7 @@ public record RunObserver(Consumer<RunProgress> progress, BooleanSupplier stop, 
         return new RunObserver(Nobody.LOOKS, stop);
     }
 
-    /** Whether anybody looks how far it is. */
+    /** Whether anybody wants to know how far it is. */
     boolean isWatched() {
         return progress != Nobody.LOOKS;
     }

@@ -94,7 +94,7 @@ public final class PlanMap implements HostListener {
         }
     }
 
-    /** Empty for areas that are no simple polygons, which nobody explores: the plan hears why. */
+    /** Empty for areas that are no simple polygons, which nobody explores: the plan is told why. */
     private static Optional<ExplorationRequest> explorationOf(
             Activation activation, GeoArea area, double spacingM, long atMillis, EngineView view) {
         Optional<GeoArea> within =

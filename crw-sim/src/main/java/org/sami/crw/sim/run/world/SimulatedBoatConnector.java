@@ -42,7 +42,7 @@ public final class SimulatedBoatConnector implements FleetConnector {
         listener = Optional.of(newListener);
     }
 
-    /** What the base hears of a boat. */
+    /** What the base is told of a boat. */
     public BoatListener listenerOf(String boat) {
         return listener.orElseThrow().found(boat);
     }

@@ -16,9 +16,9 @@ import org.sami.spn.value.TaskId;
  * @param interrupts whether the boat that has it is at it now
  * @param next what that boat goes on with; empty where nothing is left
  */
-public record TaskGift(
+public record TaskMovePreview(
         TaskId task, Optional<String> from, Optional<String> to, int place, boolean interrupts, Optional<TaskId> next) {
-    public TaskGift {
+    public TaskMovePreview {
         Objects.requireNonNull(task, "task");
         Objects.requireNonNull(from, "from");
         Objects.requireNonNull(to, "to");
@@ -26,7 +26,7 @@ public record TaskGift(
     }
 
     /** What giving a task away would change; empty where it changes nothing. */
-    public static Optional<TaskGift> of(TaskId task, Optional<String> to, AllocationSnapshot now) {
+    public static Optional<TaskMovePreview> of(TaskId task, Optional<String> to, AllocationSnapshot now) {
         Optional<String> from = now.queues().entrySet().stream()
                 .filter(queue -> queue.getValue().contains(task))
                 .map(Map.Entry::getKey)
@@ -40,7 +40,7 @@ public record TaskGift(
                 left.stream().filter(other -> !other.equals(task)).findFirst();
         int place = to.map(boat -> now.queues().getOrDefault(boat, List.of()).size() + 1)
                 .orElse(0);
-        return Optional.of(new TaskGift(task, from, to, place, interrupts, next));
+        return Optional.of(new TaskMovePreview(task, from, to, place, interrupts, next));
     }
 
     /** In one sentence. */

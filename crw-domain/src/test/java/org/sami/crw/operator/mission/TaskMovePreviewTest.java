@@ -8,7 +8,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.value.TaskId;
 
-class TaskGiftTest {
+class TaskMovePreviewTest {
     private static final TaskId PIER = new TaskId(1, "pier");
     private static final TaskId BUOY = new TaskId(1, "buoy");
     private static final TaskId REED = new TaskId(1, "reed");
@@ -31,13 +31,13 @@ class TaskGiftTest {
 
     @Test
     void nobodyCanHaveItAndToWhomHasItItCannotBeGiven() {
-        assertThat(TaskGift.of(PIER, Optional.empty(), NOW).orElseThrow().words())
+        assertThat(TaskMovePreview.of(PIER, Optional.empty(), NOW).orElseThrow().words())
                 .isEqualTo("nobody does pier; anna leaves it now and goes on with buoy");
-        assertThat(TaskGift.of(PIER, Optional.of("anna"), NOW)).isEmpty();
-        assertThat(TaskGift.of(FREE, Optional.empty(), NOW)).isEmpty();
+        assertThat(TaskMovePreview.of(PIER, Optional.of("anna"), NOW)).isEmpty();
+        assertThat(TaskMovePreview.of(FREE, Optional.empty(), NOW)).isEmpty();
     }
 
     private static String words(TaskId task, String boat) {
-        return TaskGift.of(task, Optional.of(boat), NOW).orElseThrow().words();
+        return TaskMovePreview.of(task, Optional.of(boat), NOW).orElseThrow().words();
     }
 }

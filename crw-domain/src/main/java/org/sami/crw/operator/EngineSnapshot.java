@@ -30,14 +30,14 @@ import org.sami.spn.vocabulary.Reserved;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * What only the engine can say of its missions, asked at once: what they keep and wait for, and which buttons there are.
+ * What only the engine knows of its missions at one moment: which answers they keep, what they wait for, and which interrupts have buttons.
  *
  * @param details by mission
  */
-record EngineLook(Map<Long, Details> details, List<InterruptChoice> buttons) {
+record EngineSnapshot(Map<Long, Details> details, List<InterruptChoice> buttons) {
 
     /** Asks; on the thread that owns the state. */
-    static EngineLook at(EngineView view, Vocabulary vocabulary) {
+    static EngineSnapshot at(EngineView view, Vocabulary vocabulary) {
         Map<Long, Details> details = new HashMap<>();
         List<InterruptChoice> buttons = new ArrayList<>();
         Map<Long, Map<String, Boolean>> offered = new HashMap<>();
@@ -53,7 +53,7 @@ record EngineLook(Map<Long, Details> details, List<InterruptChoice> buttons) {
                     .ifPresent(plan -> addButtons(
                             view, vocabulary, mission, plan, offered.getOrDefault(mission.id(), Map.of()), buttons));
         }
-        return new EngineLook(details, buttons);
+        return new EngineSnapshot(details, buttons);
     }
 
     private static void addButtons(

@@ -11,8 +11,8 @@ import org.sami.crw.service.path.Detour;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
 
-/** Water in which boats may go, and where the paths that they have leave it. For one thread. */
-public final class GuardedWater {
+/** Water in which boats may go: finds positions outside of it, and where paths leave it. For one thread. */
+public final class AllowedWater {
     private final Water ofPositions;
     private final Water ofPaths;
     private final Map<String, Map<String, int[]>> breaches = new HashMap<>(); // by boat and command; segments in order
@@ -23,7 +23,7 @@ public final class GuardedWater {
      * @param ofPositions where boats may be, by the positions that they tell
      * @param ofPaths where they may be sent
      */
-    public GuardedWater(Water ofPositions, Water ofPaths) {
+    public AllowedWater(Water ofPositions, Water ofPaths) {
         this.ofPositions = ofPositions;
         this.ofPaths = ofPaths;
     }
