@@ -39,6 +39,8 @@ public final class TryOutPanel extends JPanel {
     private static final int ALL_WORDS = 840;
     private static final int FEWEST_WORDS = 660;
     private static final String BESIDE = "[64%, grow, fill][36%, grow, fill]";
+    private static final String WIDE_HALVES = "[44%, grow, fill][260:56%, grow, fill]";
+    private static final String SMALL_HALVES = "[36%, grow, fill][260:64%, grow, fill]";
     private static final int TAB = 30;
     private static final int HIGH_TAB = 40; // with buttons behind it
     private static final String BEHIND_TABS = "JTabbedPane.trailingComponent";
@@ -48,8 +50,8 @@ public final class TryOutPanel extends JPanel {
     private final transient TryOutCommands commands;
     private final RowTable<Happening> happenings;
     private final Column editorPlace = new Column();
-    private final JPanel now = new JPanel(
-            new MigLayout("insets 0, gap 1, fill", "[36%, grow, fill][260:64%, grow, fill]", "[grow, fill]"));
+    private final transient MigLayout halves = new MigLayout("insets 0, gap 1, fill", WIDE_HALVES, "[grow, fill]");
+    private final JPanel now = new JPanel(halves);
     private final JPanel one = new JPanel(new BorderLayout());
     private final JPanel buttons =
             new JPanel(new MigLayout("novisualpadding, insets 4, gap 8, hidemode 3", "push[][]", "[]"));
@@ -173,6 +175,7 @@ public final class TryOutPanel extends JPanel {
         if (small && !isTab) {
             parts.remove(now);
             columns.setColumnConstraints("[grow, fill]");
+            halves.setColumnConstraints(SMALL_HALVES);
             tabs.insertTab("Now", null, now, "What can happen now", 0);
             tabs.setSelectedIndex(0);
             behindTabs.add(message, "w 0, growx"); // tabs come first
@@ -183,6 +186,7 @@ public final class TryOutPanel extends JPanel {
         } else if (!small && isTab) {
             tabs.remove(now);
             columns.setColumnConstraints(BESIDE);
+            halves.setColumnConstraints(WIDE_HALVES);
             parts.add(now, "wmin 0, hmin 0", 0);
             one.add(buttons, BorderLayout.SOUTH);
             tabs.putClientProperty("JTabbedPane.tabHeight", TAB);
