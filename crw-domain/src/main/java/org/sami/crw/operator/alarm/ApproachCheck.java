@@ -25,7 +25,7 @@ public final class ApproachCheck {
     private final Map<String, Set<String>> near = new HashMap<>(); // who comes too near to whom, both ways
     private Optional<LocalPlane> plane = Optional.empty();
 
-    private record Moving(double x, double y, double east, double north, boolean stands) {
+    private record Moving(double x, double y, double east, double north, double reachM, boolean stands) {
         static Moving of(LocalPlane plane, BoatPose pose) {
             double east = pose.speedMps() * Math.sin(pose.headingRad());
             double north = pose.speedMps() * Math.cos(pose.headingRad());
@@ -34,7 +34,14 @@ public final class ApproachCheck {
                     plane.y(pose.position()),
                     east,
                     north,
+                    NEAR_M / 2 + WITHIN_S * Math.abs(pose.speedMps()),
                     Math.abs(pose.speedMps()) < MOVING_MPS);
+        }
+
+        /** Whether the two are too far apart to come near in time, wherever they go: so are most of a large fleet. */
+        boolean isFarFrom(Moving other) {
+            double mostM = reachM + other.reachM;
+            return Math.abs(other.x - x) > mostM || Math.abs(other.y - y) > mostM;
         }
     }
 
@@ -54,6 +61,9 @@ public final class ApproachCheck {
         Map<String, Optional<String>> found = new LinkedHashMap<>();
         Set<String> neighbours = neighbours(boat);
         boats.forEach((other, two) -> {
+            if (one.isFarFrom(two) && neighbours.isEmpty()) {
+                return;
+            }
             if (!other.equals(boat)) {
                 Optional<String> words = approach(boat, one, other, two);
                 if (words.isPresent()) {

@@ -45,7 +45,7 @@ class TickHelpers implements AutoCloseable {
         for (Helper helper : helpers) {
             helper.wake();
         }
-        next.help();
+        next.begin();
         next.await();
     }
 
@@ -59,7 +59,9 @@ class TickHelpers implements AutoCloseable {
     private static final class Work {
         private final int size;
         private final IntConsumer action;
-        private final AtomicInteger taken = new AtomicInteger();
+        private final int batches;
+        private final AtomicInteger taken = new AtomicInteger(); // batches, by all threads
+        private final AtomicInteger takenByHelpers = new AtomicInteger();
         private final AtomicInteger done = new AtomicInteger();
         private int faultAt = Integer.MAX_VALUE;
         private Throwable fault;
@@ -67,20 +69,33 @@ class TickHelpers implements AutoCloseable {
         Work(int size, IntConsumer action) {
             this.size = size;
             this.action = action;
+            batches = (size + AT_A_TIME - 1) / AT_A_TIME;
         }
 
-        void help() {
-            for (int from = taken.getAndAdd(AT_A_TIME); from < size; from = taken.getAndAdd(AT_A_TIME)) {
-                int to = Math.min(size, from + AT_A_TIME);
-                for (int i = from; i < to; i++) {
-                    act(i);
-                }
-                done.addAndGet(to - from);
+        /** The caller begins with the first, helpers with the last: most boats are at the same core in each tick, which has them in its cache. */
+        void begin() {
+            for (int batch = 0; taken.getAndIncrement() < batches; batch++) {
+                act(batch);
             }
         }
 
+        void help() {
+            while (taken.getAndIncrement() < batches) {
+                act(batches - 1 - takenByHelpers.getAndIncrement());
+            }
+        }
+
+        private void act(int batch) {
+            int from = batch * AT_A_TIME;
+            int to = Math.min(size, from + AT_A_TIME);
+            for (int i = from; i < to; i++) {
+                actOn(i);
+            }
+            done.addAndGet(to - from);
+        }
+
         @SuppressWarnings("CatchingUnchecked") // the caller gets whatever it is
-        private void act(int i) {
+        private void actOn(int i) {
             try {
                 action.accept(i);
             } catch (RuntimeException | Error thrown) {
