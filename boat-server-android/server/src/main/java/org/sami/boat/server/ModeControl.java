@@ -284,9 +284,13 @@ final class ModeControl {
         }
     }
 
-    /** How far from its station it drifts before it drives back: where others are near it leaves them the way, as long as nobody wants its place. */
+    /**
+     * How far from its station it drifts before it drives back: where others are near it leaves them the way, as long as nobody wants its place and it does
+     * not turn all round, which driving back would break off.
+     */
     private double keptM(long nowMs) {
-        boolean isToStayNear = surroundings.isNear(vehicle.latDeg(), vehicle.lonDeg(), NEAR_OTHERS_M, nowMs)
+        boolean isToStayNear = !panorama.isPresent()
+                && surroundings.isNear(vehicle.latDeg(), vehicle.lonDeg(), NEAR_OTHERS_M, nowMs)
                 && room.isClear(target, nowMs);
         return isToStayNear ? Math.min(KEPT_NEAR_OTHERS_M, config.holdRadiusM()) : config.holdRadiusM();
     }

@@ -146,6 +146,7 @@ final class ServerTestBench {
         double speedMps;
         double batteryPercent = 100;
         boolean fails;
+        boolean hasCamera;
         List<Sensor> sensors = List.of();
         double port = 9;
         double starboard = 9;
@@ -188,6 +189,11 @@ final class ServerTestBench {
         @Override
         public double batteryPercent() {
             return batteryPercent;
+        }
+
+        @Override
+        public boolean hasCamera() {
+            return hasCamera;
         }
 
         @Override

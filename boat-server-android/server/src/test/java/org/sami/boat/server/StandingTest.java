@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.NearbyBoat;
 import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Traffic;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
@@ -107,5 +108,20 @@ class StandingTest {
         bench.run(0.1, commander);
 
         assertThat(bench.vehicle.thrust()).isCloseTo(WANTED_MPS / 3.2, within(0.01));
+    }
+
+    /** In rough water it would never have turned all round. */
+    @Test
+    void boatThatTakesAPanoramaGoesOnTurningWhereItDriftsAmongOthers() {
+        bench.vehicle.hasCamera = true;
+        commander.command(new TakePanorama("c3", 8));
+        commander.say(new Traffic(List.of(boat("boat2", 0, 12))));
+        bench.run(0.1, commander);
+
+        bench.vehicle.eastM = 2;
+        bench.run(0.5, commander);
+
+        assertThat(bench.vehicle.thrust()).isZero();
+        assertThat(bench.vehicle.rudder()).isPositive();
     }
 }
