@@ -63,6 +63,7 @@ public final class Session implements AutoCloseable {
     private final AtomicBoolean begun = new AtomicBoolean();
     private final AtomicBoolean closed = new AtomicBoolean();
     private final Fleet fleet;
+    private final ByHand byHand;
 
     private Session(SessionSetup setup) throws IOException {
         this.setup = setup;
@@ -77,6 +78,7 @@ public final class Session implements AutoCloseable {
                 parts.models.log(),
                 parts.models.missions()::title,
                 this::noteBegin);
+        byHand = new ByHand(fleet, parts.host, setup.services(), parts.models.log(), parts.replies, parts.drawing);
     }
 
     /**
@@ -336,6 +338,11 @@ public final class Session implements AutoCloseable {
     /** The boats. */
     public Fleet fleet() {
         return fleet;
+    }
+
+    /** What an operator wants of boats without a plan. */
+    public ByHand byHand() {
+        return byHand;
     }
 
     /** What lies before the operator; belongs to the front's executor. */

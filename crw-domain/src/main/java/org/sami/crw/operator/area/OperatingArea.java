@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.crw.service.water.Water;
+import org.sami.spn.engine.EngineView;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.value.GeoArea;
@@ -38,6 +39,11 @@ public record OperatingArea(Optional<GeoArea> fence, List<GeoArea> noGo, boolean
 
     public OperatingArea {
         noGo = List.copyOf(noGo);
+    }
+
+    /** The area as it stands. */
+    public static OperatingArea of(EngineView view) {
+        return of(view.globals(), view.memory(Ids.NONE, MEMORY));
     }
 
     /**

@@ -1,17 +1,17 @@
 package org.sami.crw.gui.map;
 
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
+import java.util.Locale;
 import java.util.concurrent.CompletionStage;
-import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Function;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.BoatCommand;
-import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.proxy.FollowPath;
-import org.sami.crw.proxy.KeepStation;
+import org.sami.crw.session.ByHand;
+import org.sami.crw.session.RefusedException;
+import org.sami.crw.session.WayByHand;
 import org.sami.spn.protocol.Ids;
-import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -19,71 +19,66 @@ import org.sami.spn.value.GeoPoint;
  * after a way, and when the boats are given back after they were held.
  */
 final class GuidedMode {
-    private static final double RADIUS_M = 5;
-
     private final OperatorContext context;
-    private final AtomicLong commands = new AtomicLong();
-    private final String process = Long.toString(System.currentTimeMillis(), Character.MAX_RADIX);
 
     GuidedMode(OperatorContext context) {
         this.context = context;
     }
 
-    /** Has the selected boats go to a point, each in a way of its own. */
+    private ByHand byHand() {
+        return context.session().byHand();
+    }
+
+    /** Has the selected boats go to a point, each in a way of its own around what is to be avoided; those that cannot come there stay. */
     void goTo(GeoPoint point) {
-        each(boat -> FollowPath.goTo(id(boat), Ids.NONE, Ids.NONE, point, Priority.CRITICAL), "goes there");
+        each(boat -> byHand().goTo(boat, point).thenApply(way -> boat + words(way)));
+    }
+
+    private static String words(WayByHand way) {
+        String length = String.format(Locale.ROOT, " goes there, %.0f m", way.lengthM());
+        List<String> all = new ArrayList<>(List.of(way.turns() ? length + " around what is to be avoided" : length));
+        all.addAll(way.doubts());
+        return String.join("; ", all);
     }
 
     /** Has the selected boats stay where they are, until they are given back. */
     void hold() {
-        for (BoatSnapshot boat : selected()) {
-            boat.pose()
-                    .ifPresent(pose -> submit(
-                            boat.boat(),
-                            new KeepStation(
-                                    id(boat.boat()),
-                                    Ids.NONE,
-                                    Ids.NONE,
-                                    pose.position(),
-                                    RADIUS_M,
-                                    Priority.CRITICAL,
-                                    false),
-                            "holds its place until it is given back"));
-        }
+        each(boat -> byHand().hold(boat).thenApply(held -> boat + " holds its place until it is given back"));
     }
 
     /** Takes back what the operator wanted of the selected boats: they go on with what missions want. */
     void giveBack() {
-        for (BoatSnapshot boat : selected()) {
-            String id = boat.boat();
-            context.tell(
-                    context.session().fleet().ask(boats -> boats.find(id).map(proxy -> proxy.withdraw(Ids.NONE))),
-                    id + " goes on with what missions want");
+        each(boat -> byHand().giveBack(boat).thenApply(given -> boat + " goes on with what missions want"));
+    }
+
+    /** Has something done by each selected boat, and tells together what came of it: one line has room for one notice. */
+    private void each(Function<String, CompletionStage<String>> done) {
+        List<String> boats = selected().stream().map(BoatSnapshot::boat).toList();
+        List<String> told = new ArrayList<>();
+        List<String> refused = new ArrayList<>();
+        for (String boat : boats) {
+            done.apply(boat).whenComplete((words, fault) -> {
+                if (fault == null) {
+                    told.add(words);
+                } else {
+                    refused.add(RefusedException.reason(fault));
+                }
+                if (told.size() + refused.size() == boats.size()) {
+                    tell(told, refused);
+                }
+            });
         }
     }
 
-    private interface Wanted {
-        BoatCommand of(String boat);
-    }
-
-    private void each(Wanted wanted, String done) {
-        selected().forEach(boat -> submit(boat.boat(), wanted.of(boat.boat()), done));
-    }
-
-    private void submit(String boat, BoatCommand command, String done) {
-        CompletionStage<Optional<BoatProxy>> sent = context.session().fleet().ask(boats -> {
-            Optional<BoatProxy> proxy = boats.find(boat);
-            proxy.ifPresent(found -> {
-                found.withdraw(Ids.NONE); // the latest wish counts
-                found.submit(command);
-            });
-            return proxy;
-        });
-        context.tell(sent, boat + " " + done);
-    }
-
-    private String id(String boat) {
-        return "guided-" + process + "-" + commands.incrementAndGet() + "-" + boat;
+    private void tell(List<String> told, List<String> refused) {
+        List<String> all = new ArrayList<>(refused);
+        all.addAll(told);
+        String words = String.join("; ", all);
+        if (refused.isEmpty()) {
+            context.notices().told(words);
+        } else {
+            context.notices().refused(words);
+        }
     }
 
     private List<BoatSnapshot> selected() {

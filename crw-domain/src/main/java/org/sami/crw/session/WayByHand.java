@@ -1,0 +1,117 @@
+package org.sami.crw.session;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.sami.crw.handler.motion.WayLimits;
+import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.path.Detour;
+import org.sami.crw.service.reach.Way;
+import org.sami.crw.service.reach.WayBack;
+import org.sami.crw.service.reach.WayCheck;
+import org.sami.crw.service.reach.WayDanger;
+import org.sami.crw.service.reach.WayDoubt;
+import org.sami.crw.service.water.Water;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * The way on which an operator sends a boat to a point. Immutable.
+ *
+ * @param points in driving order, from where the boat is to the point, with the turns around what is to be avoided
+ * @param doubts what is to be known of it, as clauses; none for a way on which nothing is to be feared
+ */
+public record WayByHand(List<GeoPoint> points, List<String> doubts) {
+    public WayByHand {
+        points = List.copyOf(points);
+        doubts = List.copyOf(doubts);
+    }
+
+    /** Its length in metres. */
+    public double lengthM() {
+        return Geodesy.lengthM(points.get(0), points.subList(1, points.size()));
+    }
+
+    /** Whether it turns on its way. */
+    public boolean turns() {
+        return points.size() > 2;
+    }
+
+    /**
+     * What a way begins with.
+     *
+     * @param batteryPercent the boat's charge, if that is known
+     * @param home where the boat returns to, if that is known
+     */
+    record Start(String boat, BoatStart at, OptionalDouble batteryPercent, Optional<GeoPoint> home) {
+        Start {
+            Objects.requireNonNull(boat, "boat");
+            Objects.requireNonNull(at, "at");
+            Objects.requireNonNull(batteryPercent, "batteryPercent");
+            Objects.requireNonNull(home, "home");
+        }
+    }
+
+    /**
+     * The command that has the boat go there. Computes ways around what is to be avoided.
+     *
+     * @throws RefusedException where the point lies in what is to be avoided, or where there is no way
+     */
+    static FollowPath command(String id, Start start, GeoPoint to, WayLimits limits) {
+        FollowPath command = FollowPath.goTo(id, Ids.NONE, Ids.NONE, to, Priority.CRITICAL);
+        GeoPoint from = start.at().at();
+        Optional<Water> water =
+                limits.water(Optional.of(from), List.of(to), start.at().error()).filter(one -> !one.isOpen());
+        if (water.isEmpty()) {
+            return command;
+        }
+        if (!water.get().allows(List.of(to))) {
+            throw new RefusedException(String.format(
+                    Locale.ROOT,
+                    "%s is not sent: %s lies %.1f m inside what is to be avoided",
+                    start.boat(),
+                    text(to),
+                    water.get().depthM(to)));
+        }
+        boolean isBarred = !water.get().allows(List.of(from, to))
+                && Detour.between(from, to, water.get()).isEmpty();
+        if (isBarred) {
+            throw new RefusedException(String.format(
+                    "%s is not sent: around what is to be avoided there is no way to %s", start.boat(), text(to)));
+        }
+        return command.in(water.get());
+    }
+
+    /** The way of such a command. */
+    static WayByHand of(Start start, FollowPath command, Optional<GeoArea> fence) {
+        GeoPoint from = start.at().at();
+        GeoPoint to = command.points().get(0);
+        List<GeoPoint> points = new ArrayList<>(List.of(from));
+        points.addAll(command.way(from));
+        Way way = new Way(
+                start.boat(), Optional.of(from), start.batteryPercent(), command.points(), List.of(), command.water());
+        List<String> doubts = new ArrayList<>();
+        fence.flatMap(area -> new WayLimits(List.of(), fence)
+                        .water(Optional.empty(), command.points(), start.at().error()))
+                .filter(Water::isOpen) // who is sent outside is not kept in
+                .ifPresent(outside -> doubts.add(text(to) + " lies outside of the fence"));
+        command.water().ifPresent(water -> doubts.addAll(WayDanger.of(from, command.points(), water)));
+        Optional<WayDoubt> doubt = WayCheck.doubt(way);
+        doubt.ifPresent(one -> doubts.add(one.words()));
+        start.home()
+                .flatMap(home -> WayBack.of(way, home))
+                .filter(back -> doubt.isEmpty() && !back.isSure())
+                .ifPresent(back -> doubts.add(back.words()));
+        return new WayByHand(points, doubts);
+    }
+
+    private static String text(GeoPoint point) {
+        return String.format(Locale.ROOT, "%.5f,%.5f", point.latDeg(), point.lonDeg());
+    }
+}
