@@ -11,6 +11,9 @@ import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.model.VariableSpec;
+import org.sami.spn.value.PlanReference;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
 
 /** Copies of plans in an export become references, where nothing is lost by it. */
 class LegacyCopyImportTest extends LegacyImportFixture {
@@ -81,5 +84,84 @@ class LegacyCopyImportTest extends LegacyImportFixture {
         copyWith("@x.found", "@x.found");
 
         assertThat(result().project().orElseThrow().plans()).hasSize(3);
+    }
+
+    private static String check(String subMission) {
+        return event(
+                "sami.event.CheckReturn",
+                "input",
+                "'fieldValues': {'variableValue': {'type': 'string', 'value': 'done'}, 'subMission': " + subMission
+                        + "}");
+    }
+
+    private static String planRef(String plan) {
+        return "{'type': 'plan-ref', 'plan': '" + plan + "', 'planName': 'x.Child'}";
+    }
+
+    private void checkedParent(String subMission) {
+        document.plan("p1", "Parent")
+                .place("start")
+                .runs("p2", false)
+                .transition("t", check(subMission))
+                .in("start", "t", "None - 0");
+        document.plan("p2", "x.Child").instance("p1").place("start", returned("done"));
+        document.plan("p3", "Child").place("start", returned("done"));
+    }
+
+    private static String returned(String value) {
+        return output(
+                "sami.event.ReturnValue", "'fieldValues': {'value': {'type': 'string', 'value': '" + value + "'}}");
+    }
+
+    private static Map<String, Value> checkedFields(LegacyImport.Result result) {
+        return result.project()
+                .orElseThrow()
+                .plans()
+                .get(0)
+                .transitions()
+                .get(0)
+                .inputs()
+                .get(0)
+                .fields();
+    }
+
+    @Test
+    void aCheckOfAReturnValueNamesThePlanThatRunsInsteadOfTheCopy() {
+        checkedParent(planRef("p2"));
+
+        LegacyImport.Result result = result();
+
+        assertThat(checkedFields(result))
+                .isEqualTo(Map.of("value", new TextValue("done"), "subMission", new PlanReference("p3")));
+        assertThat(codes(result)).containsExactly("N-COPY-FOLDED");
+    }
+
+    @Test
+    void aCheckOfAReturnValueNamesTheCopyThatStaysAPlanOfItsOwn() {
+        checkedParent(planRef("p2"));
+        ((ObjectNode) document.root.at("/plans/1/vertices/0")).put("name", "Changed");
+
+        assertThat(checkedFields(result()))
+                .isEqualTo(Map.of("value", new TextValue("done"), "subMission", new PlanReference("p2")));
+    }
+
+    @Test
+    void aCheckOfAReturnValueWithoutASubMissionNamesNone() {
+        checkedParent("null");
+
+        LegacyImport.Result result = result();
+
+        assertThat(checkedFields(result)).isEqualTo(Map.of("value", new TextValue("done")));
+        assertThat(codes(result)).containsExactly("N-COPY-FOLDED");
+    }
+
+    @Test
+    void aCheckOfAReturnValueOfAPlanThatIsNotThereNamesNoneAndSaysSo() {
+        checkedParent(planRef("p9"));
+
+        LegacyImport.Result result = result();
+
+        assertThat(checkedFields(result)).isEqualTo(Map.of("value", new TextValue("done")));
+        assertThat(codes(result)).containsExactlyInAnyOrder("N-COPY-FOLDED", "W-VALUE");
     }
 }

@@ -36,6 +36,15 @@ final class Copies {
         return Optional.ofNullable(folds.get(planId));
     }
 
+    /** The plan that runs here where the export names one; empty where the export has no such plan. */
+    Optional<String> running(String planId) {
+        return project.plans().stream()
+                .map(LegacyPlan::id)
+                .filter(planId::equals)
+                .findFirst()
+                .map(id -> of(id).map(Fold::plan).orElse(id));
+    }
+
     private void look(LegacyPlan copy, Set<String> globals, Findings findings, Counts.Tally explained) {
         List<LegacyPlan> originals = project.plans().stream()
                 .filter(p -> p.role() != LegacyPlan.Role.INSTANCE && isNamedAfter(copy, p))

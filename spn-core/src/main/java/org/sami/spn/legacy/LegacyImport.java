@@ -146,7 +146,8 @@ public final class LegacyImport {
     private Result convert(LegacyProject read, String name, String fileName, Counts source, Findings findings) {
         Counts.Tally explained = new Counts.Tally();
         Counts.Tally added = new Counts.Tally();
-        LegacyValues values = new LegacyValues(vocabulary, table);
+        Copies copies = new Copies(read, findings, explained);
+        LegacyValues values = new LegacyValues(vocabulary, table, copies);
         EventConverter events = new EventConverter(
                 vocabulary,
                 table,
@@ -154,7 +155,6 @@ public final class LegacyImport {
                 new MarkupConverter(vocabulary, table, values, findings, explained),
                 findings,
                 explained);
-        Copies copies = new Copies(read, findings, explained);
         PlanConverter converter = new PlanConverter(
                 vocabulary,
                 table,

@@ -36,10 +36,12 @@ final class LegacyValues {
 
     private final Vocabulary vocabulary;
     private final LegacyTable table;
+    private final Copies copies;
 
-    LegacyValues(Vocabulary vocabulary, LegacyTable table) {
+    LegacyValues(Vocabulary vocabulary, LegacyTable table, Copies copies) {
         this.vocabulary = vocabulary;
         this.table = table;
+        this.copies = copies;
     }
 
     /**
@@ -101,10 +103,7 @@ final class LegacyValues {
             case PATH -> points(value).map(GeoPath::new);
             case AREA -> points(value).map(p -> new GeoArea(p, List.of()));
             case VARIABLE -> variable(value).map(VariableReference::new);
-            case PLAN ->
-                Optional.of(value.node().path("plan").asText(""))
-                        .filter(p -> !p.isEmpty())
-                        .map(PlanReference::new);
+            case PLAN -> copies.running(value.node().path("plan").asText("")).map(PlanReference::new);
             case ANY -> natural(value, unitMillis);
             case TASK -> Optional.empty();
         };

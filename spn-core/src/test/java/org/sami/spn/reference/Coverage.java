@@ -23,6 +23,7 @@ import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.testing.TestVocabulary;
 import org.sami.spn.vocabulary.EventRole;
+import org.sami.spn.vocabulary.Reserved;
 
 /** How often sessions exercised each rule of the language, as far as effects show it. */
 final class Coverage {
@@ -57,6 +58,7 @@ final class Coverage {
             "firing of an earlier project",
             "global kept");
     private static final List<String> OTHERS = List.of(
+            "return checked of a named plan",
             "firing without event",
             "firing with several events",
             "firing that waited for all",
@@ -102,6 +104,7 @@ final class Coverage {
             entry("mission ABORTED", "R-END-1"),
             entry("mission COMPLETED", "R-END-1"),
             entry("mission HALTED", "R-LOOK-9"),
+            entry("return checked of a named plan", "R-RET-1"),
             entry("firing without event", "R-LOOK-1"),
             entry("firing with several events", "R-PEND-6"),
             entry("firing that waited for all", "R-PEND-7"),
@@ -270,6 +273,9 @@ final class Coverage {
         for (InputEventSpec event : t.inputs()) {
             count("event used "
                     + TestVocabulary.TEST.event(event.type()).orElseThrow().role());
+            if (event.fields().containsKey(Reserved.SUB_MISSION)) {
+                count("return checked of a named plan");
+            }
         }
         firedBy(seen, f, t);
     }

@@ -67,7 +67,7 @@ final class RandomPlans {
         int places = 3 + dice.below(isChild ? 2 : 5);
         narrowing = new Dice(31L * id.hashCode() + places);
         int ends = dice.chance(isChild ? 95 : 80) ? 1 + dice.below(2) : 0;
-        sketch = new Sketch(places, ends, isChild, hasTasks);
+        sketch = new Sketch(places, ends, isChild, children, hasTasks);
     }
 
     static Project project(long seed) {

@@ -5,8 +5,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.sami.spn.testing.NetBuilder;
+import org.sami.spn.value.PlanReference;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.Reserved;
 
 /**
  * Draws the transitions of a random plan: most wait for what their place asks and move whom the answer names, as authors draw
@@ -16,6 +18,9 @@ final class RandomTransitions {
     private static final List<String> NAME_NOBODY = List.of("Yes", "No", "Provided", "TimerExpired", "CheckReturn");
 
     private final Dice dice;
+    /** For which sub-mission's return is checked; of its own, so that the rest of a seed's plan does not depend on it. */
+    private final Dice naming;
+
     private final NetBuilder net;
     private final Sketch sketch;
     private final RandomRequirements requirements;
@@ -33,6 +38,7 @@ final class RandomTransitions {
         this.dice = dice;
         this.net = net;
         this.sketch = sketch;
+        naming = new Dice(61L * sketch.places + sketch.outputs.hashCode());
         requirements = new RandomRequirements(dice, sketch.hasTasks);
         senseless = dice.chance(10) ? 100 : 12;
     }
@@ -284,7 +290,7 @@ final class RandomTransitions {
     private void input(String t, String event) {
         Map<String, Value> fields = switch (event) {
             case "Interrupt" -> Map.of("interruptName", new TextValue(dice.pick("stop", "hold")));
-            case "CheckReturn" -> Map.of("value", new TextValue(dice.pick("good", "good", "bad")));
+            case "CheckReturn" -> checked(new TextValue(dice.pick("good", "good", "bad")));
             default -> Map.of();
         };
         Map<String, String> writes = switch (event) {
@@ -294,6 +300,14 @@ final class RandomTransitions {
             default -> Map.of();
         };
         net.input(t, event, fields, writes);
+    }
+
+    /** A return of any sub-mission, or of one: mostly of one that may stand on the place. */
+    private Map<String, Value> checked(Value value) {
+        if (sketch.children.isEmpty() || naming.chance(55)) {
+            return Map.of(Reserved.VALUE, value);
+        }
+        return Map.of(Reserved.VALUE, value, Reserved.SUB_MISSION, new PlanReference(naming.pick(sketch.children)));
     }
 
     // ---- Places

@@ -16,6 +16,8 @@ final class Sketch {
     final boolean hasTasks;
     /** Types of the output events, by place. */
     final Map<String, List<String>> outputs = new LinkedHashMap<>();
+    /** Plans that may run as sub-missions. */
+    final List<String> children;
     /** Places with dynamic sub-missions. */
     final Set<String> dynamic = new LinkedHashSet<>();
     /** Places with static sub-missions. */
@@ -23,10 +25,11 @@ final class Sketch {
     /** Places with two sub-missions at once. */
     final Set<String> twoAtOnce = new LinkedHashSet<>();
 
-    Sketch(int places, int ends, boolean isChild, boolean hasTasks) {
+    Sketch(int places, int ends, boolean isChild, List<String> children, boolean hasTasks) {
         this.places = places;
         this.ends = ends;
         this.isChild = isChild;
+        this.children = children;
         this.hasTasks = hasTasks;
         for (int i = 0; i < places; i++) {
             outputs.put(name(i), new ArrayList<>());

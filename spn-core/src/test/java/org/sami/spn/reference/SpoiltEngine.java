@@ -35,18 +35,19 @@ final class SpoiltEngine extends ClassLoader {
     /**
      * Compiles the engine with a change.
      *
-     * @param file the source file, such as {@code Firing.java}
+     * @param file the source file, from the folder of the rules, such as {@code Firing.java}
      * @param right what stands there exactly once
      * @param wrong what is to stand there instead
      */
     static Differential.Maker with(Path folder, String file, String right, String wrong) {
         try {
-            String source = Files.readString(SOURCES.resolve(file));
+            Path unchanged = SOURCES.resolve(file);
+            String source = Files.readString(unchanged);
             int at = source.indexOf(right);
             if (at < 0 || source.indexOf(right, at + 1) >= 0) {
                 throw new IllegalStateException("Not exactly once in " + file + ": " + right);
             }
-            Path changed = Files.writeString(folder.resolve(file), source.replace(right, wrong));
+            Path changed = Files.writeString(folder.resolve(unchanged.getFileName()), source.replace(right, wrong));
             compile(changed, folder);
         } catch (IOException e) {
             throw new UncheckedIOException(e);

@@ -165,6 +165,12 @@ class SpoiltEngineTest {
                         "if (input.checks(r.value, r.instance.plan())) {",
                         "if (!input.checks(r.value, r.instance.plan())) {"),
                 arguments(
+                        "R-RET-1",
+                        "a check that names a plan hears of every plan's returns",
+                        "../net/CompiledInput.java",
+                        "(checkedPlan == null || checkedPlan.equals(plan))",
+                        "plan != null"),
+                arguments(
                         "R-FIRE-2",
                         "the value of a return that was used is checked",
                         "SharedInstances.java",

@@ -184,7 +184,11 @@ public final class TestVocabulary {
         events.add(input("CompleteReceived", EventRole.COMPLETE_RECEIVED));
         events.add(input("SubMissionAborted", EventRole.SUB_MISSION_ABORTED));
         events.add(output("ReturnValue", List.of(), EventRole.RETURN_VALUE, field("value", ValueType.Simple.TEXT)));
-        events.add(input("CheckReturn", EventRole.CHECK_RETURN, field("value", ValueType.Simple.TEXT)));
+        events.add(input(
+                "CheckReturn",
+                EventRole.CHECK_RETURN,
+                field("value", ValueType.Simple.TEXT),
+                field("subMission", ValueType.Simple.PLAN)));
         events.add(output(
                 "GenerateTasks",
                 List.of("TasksGenerated"),
