@@ -7,11 +7,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
+import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.OptionalAnswer;
 import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.operator.message.MessageSink;
-import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
@@ -82,14 +82,12 @@ public final class SettingRequests implements BoatListener {
 
     private void fail(Asked one, String reason) {
         String boat = one.addressee.boat();
-        messages.tell(new OperatorMessage(
-                one.context.nowMillis(),
-                one.activation.mission(),
-                OperatorMessage.Source.DOMAIN,
+        messages.tell(ActivationMessages.of(
+                one.activation,
+                one.context,
                 Priority.HIGH,
                 boat + " has not taken over what " + one.activation.place() + " set: " + reason,
-                List.of(boat),
-                ""));
+                List.of(boat)));
         one.post(one.answers.failed, Map.of("reason", new TextValue(reason)));
     }
 

@@ -3,8 +3,8 @@ package org.sami.crw.handler.motion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.operator.message.MessageSink;
-import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.service.reach.WayDanger;
@@ -61,14 +61,12 @@ public final class ClearWays {
             List<GeoPoint> points,
             Water water) {
         for (String danger : WayDanger.of(from, points, water)) {
-            messages.tell(new OperatorMessage(
-                    context.nowMillis(),
-                    activation.mission(),
-                    OperatorMessage.Source.DOMAIN,
+            messages.tell(ActivationMessages.of(
+                    activation,
+                    context,
                     Priority.LOW,
                     move.addressee().boat() + " " + danger,
-                    List.of(move.addressee().boat()),
-                    ""));
+                    List.of(move.addressee().boat())));
         }
     }
 }

@@ -9,10 +9,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
+import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.operator.message.MessageSink;
-import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatProxy;
@@ -228,14 +228,7 @@ public final class MotionCommands implements BoatListener {
     }
 
     private void tell(Activation activation, HandlerContext context, String words) {
-        messages.tell(new OperatorMessage(
-                context.nowMillis(),
-                activation.mission(),
-                OperatorMessage.Source.DOMAIN,
-                Priority.LOW,
-                words,
-                activation.proxies(),
-                ""));
+        messages.tell(ActivationMessages.of(activation, context, Priority.LOW, words, activation.proxies()));
     }
 
     private List<Input> failed(SentCommand one, String reason) {

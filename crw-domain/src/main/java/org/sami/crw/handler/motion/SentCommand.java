@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.OptionalAnswer;
 import org.sami.crw.operator.message.OperatorMessage;
@@ -100,14 +101,12 @@ final class SentCommand {
 
     /** What the operator is told when it failed. */
     OperatorMessage failure(String reason) {
-        return new OperatorMessage(
-                context.nowMillis(),
-                activation.mission(),
-                OperatorMessage.Source.DOMAIN,
+        return ActivationMessages.of(
+                activation,
+                context,
                 Priority.HIGH,
                 boat() + " could not do what " + activation.place() + " asked: " + reason,
-                List.of(boat()),
-                "");
+                List.of(boat()));
     }
 
     /** Whether an answer to it is still waited for. */

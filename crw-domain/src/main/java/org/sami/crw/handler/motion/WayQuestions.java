@@ -14,11 +14,11 @@ import java.util.concurrent.Executor;
 import java.util.stream.Collectors;
 import org.sami.crw.decision.AskedActivation;
 import org.sami.crw.decision.DomainQuestion;
+import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.PlannedSwaps;
 import org.sami.crw.handler.activation.Restrictions;
 import org.sami.crw.operator.area.AvoidedAreas;
 import org.sami.crw.operator.message.MessageSink;
-import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.proxy.BatteryState;
 import org.sami.crw.proxy.BoatPose;
 import org.sami.crw.proxy.BoatProxy;
@@ -132,14 +132,12 @@ public final class WayQuestions implements HostListener {
     }
 
     private void tellOfWayBack(Activation activation, HandlerContext context, Move move, WayBack back) {
-        messages.tell(new OperatorMessage(
-                context.nowMillis(),
-                activation.mission(),
-                OperatorMessage.Source.DOMAIN,
+        messages.tell(ActivationMessages.of(
+                activation,
+                context,
                 Priority.LOW,
                 back.words(),
-                List.of(move.addressee().boat()),
-                ""));
+                List.of(move.addressee().boat())));
     }
 
     /** The areas that the activation avoids, and its mission. */

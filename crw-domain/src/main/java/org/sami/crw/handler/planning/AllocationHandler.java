@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import org.sami.crw.event.Allocation;
+import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.handler.activation.Markups;
@@ -15,7 +16,6 @@ import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.handler.activation.PlannedSwaps;
 import org.sami.crw.handler.motion.BoatErrors;
 import org.sami.crw.operator.message.MessageSink;
-import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.allocation.AllocationProblem;
 import org.sami.crw.service.allocation.AllocationService;
@@ -147,8 +147,7 @@ public final class AllocationHandler implements ActivationHandler {
 
     private void tell(
             Activation activation, HandlerContext context, Priority priority, String text, List<String> boats) {
-        messages.tell(new OperatorMessage(
-                context.nowMillis(), activation.mission(), OperatorMessage.Source.DOMAIN, priority, text, boats, ""));
+        messages.tell(ActivationMessages.of(activation, context, priority, text, boats));
     }
 
     /** Names the boats where their own tokens entered, else the tasks: whoever is named moves on. */

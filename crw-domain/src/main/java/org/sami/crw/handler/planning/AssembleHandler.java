@@ -7,12 +7,12 @@ import java.util.Map;
 import java.util.Optional;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.handler.activation.ActivationFields;
+import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.handler.motion.BoatErrors;
 import org.sami.crw.operator.message.MessageSink;
-import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.assembly.AssemblyAlgorithm;
 import org.sami.crw.service.assembly.AssemblyProblem;
@@ -91,14 +91,7 @@ public final class AssembleHandler implements ActivationHandler {
                 spacingM,
                 Math.ceil(error.berthM()),
                 error.positionM());
-        messages.tell(new OperatorMessage(
-                context.nowMillis(),
-                activation.mission(),
-                OperatorMessage.Source.DOMAIN,
-                Priority.MEDIUM,
-                words,
-                activation.proxies(),
-                ""));
+        messages.tell(ActivationMessages.of(activation, context, Priority.MEDIUM, words, activation.proxies()));
     }
 
     private static Map<String, GeoPoint> remembered(Activation activation, HandlerContext context) {

@@ -13,8 +13,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.operator.message.MessageSink;
-import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.host.HostListener;
@@ -203,15 +203,13 @@ public final class Computations implements HostListener {
             }
             return;
         }
-        messages.tell(new OperatorMessage(
-                one.context.nowMillis(),
-                one.activation.mission(),
-                OperatorMessage.Source.DOMAIN,
+        messages.tell(ActivationMessages.of(
+                one.activation,
+                one.context,
                 Priority.LOW,
                 one.task.what() + " takes long: " + one.millis() / 1000 + " s so far, given up after "
                         + limitMillis / 1000 + " s",
-                one.activation.proxies(),
-                ""));
+                one.activation.proxies()));
     }
 
     /**

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.handler.activation.ActivationFields;
+import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.handler.activation.Markups;
@@ -13,7 +14,6 @@ import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.handler.activation.Restrictions;
 import org.sami.crw.handler.motion.BoatErrors;
 import org.sami.crw.operator.message.MessageSink;
-import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.allocation.AllocationProblem;
 import org.sami.crw.service.allocation.AllocationService;
@@ -121,14 +121,7 @@ public final class DistributeHandler implements ActivationHandler {
     }
 
     private void tell(Activation activation, HandlerContext context, Priority priority, String text) {
-        messages.tell(new OperatorMessage(
-                context.nowMillis(),
-                activation.mission(),
-                OperatorMessage.Source.DOMAIN,
-                priority,
-                text,
-                List.of(),
-                ""));
+        messages.tell(ActivationMessages.of(activation, context, priority, text, List.of()));
     }
 
     private static List<GeoPoint> locations(Activation activation, CrossTrackError error) {

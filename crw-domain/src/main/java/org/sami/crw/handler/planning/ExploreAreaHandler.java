@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.sami.crw.handler.activation.ActivationFields;
+import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.handler.activation.PlannedSwaps;
@@ -22,7 +23,6 @@ import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.handler.motion.Move;
 import org.sami.crw.handler.motion.PathProgress;
 import org.sami.crw.operator.message.MessageSink;
-import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.coverage.AreaCoverage;
 import org.sami.crw.service.coverage.Coverage;
@@ -313,13 +313,6 @@ public final class ExploreAreaHandler implements ActivationHandler {
     }
 
     private void tell(Activation activation, HandlerContext context, String text, List<String> boats) {
-        messages.tell(new OperatorMessage(
-                context.nowMillis(),
-                activation.mission(),
-                OperatorMessage.Source.DOMAIN,
-                Priority.MEDIUM,
-                text,
-                boats,
-                ""));
+        messages.tell(ActivationMessages.of(activation, context, Priority.MEDIUM, text, boats));
     }
 }

@@ -11,13 +11,13 @@ import java.util.Set;
 import org.sami.crw.event.PathOption;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.handler.activation.ActivationFields;
+import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.handler.activation.Markups;
 import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.handler.motion.BoatErrors;
 import org.sami.crw.operator.message.MessageSink;
-import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.path.PathAnswer;
 import org.sami.crw.service.path.PathProblem;
@@ -223,13 +223,6 @@ public final class PathHandler implements ActivationHandler {
     }
 
     private void tell(Activation activation, HandlerContext context, Priority priority, String text, String... boats) {
-        messages.tell(new OperatorMessage(
-                context.nowMillis(),
-                activation.mission(),
-                OperatorMessage.Source.DOMAIN,
-                priority,
-                text,
-                List.of(boats),
-                ""));
+        messages.tell(ActivationMessages.of(activation, context, priority, text, List.of(boats)));
     }
 }

@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.Executor;
 import org.sami.crw.handler.activation.ActivationFields;
+import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.handler.activation.OptionalAnswer;
@@ -158,14 +159,12 @@ public final class MeasurementHandler implements ActivationHandler, BoatListener
         }
 
         OperatorMessage overdue(String reason) {
-            return new OperatorMessage(
-                    context.nowMillis(),
-                    activation.mission(),
-                    OperatorMessage.Source.DOMAIN,
+            return ActivationMessages.of(
+                    activation,
+                    context,
                     Priority.HIGH,
                     addressee.boat() + " has not measured \"" + sensor + "\" for " + activation.place() + ": " + reason,
-                    List.of(addressee.boat()),
-                    "");
+                    List.of(addressee.boat()));
         }
     }
 }
