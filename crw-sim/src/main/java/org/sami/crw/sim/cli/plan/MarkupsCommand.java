@@ -1,13 +1,7 @@
 package org.sami.crw.sim.cli.plan;
 
-import java.util.List;
 import java.util.concurrent.Callable;
 import org.sami.crw.sim.cli.option.PlanSource;
-import org.sami.crw.sim.cli.output.ExitCode;
-import org.sami.spn.json.NearMatches;
-import org.sami.spn.json.VocabularyWriter;
-import org.sami.spn.vocabulary.MarkupType;
-import org.sami.spn.vocabulary.Vocabulary;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -29,16 +23,8 @@ public final class MarkupsCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Vocabulary vocabulary = PlanSource.library().vocabulary();
-        List<MarkupType> markups = vocabulary.markups().values().stream()
-                .filter(markup -> query.isWanted(markup.name(), markup.aliases()))
-                .toList();
-        if (markups.isEmpty()) {
-            throw VocabularyText.nothing("markup", query.wanted(), NearMatches.ofMarkups(vocabulary, query.wanted()));
-        }
-        VocabularyText text = new VocabularyText(vocabulary);
-        VocabularyWriter writer = new VocabularyWriter(vocabulary);
-        query.print(spec.commandLine().getOut(), markups, text::of, writer::markup);
-        return ExitCode.OK;
+        return query.print(
+                VocabularyEntries.markups(PlanSource.library().vocabulary()),
+                spec.commandLine().getOut());
     }
 }

@@ -2,10 +2,11 @@ package org.sami.crw.sim.cli.plan;
 
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
 import java.util.List;
-import java.util.function.Function;
+import java.util.Locale;
+import org.sami.crw.sim.cli.output.ExitCode;
+import org.sami.crw.sim.cli.output.UsageFault;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -21,25 +22,32 @@ final class VocabularyQuery {
     @Option(names = "--json", description = "Print one JSON array.")
     private boolean json;
 
-    /** What is to be in a name; empty for all. */
-    String wanted() {
-        return wanted;
-    }
-
-    /** Whether one of an entry's names is asked for. */
-    boolean isWanted(String name, List<String> aliases) {
-        return VocabularyText.matches(wanted, name, aliases);
-    }
-
-    /** Prints entries, as paragraphs or as one array. */
-    <T> void print(PrintWriter out, List<T> entries, Function<T, String> text, Function<T, ObjectNode> node) {
+    /**
+     * Prints the entries that are asked for, as paragraphs or as one array.
+     *
+     * @throws UsageFault where no entry has such a name
+     */
+    <T> int print(VocabularyEntries<T> entries, PrintWriter out) {
+        List<T> found = entries.all().stream()
+                .filter(entry -> entries.names().apply(entry).anyMatch(this::isWanted))
+                .toList();
+        if (found.isEmpty()) {
+            throw VocabularyText.nothing(entries.kind(), wanted, entries.alike().apply(wanted));
+        }
         if (json) {
             ArrayNode array = JsonNodeFactory.instance.arrayNode();
-            entries.forEach(entry -> array.add(node.apply(entry)));
+            found.forEach(entry -> array.add(entries.node().apply(entry)));
             out.println(array.toPrettyString());
         } else {
-            entries.forEach(entry -> out.print(text.apply(entry)));
+            found.forEach(entry -> out.print(entries.text().apply(entry)));
         }
         out.flush();
+        return ExitCode.OK;
+    }
+
+    /** Whether a name contains what is asked for, in whatever case and without its spaces: no name has any. */
+    private boolean isWanted(String name) {
+        return name.toLowerCase(Locale.ROOT)
+                .contains(wanted.toLowerCase(Locale.ROOT).replace(" ", ""));
     }
 }

@@ -1,7 +1,6 @@
 package org.sami.crw.sim.cli.plan;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Collectors;
 import org.sami.crw.sim.cli.output.UsageFault;
 import org.sami.spn.json.VocabularyWriter;
@@ -97,14 +96,6 @@ final class VocabularyText {
             column += word.length();
         }
         return lines.append('\n').toString();
-    }
-
-    /** Whether one of the names contains a text, in whatever case. */
-    static boolean matches(String wanted, String name, List<String> aliases) {
-        String text = wanted.toLowerCase(Locale.ROOT).replace(" ", "");
-        return name.toLowerCase(Locale.ROOT).contains(text)
-                || aliases.stream()
-                        .anyMatch(alias -> alias.toLowerCase(Locale.ROOT).contains(text));
     }
 
     /** The fault where nothing fits. */
