@@ -130,7 +130,7 @@ final class NoGoBorder {
             if (depthM <= 0 && nearerM > mostM) {
                 mostM = nearerM;
                 off = Optional.of(LineAhead.straight(edge.awayRad(eastM, northM), nearerM));
-            } else if (hereM == depthM) {
+            } else if (depthM > 0 && hereM == depthM) {
                 off = Optional.of(LineAhead.straight(edge.awayRad(eastM, northM) + Math.PI, depthM + keepM));
             }
         }
