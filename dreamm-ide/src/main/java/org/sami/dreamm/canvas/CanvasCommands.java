@@ -9,7 +9,7 @@ import org.sami.spn.drawing.NetDrawing.Kind;
 import org.sami.spn.model.LayoutPoint;
 import org.sami.ui.net.NetView;
 
-/** The commands that select, make, copy and arrange elements of the net; those of walking and of meaning are added along with them. */
+/** The commands that select, make, copy and arrange elements of the net; those that walk along edges, and those that change what elements are, are added along with them. */
 final class CanvasCommands {
     private final DreammContext context;
     private final NetView view;
@@ -44,7 +44,7 @@ final class CanvasCommands {
         addMaking();
         addCopying();
         addArranging();
-        new MeaningCommands(context, net, actions, commands).add();
+        new ElementRoleCommands(context, net, actions, commands).add();
     }
 
     private LayoutPoint here() {

@@ -90,8 +90,8 @@ class SpoiltEngineTest {
                         "R-INT-7",
                         "a robot that is pulled stays in grandchildren",
                         "RobotRemoval.java",
-                        "rules.leaving.left(e, before, true);",
-                        "rules.leaving.left(e, before, false);"),
+                        "rules.removal.left(e, before, true);",
+                        "rules.removal.left(e, before, false);"),
                 arguments(
                         "R-DEC-8",
                         "who is withdrawn from an instance is still offered there",
@@ -191,26 +191,26 @@ class SpoiltEngineTest {
                 arguments(
                         "R-VIS-8",
                         "the second token that leaves a visit is not told of",
-                        "Leaving.java",
+                        "TokenRemoval.java",
                         "tokens.add(entries.get(i).token);",
                         "if (tokens.isEmpty()) { tokens.add(entries.get(i).token); }"),
                 arguments(
                         "R-VIS-8",
                         "tokens are said to leave another visit of the place",
-                        "Leaving.java",
+                        "TokenRemoval.java",
                         "place.place.id(), v.id, tokens",
                         "place.place.id(), v.id + 1, tokens"),
                 arguments(
                         "R-VIS-8",
                         "a drop takes tokens without a word",
                         "RobotRemoval.java",
-                        "rules.leaving.remove(removed);",
+                        "rules.removal.remove(removed);",
                         "removed.forEach(e -> e.place.remove(e));"),
                 arguments(
                         "R-VIS-8",
                         "a return takes tokens without a word",
                         "SharedInstances.java",
-                        "rules.leaving.remove(entries);",
+                        "rules.removal.remove(entries);",
                         "entries.forEach(e -> e.place.remove(e));"),
                 arguments(
                         "R-VIS-8",
@@ -227,7 +227,7 @@ class SpoiltEngineTest {
                 arguments(
                         "R-VIS-3",
                         "a visit goes on without its tokens",
-                        "Leaving.java",
+                        "TokenRemoval.java",
                         "if (v.live == 0) {",
                         "if (v.live < 0) {"),
                 arguments(

@@ -13,7 +13,7 @@ import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.traffic.CourseAndSpeed;
 import org.sami.boat.server.traffic.GivingWay;
 import org.sami.boat.server.traffic.LineAhead;
-import org.sami.boat.server.traffic.StationRoom;
+import org.sami.boat.server.traffic.StationGivingWay;
 import org.sami.boat.server.traffic.Surroundings;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.Vehicle;
@@ -33,7 +33,7 @@ final class ModeControl {
     private final SteeringControl steering;
     private final Surroundings surroundings;
     private final GivingWay givingWay;
-    private final StationRoom room;
+    private final StationGivingWay stationGivingWay;
     private final PathFollower follower;
     private final LocalFrame home;
     private final WaysHome waysHome;
@@ -61,7 +61,7 @@ final class ModeControl {
                 surroundings,
                 vehicle,
                 config.trackingError().map(TrackingError::positionM).orElse(0.0));
-        room = new StationRoom(surroundings, vehicle, config.holdRadiusM());
+        stationGivingWay = new StationGivingWay(surroundings, vehicle, config.holdRadiusM());
         follower = new PathFollower(vehicle, steering, givingWay, config.arrivalRadiusM());
         home = here();
         waysHome = new WaysHome(home);
@@ -260,7 +260,7 @@ final class ModeControl {
     }
 
     private void tickHold(long nowMs, double seconds) {
-        Optional<LocalFrame> aside = panorama.isPresent() ? Optional.empty() : room.aside(target, nowMs);
+        Optional<LocalFrame> aside = panorama.isPresent() ? Optional.empty() : stationGivingWay.aside(target, nowMs);
         if (aside.isPresent()) {
             drivesAside = true;
             driveTo(aside.get(), ASIDE_MPS, nowMs, seconds);
@@ -291,7 +291,7 @@ final class ModeControl {
     private double keptM(long nowMs) {
         boolean isToStayNear = !panorama.isPresent()
                 && surroundings.isNear(vehicle.latDeg(), vehicle.lonDeg(), NEAR_OTHERS_M, nowMs)
-                && room.isClear(target, nowMs);
+                && stationGivingWay.isClear(target, nowMs);
         return isToStayNear ? Math.min(KEPT_NEAR_OTHERS_M, config.holdRadiusM()) : config.holdRadiusM();
     }
 

@@ -104,7 +104,7 @@ public final class Firing {
         }
         List<Return> returns = useReturns(m, ct, selected, scope);
         for (PlacedToken e : selected.removed) {
-            rules.leaving.left(e, before, scope.reach != Reach.FREE);
+            rules.removal.left(e, before, scope.reach != Reach.FREE);
         }
         if (scope.reach != Reach.FREE) {
             rules.sharedInstances.pulled(selected.removed, returns, before);
@@ -157,7 +157,7 @@ public final class Firing {
 
     /** Removes, then adds; the visits that begin, in out-edge order. */
     private List<Visit> move(MissionState m, CompiledTransition t, Selection.Selected selected) {
-        rules.leaving.remove(selected.removed);
+        rules.removal.remove(selected.removed);
         List<Visit> entered = new ArrayList<>(t.outs.length);
         for (int i = 0; i < t.outs.length; i++) {
             CompiledTransition.Out out = t.outs[i];

@@ -137,13 +137,13 @@ public final class RobotRemoval {
             withdrawn.computeIfAbsent(m, key -> new LinkedHashSet<>()).add(proxy.proxy());
         }
         long before = rules.state.stamp;
-        rules.leaving.remove(removed);
+        rules.removal.remove(removed);
         withdrawCommands(m, token);
         for (PlacedToken e : removed) {
             rules.work.withdrawn(e.place);
         }
         for (PlacedToken e : removed) {
-            rules.leaving.left(e, before, true);
+            rules.removal.left(e, before, true);
         }
         rules.sharedInstances.pulled(removed, List.of(), before);
     }

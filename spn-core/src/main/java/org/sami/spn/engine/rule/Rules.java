@@ -23,7 +23,7 @@ public final class Rules {
     public final Enabling enabling;
     public final Selection selection;
     public final Firing firing;
-    public final Leaving leaving;
+    public final TokenRemoval removal;
     public final Visits visits;
     public final Activating activating;
     public final Timers timers;
@@ -52,7 +52,7 @@ public final class Rules {
         enabling = new Enabling(this);
         selection = new Selection(this);
         firing = new Firing(this);
-        leaving = new Leaving(this);
+        removal = new TokenRemoval(this);
         visits = new Visits(this);
         activating = new Activating(this);
         timers = new Timers(this);

@@ -93,9 +93,9 @@ final class SharedInstances {
         for (PlacedToken e = v.first; e != null; e = e.nextOfVisit) {
             entries.add(e);
         }
-        rules.leaving.remove(entries);
+        rules.removal.remove(entries);
         for (PlacedToken e : entries) {
-            rules.leaving.left(e, before, false);
+            rules.removal.left(e, before, false);
             Token token = SubMissions.toParent(child, e.token);
             if (token != null) {
                 tokens.add(token);

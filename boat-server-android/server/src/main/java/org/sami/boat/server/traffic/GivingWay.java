@@ -15,7 +15,7 @@ import org.sami.boat.server.vehicle.Vehicle;
  *   <li>A motion is cheap if it brings the boat on, keeps it near its line, and away from where others will be ({@link Neighbours}).
  *   <li>Of two boats under way, the one whose name comes first has the right of way. Boats at rest, and those that a person drives, have it over all.
  *   <li>Off its line the boat keeps out of what it is not to enter ({@link NoGoBorder}). Where that leaves no room to pass, one of two boats goes back
- *       ({@link Retreat}).
+ *       ({@link GoingBack}).
  * </ul>
  *
  * <p>For the thread that ticks the server.
@@ -35,10 +35,12 @@ public final class GivingWay {
 
     private static final double SOON_S = 2.5; // so long ahead it looks how far it comes beside its line
     private static final double ON_LINE_AHEAD_S = 1; // so long ahead it is to stay on its line
-    private static final double TURNING_RAD_S =
-            0.8; // what hulls do, or a little less: so they are safe by what they can
+
+    // what hulls do, or a little less: so they are safe by what they can
+    private static final double TURNING_RAD_S = 0.8;
     private static final double MOST_RAD = TURNING_RAD_S * Stopping.REACTION_S; // within a moment
-    static final double GAINING_MPS2 = 0.6; // likewise
+    static final double GAINING_MPS2 = 0.6;
+
     private static final double ASIDE_MPS = 0.8; // so fast at least a boat goes aside
     private static final double ASTERN_MPS = 0.5;
     private static final double SLOW_MPS = 0.2; // turns on the spot
@@ -46,9 +48,10 @@ public final class GivingWay {
     private static final double ON_LINE_M = 0.6; // steering keeps it no nearer to it
     private static final double OFF_M = 0.3; // so much nearer to an edge than its line it need not be to go off it
     private static final double OFF_PART = 0.15; // of what it keeps, on top of that until it begins to
+
+    // the courses that are tried, beside the wanted one in degrees, and the parts of the speed
     private static final Course[] OFFSETS = offsets(0, 20, -20, 40, -40, 60, -60, 90, -90, 120, -120, 150, -150, 180);
-    private static final double ON_COURSE_RAD =
-            Math.toRadians(30); // with less offset a boat goes no faster than it wants to
+    private static final double ON_COURSE_RAD = Math.toRadians(30); // nearer to it no faster than the boat wants to
     private static final double[] PARTS = {1, 0.6, 0.3};
 
     // weights of the cost, where getting on at full speed counts 1; found by trials (docs/decisions, 0320)
@@ -57,12 +60,11 @@ public final class GivingWay {
     private static final double TO_PORT = 0.04;
     private static final double IMPATIENCE_PER_S = 0.1;
     private static final double LONGEST_WAIT_S = 20;
-    private static final double HELD_UP_S =
-            8; // who has waited so long goes nowhere that is blocked a little farther on
+    private static final double HELD_UP_S = 8; // from then on it goes nowhere that is blocked a little farther on
 
     private final Surroundings surroundings;
     private final Vehicle vehicle;
-    private final Retreat retreat;
+    private final GoingBack goingBack;
     private final Neighbours neighbours;
     private final TurnLimit leastTurn = new TurnLimit(MOST_RAD / 3); // where it hardly turns yet
     private final TurnLimit farthestTurn = new TurnLimit(1.5 * MOST_RAD); // where it goes on turning while it stops
@@ -77,10 +79,10 @@ public final class GivingWay {
     private boolean isOnLine; // or nothing bounds where it may go
     private NoGoBorder border = NoGoBorder.NONE;
     private double chosenRad = Double.NaN; // while it gives way
-    private double waitedS;
+    private double waitedS; // for others, LONGEST_WAIT_S at most
+    private double stoodS; // the same, however long it lasts
     private boolean goesOff; // an edge that it has come too near to
     private boolean turns; // on the spot, to go on then
-    private double stoodS; // the same, however long it lasts
 
     /**
      * Nobody is in the way yet.
@@ -93,7 +95,7 @@ public final class GivingWay {
         double apartM = APART_M + DEVIATIONS * Math.sqrt(2) * positionErrorM;
         double wideM = apartM + ROOM_M;
         neighbours = new Neighbours(surroundings, apartM, wideM);
-        retreat = new Retreat(surroundings, wideM);
+        goingBack = new GoingBack(surroundings, wideM);
     }
 
     /** Whether the boat goes otherwise than it would without others. */
@@ -116,7 +118,7 @@ public final class GivingWay {
      */
     public CourseAndSpeed choose(CourseAndSpeed wanted, LineAhead along, boolean hasWay, long nowMs, double seconds) {
         if (hasWay) {
-            retreat.record(vehicle.latDeg(), vehicle.lonDeg());
+            goingBack.record(vehicle.latDeg(), vehicle.lonDeg());
         }
         turns = false;
         isOnLine = surroundings.border().isEmpty() || isOn(along);
@@ -145,7 +147,7 @@ public final class GivingWay {
         }
         boolean isBarred = !isOnLine && !border.seesLine();
         Optional<LineAhead> back =
-                hasWay ? retreat.way(eastM, northM, wanted.courseRad(), stoodS, isBarred, nowMs) : Optional.empty();
+                hasWay ? goingBack.way(eastM, northM, wanted.courseRad(), stoodS, isBarred, nowMs) : Optional.empty();
         if (back.isPresent()) {
             return goBack(back.get());
         }
@@ -200,7 +202,7 @@ public final class GivingWay {
         chosenRad = Double.NaN;
         waitedS = 0;
         stoodS = 0;
-        retreat.end();
+        goingBack.end();
     }
 
     // ---- who is there

@@ -26,8 +26,8 @@ final class Neighbours {
     private final Surroundings surroundings;
     private final double apartM;
     private final double wideM;
-    private OtherBoat[] near =
-            new OtherBoat[0]; // the first of these arrays' elements, as many as are counted, are in use
+    // the first of these arrays' elements, as many as are counted, are in use
+    private OtherBoat[] near = new OtherBoat[0];
     private double[] eastM = new double[0]; // from this boat
     private double[] northM = new double[0];
     private double[] aheadS = new double[0];

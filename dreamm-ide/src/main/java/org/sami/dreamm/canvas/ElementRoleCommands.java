@@ -15,13 +15,13 @@ import org.sami.spn.model.Plan;
 import org.sami.ui.net.NetMode;
 
 /** The commands that change what the selected elements are: start, end, recovery part, part of a sub-mission. */
-final class MeaningCommands {
+final class ElementRoleCommands {
     private final DreammContext context;
     private final ShownNet net;
     private final NetActions actions;
     private final NetCommands commands;
 
-    MeaningCommands(DreammContext context, ShownNet net, NetActions actions, NetCommands commands) {
+    ElementRoleCommands(DreammContext context, ShownNet net, NetActions actions, NetCommands commands) {
         this.context = context;
         this.net = net;
         this.actions = actions;
@@ -32,12 +32,12 @@ final class MeaningCommands {
         commands.add(
                 "net-set-start",
                 "Start here",
-                () -> meaning((plan, id) -> new VertexEdit.SetStart(plan, id)),
+                () -> applyToVertex((plan, id) -> new VertexEdit.SetStart(plan, id)),
                 this::whyNotPlace);
         commands.add(
                 "net-set-end",
                 "End here, or not",
-                () -> meaning((plan, id) -> {
+                () -> applyToVertex((plan, id) -> {
                     boolean end = net.plan().place(id).orElseThrow().end();
                     return new VertexEdit.SetEnd(plan, id, !end, false);
                 }),
@@ -68,7 +68,7 @@ final class MeaningCommands {
                 "R");
     }
 
-    private void meaning(BiFunction<String, String, Edit> edit) {
+    private void applyToVertex(BiFunction<String, String, Edit> edit) {
         actions.apply(edit.apply(
                 net.plan().id(), actions.selectedVertex().orElseThrow().id()));
     }

@@ -15,10 +15,10 @@ import org.sami.spn.protocol.Token;
  *
  * <p>Implements R-VIS-3, R-VIS-8.
  */
-final class Leaving {
+final class TokenRemoval {
     private final Rules rules;
 
-    Leaving(Rules rules) {
+    TokenRemoval(Rules rules) {
         this.rules = rules;
     }
 

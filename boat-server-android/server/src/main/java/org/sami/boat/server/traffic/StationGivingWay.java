@@ -6,10 +6,10 @@ import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Vehicle;
 
 /**
- * Finds where on its station a boat goes aside, so that another can come to a point on which it lies: it drifts within the same circle
- * anyway.
+ * Has a boat that keeps a station give way: finds where it goes aside within its circle, so that another can come to a point on which it
+ * lies. It drifts within that circle anyway.
  */
-public final class StationRoom {
+public final class StationGivingWay {
     private static final double CLEAR_M = GivingWay.APART_M + 0.5; // of the point to which the other goes
     private static final double COMING_M = 15; // who is farther from its point is not awaited yet
     private static final double HELD_UP_M = 7; // who waits farther away waits for somebody else
@@ -21,11 +21,11 @@ public final class StationRoom {
     private final double radiusM;
 
     /**
-     * The room of a boat.
+     * That of a boat.
      *
      * @param radiusM how far from its station it may lie
      */
-    public StationRoom(Surroundings surroundings, Vehicle vehicle, double radiusM) {
+    public StationGivingWay(Surroundings surroundings, Vehicle vehicle, double radiusM) {
         this.surroundings = surroundings;
         this.vehicle = vehicle;
         this.radiusM = radiusM - FROM_EDGE_M;

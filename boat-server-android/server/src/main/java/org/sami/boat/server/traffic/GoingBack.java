@@ -8,7 +8,7 @@ import org.sami.boat.server.vehicle.PlaneMath;
  * room aside, and there it waits until the other one is past. Who has no right of way goes back first. Likewise a boat goes back that has got where
  * its line is out of sight, and one makes room that has stood long beside another one with the right of way.
  */
-final class Retreat {
+final class GoingBack {
     private static final double STOOD_S = 6;
     private static final double STOOD_FIRST_S = 30; // who goes first goes back too where the other one cannot
     private static final double STOOD_BESIDE_S = 12; // likewise beside another one that stands and has the right of way
@@ -35,7 +35,7 @@ final class Retreat {
      *
      * @param roomM how far from the other's course is room enough, in metres
      */
-    Retreat(Surroundings surroundings, double roomM) {
+    GoingBack(Surroundings surroundings, double roomM) {
         this.surroundings = surroundings;
         this.roomM = roomM;
     }
