@@ -27,8 +27,8 @@ final class Operators implements HostListener {
     private final ListenerList<SessionOperator> operators = new ListenerList<>();
     private final Map<Long, String> planOfMission = new TreeMap<>();
     private final Map<Long, Asked> open = new TreeMap<>();
-    private final IdentityHashMap<Input, String> answering =
-            new IdentityHashMap<>(); // who gave an answer that is under way
+    // who gave an answer that is under way
+    private final IdentityHashMap<Input, String> answering = new IdentityHashMap<>();
 
     /** Adds an operator, who is asked what waits already. For the engine's thread, or before the session begins. */
     Registration add(SessionOperator operator) {

@@ -19,8 +19,8 @@ final class PostedInputs implements HostListener {
 
     private final EngineHost host;
     private final Replies replies;
-    private final IdentityHashMap<Input, Waiting<?>> waiting =
-            new IdentityHashMap<>(); // never gone through: equal inputs are two
+    // never gone through: equal inputs are two
+    private final IdentityHashMap<Input, Waiting<?>> waiting = new IdentityHashMap<>();
 
     PostedInputs(EngineHost host, Replies replies) {
         this.host = host;

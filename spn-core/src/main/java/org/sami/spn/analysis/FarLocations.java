@@ -25,8 +25,8 @@ final class FarLocations implements PlanCheck {
         if (points.size() > 1) {
             List<GeoPoint> locations = new ArrayList<>();
             values.all().forEach(known -> known.locations((point, at) -> locations.add(point)));
-            GeoPoint middle =
-                    middle(locations.size() > 1 ? locations : points); // corners of areas only where there is no more
+            // corners of areas only where there is no more
+            GeoPoint middle = middle(locations.size() > 1 ? locations : points);
             double farM = geography.get().farM();
             values.all().forEach(known -> check(known, middle, farM, report));
         }

@@ -42,8 +42,8 @@ final class Outlines {
         Coordinate[] ring = new Coordinate[outline.size() + 1];
         for (int i = 0; i < ring.length; i++) {
             GeoPoint point = outline.get(i % outline.size());
-            double east =
-                    Math.IEEEremainder(point.lonDeg() - origin.lonDeg(), 360) * narrow; // across the date line too
+            // across the date line too
+            double east = Math.IEEEremainder(point.lonDeg() - origin.lonDeg(), 360) * narrow;
             ring[i] = new Coordinate(east, point.latDeg() - origin.latDeg());
         }
         return GEOMETRY.createPolygon(ring);

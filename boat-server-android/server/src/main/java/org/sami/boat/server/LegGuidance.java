@@ -12,8 +12,8 @@ import org.sami.boat.server.vehicle.PlaneMath;
  */
 final class LegGuidance {
     private static final double LEAST_LOOKAHEAD_M = 2;
-    private static final double LOOKAHEAD_S =
-            2.5; // shorter ones swing about the line, as a hull takes a second to turn
+    // shorter ones swing about the line, as a hull takes a second to turn
+    private static final double LOOKAHEAD_S = 2.5;
     private static final double REACHED_M = 0.4; // this near the end nothing is gained by going on
     private static final double LEAST_LEG_M = 0.5; // shorter ones have no direction to keep to
 

@@ -27,8 +27,8 @@ public final class TakeOverNews implements BoatListener {
     private final ProxyRegistry boats;
     private final Set<String> byHand = new HashSet<>();
     private final Set<String> byOthers = new HashSet<>();
-    private final Map<String, String> told =
-            new HashMap<>(); // by boat, who has it as plans know; begins with the session's memory
+    // by boat, who has it as plans know; begins with the session's memory
+    private final Map<String, String> told = new HashMap<>();
 
     public TakeOverNews(EngineHost host, ProxyRegistry boats) {
         this.host = host;

@@ -15,8 +15,8 @@ import org.sami.crw.service.LocalPlane;
  */
 public final class ApproachCheck {
     private static final double NEAR_M = 3;
-    private static final double WITHIN_S =
-            3; // boats give way to one another from 8 s on: what is left then they did not see to
+    // boats give way to one another from 8 s on: what is left then they did not see to
+    private static final double WITHIN_S = 3;
     private static final double MOVING_MPS = 0.3;
     private static final long PERIOD_MILLIS = 1000;
 

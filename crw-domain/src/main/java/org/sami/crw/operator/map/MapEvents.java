@@ -28,8 +28,8 @@ public final class MapEvents {
     private final ManipulationPolicy policy;
     private final LongFunction<String> missions;
     private final Map<String, MarkedEvent> inForce = new LinkedHashMap<>();
-    private final Map<String, Later> waiting =
-            new LinkedHashMap<>(); // by event: a newer one takes the place of an older one
+    // by event: a newer one takes the place of an older one
+    private final Map<String, Later> waiting = new LinkedHashMap<>();
     private String heldBack = "";
 
     private record Later(MarkedEvent event, long atMillis) {}

@@ -36,8 +36,8 @@ final class LinkTable {
     private final ProxyRegistry proxies = new ProxyRegistry();
     private final TrafficRelay traffic = new TrafficRelay();
     private final Map<String, BoatLink> carriers = new LinkedHashMap<>();
-    private final Map<BoatLink, String> left =
-            new HashMap<>(); // by the boat that was there, until it is known who answers
+    // by the boat that was there, until it is known who answers
+    private final Map<BoatLink, String> left = new HashMap<>();
     private final Map<String, BoatProxy> removed = new HashMap<>(); // each remembers which ids it has used
     private final Set<LinkAlarm> alarmed = new LinkedHashSet<>();
     private long made;

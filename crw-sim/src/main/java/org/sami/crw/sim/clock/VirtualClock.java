@@ -19,8 +19,8 @@ import java.util.PriorityQueue;
 public final class VirtualClock implements VirtualScheduler {
     private final PriorityQueue<Moment> moments = new PriorityQueue<>();
     private final Map<Long, Moment> byTime = new HashMap<>(); // the same ones
-    private Optional<Moment> latest =
-            Optional.empty(); // for which something was scheduled last: mostly the next action is for it as well
+    // for which something was scheduled last: mostly the next action is for it as well
+    private Optional<Moment> latest = Optional.empty();
     private long nowMs;
     private int pending;
 

@@ -17,8 +17,8 @@ class TickHelpers implements AutoCloseable {
     private static final int AT_A_TIME = 8;
     private static final int LOOKS = 2000; // some ten microseconds
     private static final long YIELD_NANOS = 20_000;
-    private static final long LOOKOUT_NANOS =
-            300_000; // longer than what comes between two ticks of a run at full speed
+    // longer than what comes between two ticks of a run at full speed
+    private static final long LOOKOUT_NANOS = 300_000;
 
     private final List<Helper> helpers = new ArrayList<>();
     private volatile Work work = new Work(0, i -> {});

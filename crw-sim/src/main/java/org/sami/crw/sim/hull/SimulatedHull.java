@@ -18,8 +18,8 @@ import org.sami.boat.server.vehicle.Vehicle;
  */
 public final class SimulatedHull implements Vehicle {
     private static final double BATTERY_SPREAD = 0.1;
-    private static final long GUST_SEED =
-            0x6775737473L; // gusts are drawn apart, so that calm water is as it always was
+    // gusts are drawn apart, so that calm water is as it always was
+    private static final long GUST_SEED = 0x6775737473L;
 
     private final HullConfig config;
     private final LocalFrame frame;

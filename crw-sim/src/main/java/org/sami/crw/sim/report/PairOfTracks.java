@@ -77,8 +77,8 @@ final class PairOfTracks {
                 least = distance;
                 leastAt = at + part * (next - at);
             }
-            double farM =
-                    PlaneMath.length(east + byEast, north + byNorth) - least - ROUNDING_M; // at the end of the leg
+            // at the end of the leg
+            double farM = PlaneMath.length(east + byEast, north + byNorth) - least - ROUNDING_M;
             long soonest = farM > 0 ? next + (long) Math.min((double) (end - next), farM / closingMPerMs) : next;
             if (soonest >= end) {
                 break;

@@ -29,8 +29,8 @@ public final class CompiledPlan {
     public final CompiledPlace[] places;
     public final CompiledTransition[] transitions;
     public final CompiledPlace start;
-    public final Map<String, VariableSpec> variables =
-            new LinkedHashMap<>(); // in the plan's order: the operator is offered them
+    // in the plan's order: the operator is offered them
+    public final Map<String, VariableSpec> variables = new LinkedHashMap<>();
     public final List<AskedField> asked = new ArrayList<>();
     /** Input event types of its transitions. */
     public final int[] inputTypes;
