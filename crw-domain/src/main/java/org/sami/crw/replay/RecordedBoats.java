@@ -28,6 +28,8 @@ import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.TurnWait;
 import org.sami.crw.proxy.Upload;
 import org.sami.crw.proxy.Withdrawal;
+import org.sami.crw.service.water.CrossTrackError;
+import org.sami.crw.session.BoatStart;
 import org.sami.crw.session.CommandJson;
 import org.sami.crw.session.FleetHistory;
 import org.sami.crw.session.OperatorLogRows;
@@ -57,6 +59,7 @@ final class RecordedBoats implements SessionTelemetry.Reader {
         private String list = ""; // that went to it last
         private List<GeoPoint> way = List.of(); // along that list
         private List<GeoPoint> wayHome = List.of();
+        private Optional<CrossTrackError> error = Optional.empty();
         private BoatExplanation why = new BoatExplanation(false, Cause.NO_COMMAND, "not known: the journal is old");
     }
 
@@ -90,6 +93,13 @@ final class RecordedBoats implements SessionTelemetry.Reader {
                 feed.stillSeen(snapshot(id, boat));
             }
         });
+    }
+
+    /** What a way of a boat depends on; empty where it is not known where it is, or the journal is from before errors were noted. */
+    Optional<BoatStart> start(String id) {
+        return Optional.ofNullable(boats.get(id))
+                .flatMap(boat ->
+                        boat.pose.flatMap(pose -> boat.error.map(error -> new BoatStart(pose.position(), error))));
     }
 
     private Recorded of(String boat) {
@@ -287,8 +297,18 @@ final class RecordedBoats implements SessionTelemetry.Reader {
                 Cause.valueOf(json.required("cause").asText()),
                 json.required("why").asText());
         boat.wayHome = CommandJson.points(json.path("wayHome"));
+        boat.error = error(json.path("crossTrackError"));
         commander(id, boat, json);
         seen(id, boat);
+    }
+
+    private static Optional<CrossTrackError> error(JsonNode json) {
+        return json.size() == 3
+                ? Optional.of(new CrossTrackError(
+                        json.get(0).asDouble(),
+                        json.get(1).asDouble(),
+                        json.get(2).asDouble()))
+                : Optional.empty();
     }
 
     private void commander(String id, Recorded boat, JsonNode json) {

@@ -1,11 +1,13 @@
 package org.sami.crw.replay;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.ReplayFeed;
+import org.sami.crw.session.BoatStart;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.EngineView;
@@ -93,6 +95,14 @@ public final class Replay {
     /** Asks the engine's state at the moment that was gone to last. Waits while another moment is gone to. */
     public synchronized <T> T ask(Function<EngineView, T> question) {
         return question.apply(engine.view(state));
+    }
+
+    /**
+     * What a way of a boat depends on at the moment that was gone to last; empty where the journal does not say it. Waits while another moment is gone
+     * to.
+     */
+    public synchronized Optional<BoatStart> start(String boat) {
+        return boats.start(boat);
     }
 
     /** Goes to a moment, forwards or back; before the start and behind the end there is none. Gives the moment. */

@@ -19,6 +19,7 @@ import org.sami.crw.proxy.CommandQueueSnapshot;
 import org.sami.crw.proxy.MissionTitles;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.Upload;
+import org.sami.crw.service.water.CrossTrackError;
 
 /**
  * Notes in the journal, beside where boats were, what the operator was shown of them: commands and how they ended, the link, who commands,
@@ -46,9 +47,13 @@ final class BoatLog {
     /** The boat is no longer among those of the base. */
     static final String REMOVED = "removed";
 
+    /** In a boat's state: how far it may be beside its ways, as the base plans for it. */
+    private static final String ERROR = "crossTrackError";
+
     private static final ObjectMapper JSON = new ObjectMapper();
 
     private final Supplier<ProxyRegistry> boats;
+    private final CrossTrackError stated;
     private final MissionTitles titles;
     private final SessionTelemetry telemetry;
     private final LongSupplier nowMillis;
@@ -57,8 +62,14 @@ final class BoatLog {
     private final Map<String, String> lists = new HashMap<>(); // by boat, that which was written last
     private volatile boolean closed;
 
-    BoatLog(Supplier<ProxyRegistry> boats, MissionTitles titles, SessionTelemetry telemetry, LongSupplier nowMillis) {
+    BoatLog(
+            Supplier<ProxyRegistry> boats,
+            CrossTrackError stated,
+            MissionTitles titles,
+            SessionTelemetry telemetry,
+            LongSupplier nowMillis) {
         this.boats = boats;
+        this.stated = stated;
         this.titles = titles;
         this.telemetry = telemetry;
         this.nowMillis = nowMillis;
@@ -166,6 +177,8 @@ final class BoatLog {
                 .put("commanded", boat.isCommanding())
                 .put("shouldMove", why.shouldMove())
                 .put("cause", why.cause().name());
+        CrossTrackError error = boat.error().orElse(stated);
+        json.putArray(ERROR).add(error.steeringM()).add(error.positionM()).add(error.driftMps());
         if (!boat.wayHome().isEmpty()) {
             CommandJson.write(boat.wayHome(), json.putArray("wayHome"));
         }

@@ -16,7 +16,7 @@ import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 
 /** Where a boat is, and how far it may be beside its ways: what a way that it has not been sent yet depends on. Immutable. */
-record BoatStart(GeoPoint at, CrossTrackError error) {
+public record BoatStart(GeoPoint at, CrossTrackError error) {
     /** That of a boat, if it is known where it is; one that does not say how far it may be beside its ways is as the services have it. */
     static Optional<BoatStart> of(BoatProxy boat, CrwServices services) {
         return boat.status()
@@ -25,8 +25,8 @@ record BoatStart(GeoPoint at, CrossTrackError error) {
                 .map(at -> new BoatStart(at, boat.error().orElse(services.error())));
     }
 
-    /** The way along a path, from here on. */
-    List<GeoPoint> way(GeoPath path, WayLimits limits) {
+    /** The way along a path, from here on, as it would be driven where these limits hold. Computes ways around what is to be avoided. */
+    public List<GeoPoint> way(GeoPath path, WayLimits limits) {
         List<GeoPoint> way = new ArrayList<>(List.of(at));
         if (!path.points().isEmpty()) {
             FollowPath along = FollowPath.of("preview", Ids.NONE, Ids.NONE, path.points(), Priority.MEDIUM);

@@ -129,7 +129,8 @@ final class SessionParts {
         monitor = new BoatMonitor(
                 history, telemetry, messages, models.missions()::title, loop.isPresent(), scheduler::nowMs);
         poses = new PoseLog(history, telemetry);
-        boatLog = new BoatLog(connector::boats, models.missions()::title, telemetry, scheduler::nowMs);
+        boatLog = new BoatLog(
+                connector::boats, setup.services().error(), models.missions()::title, telemetry, scheduler::nowMs);
         if (journal.keepsTelemetry()) {
             events.subscribe(boatLog::take);
         }

@@ -1,5 +1,6 @@
 package org.sami.crw.gui.context;
 
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
@@ -10,6 +11,8 @@ import org.sami.crw.session.Session;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.model.Project;
+import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** A session that runs, as a window shows it. */
@@ -41,6 +44,11 @@ record RunningSession(Session running) implements ShownSession {
     @Override
     public <T> CompletionStage<T> ask(Function<EngineView, T> question) {
         return running.ask(question);
+    }
+
+    @Override
+    public CompletionStage<Optional<List<GeoPoint>>> way(long mission, String boat, GeoPath path) {
+        return running.way(mission, boat, path);
     }
 
     @Override

@@ -12,8 +12,8 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.ui.value.RobotWays;
 
 /**
- * The ways on which boats of a session would go along paths for a mission: at first the straight ones, and as soon as they are found those around what
- * the mission avoids. In a replay straight ones only. On the event thread.
+ * The ways on which boats of a session, or of a replay, would go along paths for a mission: at first the straight ones, and as soon as they are found those
+ * around what the mission avoids. On the event thread.
  */
 public final class SessionWays {
     private static final int KEPT = 100;
@@ -36,12 +36,11 @@ public final class SessionWays {
     private void find(Asked asked, Consumer<List<GeoPoint>> teller) {
         Optional.ofNullable(found.get(asked)).or(() -> straight(asked)).ifPresent(teller);
         context.shown()
-                .session()
-                .ifPresent(session -> session.way(asked.mission(), asked.boat(), asked.path())
-                        .thenAccept(way -> way.ifPresent(one -> {
-                            keep(asked, one);
-                            teller.accept(one);
-                        })));
+                .way(asked.mission(), asked.boat(), asked.path())
+                .thenAccept(way -> way.ifPresent(one -> {
+                    keep(asked, one);
+                    teller.accept(one);
+                }));
     }
 
     private Optional<List<GeoPoint>> straight(Asked asked) {

@@ -1,5 +1,6 @@
 package org.sami.crw.gui.context;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
@@ -9,6 +10,8 @@ import org.sami.crw.session.Session;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.model.Project;
+import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** What a window shows: a session that runs, or the replay of one, in which nothing acts. */
@@ -27,6 +30,12 @@ public interface ShownSession {
 
     /** Asks the engine's state; what it says arrives on the event thread. */
     <T> CompletionStage<T> ask(Function<EngineView, T> question);
+
+    /**
+     * Finds the way on which a boat would go along a path for a mission from where it is: with the turns around what is to be avoided. Empty where that is
+     * not known; arrives on the event thread.
+     */
+    CompletionStage<Optional<List<GeoPoint>>> way(long mission, String boat, GeoPath path);
 
     /** Tells a listener of the engine's steps, on the thread on which they are taken. */
     void addListener(HostListener listener);

@@ -79,7 +79,7 @@ public final class ReplayWindow {
         Replay replay = new Replay(journal, EventThread.executor(), computing);
         player = new ReplayPlayer(journal.timeLine(), replay::goTo, worker);
         OperatorContext context = new OperatorContext(
-                new ReplayedSession(replay, worker, player::goTo),
+                new ReplayedSession(replay, worker, computing, player::goTo),
                 new CommandRegistry(),
                 new IdentityMarks(),
                 new BoatSelection(),

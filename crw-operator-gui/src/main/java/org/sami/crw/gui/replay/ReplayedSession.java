@@ -1,5 +1,6 @@
 package org.sami.crw.gui.replay;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -7,12 +8,15 @@ import java.util.concurrent.Executor;
 import java.util.function.Function;
 import java.util.function.LongConsumer;
 import org.sami.crw.gui.context.ShownSession;
+import org.sami.crw.handler.motion.WayLimits;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.replay.Replay;
 import org.sami.crw.session.Session;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.model.Project;
+import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.ui.EventThread;
 
@@ -20,9 +24,10 @@ import org.sami.ui.EventThread;
  * A replay, as a window shows it.
  *
  * @param worker the replay's thread
+ * @param computing computes what is only to be drawn
  * @param goTo goes to a moment
  */
-record ReplayedSession(Replay replay, Executor worker, LongConsumer goTo) implements ShownSession {
+record ReplayedSession(Replay replay, Executor worker, Executor computing, LongConsumer goTo) implements ShownSession {
     @Override
     public OperatorModels models() {
         return replay.models();
@@ -47,6 +52,16 @@ record ReplayedSession(Replay replay, Executor worker, LongConsumer goTo) implem
     public <T> CompletionStage<T> ask(Function<EngineView, T> question) {
         return CompletableFuture.supplyAsync(() -> replay.ask(question), worker)
                 .thenApplyAsync(answer -> answer, EventThread.executor());
+    }
+
+    @Override
+    public CompletionStage<Optional<List<GeoPoint>>> way(long mission, String boat, GeoPath path) {
+        return CompletableFuture.supplyAsync(() -> replay.start(boat), worker)
+                .thenCombineAsync(
+                        CompletableFuture.supplyAsync(() -> replay.ask(view -> WayLimits.of(mission, view)), worker),
+                        (start, limits) -> start.map(one -> one.way(path, limits)),
+                        computing)
+                .thenApplyAsync(way -> way, EventThread.executor());
     }
 
     @Override
