@@ -132,7 +132,9 @@ public final class AllocationHandler implements ActivationHandler {
             tell(activation, context, Priority.LOW, "Allocation: " + options.reason(), List.of());
         }
         List<Value> values = new ArrayList<>();
-        options.divisions().forEach(division -> values.add(toValue(division, options.reason(), question)));
+        for (int i = 0; i < options.divisions().size(); i++) {
+            values.add(toValue(options.divisions().get(i), options.reasons().get(i), question));
+        }
         context.post(new Input.Received(answer(activation, context, Map.of("allocations", new ListValue(values)))));
     }
 

@@ -1,6 +1,7 @@
 package org.sami.crw.service.allocation;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -43,10 +44,12 @@ public final class AllocationService {
      * @param divisions different from one another, the best by the criterion first as measured; the one of the chosen algorithm is
      *     among them. May be fewer than were asked for: then there are no more
      * @param reason why that algorithm was chosen, for people
+     * @param reasons why there is each of the divisions, in their order; that of the chosen algorithm is there for the same reason
      */
-    public record Options(List<Division> divisions, String reason) {
+    public record Options(List<Division> divisions, String reason, List<String> reasons) {
         public Options {
             divisions = List.copyOf(divisions);
+            reasons = List.copyOf(reasons);
         }
 
         /** The best one. */
@@ -61,17 +64,36 @@ public final class AllocationService {
             throw new IllegalArgumentException("At least one option must be wanted, not " + wanted);
         }
         Choice<AllocationAlgorithm> choice = Choice.of(algorithms, problem, criterion);
-        List<Division> found = new ArrayList<>();
+        List<Offered> found = new ArrayList<>();
         Set<Map<String, List<WorkItem>>> seen = new HashSet<>();
         for (AllocationAlgorithm algorithm : choice.ranked()) {
             if (found.size() < wanted) {
                 Division division = algorithm.divide(problem);
                 if (seen.add(division.paths())) {
-                    found.add(division);
+                    found.add(new Offered(division, reason(algorithm, choice, criterion)));
                 }
             }
         }
-        criterion.ifPresent(by -> found.sort(Division.by(by)));
-        return new Options(found, choice.reason());
+        criterion.ifPresent(by -> found.sort(Comparator.comparing(Offered::division, Division.by(by))));
+        return new Options(
+                found.stream().map(Offered::division).toList(),
+                choice.reason(),
+                found.stream().map(Offered::reason).toList());
+    }
+
+    private record Offered(Division division, String reason) {}
+
+    private static String reason(
+            AllocationAlgorithm algorithm, Choice<AllocationAlgorithm> choice, Optional<Criterion> criterion) {
+        if (algorithm == choice.first()) {
+            return choice.reason();
+        }
+        String merit = criterion
+                .map(wanted -> Optional.ofNullable(algorithm.serves().get(wanted))
+                        .map(how -> ", " + how.words() + " for " + wanted.words())
+                        .orElse(", which does not say that it serves " + wanted.words()))
+                .orElse("");
+        return algorithm.name() + merit + "; offered beside " + choice.first().name()
+                + ", as several options were wanted";
     }
 }

@@ -101,6 +101,22 @@ class AllocationServiceTest {
     }
 
     @Test
+    void eachOptionSaysWhyItIsThere() {
+        AllocationService.Options options = service.solve(scene(12, 5, 40), Optional.of(Criterion.EXECUTION_TIME), 3);
+
+        assertThat(options.reasons()).hasSize(3).contains(options.reason());
+        for (int i = 0; i < 3; i++) {
+            assertThat(options.reasons().get(i))
+                    .startsWith(options.divisions().get(i).method());
+        }
+        assertThat(service.solve(scene(12, 5, 40), Optional.empty(), 2)
+                        .reasons()
+                        .get(1))
+                .isEqualTo(
+                        "Balanced division; offered beside Sequential single-item auction, as several options were wanted");
+    }
+
+    @Test
     void whenABoatLeavesTheOthersKeepWhatTheyHaveBegun() {
         Map<String, List<WorkItem>> paths = new LinkedHashMap<>();
         paths.put("west", List.of(visit("a", -100, 0), visit("b", -100, 50)));
