@@ -35,6 +35,7 @@ import org.sami.crw.handler.motion.GotoLatLonHandler;
 import org.sami.crw.handler.motion.GotoLocationListHandler;
 import org.sami.crw.handler.motion.GotoPointHandler;
 import org.sami.crw.handler.motion.MotionCommands;
+import org.sami.crw.handler.motion.NearPlaces;
 import org.sami.crw.handler.motion.PanoramaHandler;
 import org.sami.crw.handler.motion.ProxyAbortMissionHandler;
 import org.sami.crw.handler.motion.ResendWaypointsHandler;
@@ -132,7 +133,8 @@ public final class CrwDomain implements AutoCloseable {
                 }));
         BoatPositions positions =
                 boat -> boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
-        handlers.putAll(movers(motion));
+        NearPlaces near = new NearPlaces(messages, errors);
+        handlers.putAll(movers(motion, near));
         handlers.put(
                 ExploreAreaHandler.TYPE,
                 new ExploreAreaHandler(
@@ -165,10 +167,10 @@ public final class CrwDomain implements AutoCloseable {
                         computations,
                         errors));
         handlers.put(PathHandler.TYPE, new PathHandler(services.paths(), positions, messages, computations, errors));
-        handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions, messages, errors));
+        handlers.put(AssembleHandler.TYPE, new AssembleHandler(services.assembly(), positions, near, errors));
         handlers.put(
                 DistributeHandler.TYPE,
-                new DistributeHandler(services.allocation(), positions, messages, computations, errors));
+                new DistributeHandler(services.allocation(), positions, messages, computations, errors, near));
         handlers.put(CompareDistanceHandler.TYPE, new CompareDistanceHandler(positions));
         handlers.put(BatterySubscriptions.TYPE, batteries);
         for (AbortScope scope : AbortScope.values()) {
@@ -204,7 +206,7 @@ public final class CrwDomain implements AutoCloseable {
     }
 
     /** The handlers of what moves boats or keeps them: what they ask can be withdrawn. */
-    private static Map<String, ActivationHandler> movers(MotionCommands motion) {
+    private static Map<String, ActivationHandler> movers(MotionCommands motion, NearPlaces near) {
         Map<String, ActivationHandler> movers = new LinkedHashMap<>();
         movers.put(ExecutePathHandler.TYPE, new ExecutePathHandler(motion, false));
         movers.put(ExecutePathHandler.BLOCKING_TYPE, new ExecutePathHandler(motion, true));
@@ -212,7 +214,7 @@ public final class CrwDomain implements AutoCloseable {
         movers.put(GotoPointHandler.BLOCKING_TYPE, new GotoPointHandler(motion, true));
         movers.put(GotoLatLonHandler.TYPE, new GotoLatLonHandler(motion));
         movers.put(GotoLocationListHandler.TYPE, new GotoLocationListHandler(motion));
-        movers.put(StationKeepHandler.TYPE, new StationKeepHandler(motion));
+        movers.put(StationKeepHandler.TYPE, new StationKeepHandler(motion, near));
         movers.put(PanoramaHandler.TYPE, new PanoramaHandler(motion));
         movers.put(BlockMovementHandler.TYPE, new BlockMovementHandler(motion));
         return movers;

@@ -16,7 +16,7 @@ import org.sami.spn.value.GeoPoint;
 /**
  * Proxy Station Keep: each boat goes to its own point of the map and is kept there for the mission; found farther away than the radius,
  * it goes back. A boat without a point has no station, and fails. Where the mission has ended already (its end place asks for
- * it), the boats go to their points and are not kept.
+ * it), the boats go to their points and are not kept. Of points that are too near to one another the operator is told ({@link NearPlaces}).
  */
 public final class StationKeepHandler implements ActivationHandler {
     public static final String TYPE = "ProxyStationKeep";
@@ -24,9 +24,11 @@ public final class StationKeepHandler implements ActivationHandler {
     private static final String RADIUS = "radius";
 
     private final MotionCommands motion;
+    private final NearPlaces near;
 
-    public StationKeepHandler(MotionCommands motion) {
+    public StationKeepHandler(MotionCommands motion, NearPlaces near) {
         this.motion = motion;
+        this.near = near;
     }
 
     @Override
@@ -45,6 +47,9 @@ public final class StationKeepHandler implements ActivationHandler {
             } else {
                 moves.add(GotoPointHandler.go(activation, addressee, List.of(point), false));
             }
+        }
+        if (running) {
+            near.look(activation, context, "Station keeping", points);
         }
         motion.send(activation, context, moves);
         if (!without.isEmpty()) {

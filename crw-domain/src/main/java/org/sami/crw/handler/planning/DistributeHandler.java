@@ -13,6 +13,7 @@ import org.sami.crw.handler.activation.Markups;
 import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.handler.activation.Restrictions;
 import org.sami.crw.handler.motion.BoatErrors;
+import org.sami.crw.handler.motion.NearPlaces;
 import org.sami.crw.operator.message.MessageSink;
 import org.sami.crw.service.BoatPositions;
 import org.sami.crw.service.allocation.AllocationProblem;
@@ -35,7 +36,7 @@ import org.sami.spn.value.ListValue;
  * Distribute Locations Request: a list of locations for each boat, in the order in which it visits them; each location is in one
  * list. The locations are those of the activation, or spread over its area at a spacing. Divided as the markup Optimize asks, by ways around
  * what the plan avoids; a location that no boat can get to is in no list, and the operator is told.
- * A boat whose position is not known yet gets none.
+ * A boat whose position is not known yet gets none. Of lists that end too near to one another the operator is told ({@link NearPlaces}).
  */
 public final class DistributeHandler implements ActivationHandler {
     public static final String TYPE = "DistributeLocationsRequest";
@@ -47,18 +48,21 @@ public final class DistributeHandler implements ActivationHandler {
     private final MessageSink messages;
     private final Computations computations;
     private final BoatErrors errors;
+    private final NearPlaces near;
 
     public DistributeHandler(
             AllocationService service,
             BoatPositions positions,
             MessageSink messages,
             Computations computations,
-            BoatErrors errors) {
+            BoatErrors errors,
+            NearPlaces near) {
         this.service = service;
         this.positions = positions;
         this.messages = messages;
         this.computations = computations;
         this.errors = errors;
+        this.near = near;
     }
 
     @Override
@@ -103,6 +107,7 @@ public final class DistributeHandler implements ActivationHandler {
                 new ListValue(List.copyOf(options.best().paths().getOrDefault(boat, List.of()).stream()
                         .map(WorkItem::location)
                         .toList()))));
+        near.look(activation, context, "Distribution", ends(options));
         options.best()
                 .shortfall()
                 .ifPresent(words -> tell(activation, context, Priority.HIGH, "Distribution: " + words));
@@ -118,6 +123,16 @@ public final class DistributeHandler implements ActivationHandler {
                 boats,
                 List.of(),
                 Map.of("locations", ProxyMaps.toValue(lists)))));
+    }
+
+    /** Where each boat is left: at the last location of its list. */
+    private static Map<String, GeoPoint> ends(AllocationService.Options options) {
+        Map<String, GeoPoint> ends = new LinkedHashMap<>();
+        options.best()
+                .paths()
+                .forEach((boat, path) ->
+                        path.stream().reduce((a, b) -> b).ifPresent(last -> ends.put(boat, last.location())));
+        return ends;
     }
 
     private void tell(Activation activation, HandlerContext context, Priority priority, String text) {

@@ -1,0 +1,68 @@
+package org.sami.crw.handler.motion;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.sami.crw.handler.activation.ActivationMessages;
+import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.water.CrossTrackError;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.BooleanValue;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Tells the operator, once in a mission and before the boats go, of places in which boats are to lie so near to one another that others find no way
+ * between them (docs/decisions, 0322). For the fleet's thread.
+ */
+public final class NearPlaces {
+    private static final String TOLD = "near-places";
+
+    private final MessageSink messages;
+    private final BoatErrors errors;
+
+    public NearPlaces(MessageSink messages, BoatErrors errors) {
+        this.messages = messages;
+        this.errors = errors;
+    }
+
+    /**
+     * Looks at the places of boats.
+     *
+     * @param activation what sends the boats there or finds these places; its mission has not ended
+     * @param what the message's first word
+     * @param places where each boat is to lie
+     */
+    public void look(Activation activation, HandlerContext context, String what, Map<String, GeoPoint> places) {
+        double apartM = leastDistanceM(List.copyOf(places.values()));
+        CrossTrackError error = errors.of(List.copyOf(places.keySet()));
+        long mission = activation.mission();
+        if (apartM >= error.berthM()
+                || context.query(view -> view.memory(mission, TOLD).isPresent())) {
+            return;
+        }
+        String words = String.format(
+                Locale.ROOT,
+                "%s: boats that lie %.0f m apart leave others no way between them, which wait near by; %.0f m are enough for boats whose positions err by"
+                        + " %.1f m",
+                what,
+                apartM,
+                Math.ceil(error.berthM()),
+                error.positionM());
+        messages.tell(ActivationMessages.of(activation, context, Priority.MEDIUM, words, activation.proxies()));
+        context.post(List.of(new Input.Remember(mission, TOLD, new BooleanValue(true))));
+    }
+
+    private static double leastDistanceM(List<GeoPoint> places) {
+        double leastM = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < places.size(); i++) {
+            for (GeoPoint other : places.subList(i + 1, places.size())) {
+                leastM = Math.min(leastM, Geodesy.distanceM(places.get(i), other));
+            }
+        }
+        return leastM;
+    }
+}
