@@ -1,15 +1,15 @@
 package org.sami.crw.fleet;
 
 import java.util.function.Consumer;
-import org.sami.crw.proxy.BatteryState;
-import org.sami.crw.proxy.BoatCommand;
-import org.sami.crw.proxy.BoatListener;
-import org.sami.crw.proxy.BoatReading;
-import org.sami.crw.proxy.BoatStatus;
-import org.sami.crw.proxy.BoatTuning;
-import org.sami.crw.proxy.CommandQueueSnapshot;
-import org.sami.crw.proxy.Upload;
-import org.sami.crw.proxy.Withdrawal;
+import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.command.Upload;
+import org.sami.crw.proxy.listener.BoatListener;
+import org.sami.crw.proxy.queue.CommandQueueSnapshot;
+import org.sami.crw.proxy.queue.Withdrawal;
+import org.sami.crw.proxy.status.BatteryState;
+import org.sami.crw.proxy.status.BoatReading;
+import org.sami.crw.proxy.status.BoatStatus;
+import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.spn.value.GeoPoint;
 
 /** Makes a {@link FleetEvent} of each call of a proxy. */

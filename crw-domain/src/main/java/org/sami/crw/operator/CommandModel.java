@@ -13,10 +13,10 @@ import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.operator.boat.BoatCommands;
 import org.sami.crw.operator.boat.BoatCommands.Concluded;
 import org.sami.crw.operator.boat.BoatCommands.End;
-import org.sami.crw.proxy.BoatCommand;
-import org.sami.crw.proxy.CommandQueueSnapshot;
-import org.sami.crw.proxy.CommandQueueSnapshot.Entry;
-import org.sami.crw.proxy.Upload;
+import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.command.Upload;
+import org.sami.crw.proxy.queue.CommandQueueSnapshot;
+import org.sami.crw.proxy.queue.CommandQueueSnapshot.Entry;
 import org.sami.spn.value.GeoPoint;
 
 /** The command queues of all boats. Follows the fleet's events. */

@@ -14,7 +14,7 @@ import org.sami.crw.operator.boat.BoatCommunication;
 import org.sami.crw.operator.boat.BoatCommunication.InMission;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.ProxyStatus;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;

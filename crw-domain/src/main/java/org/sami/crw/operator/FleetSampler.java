@@ -9,13 +9,13 @@ import java.util.function.LongSupplier;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.BoatSnapshot.Commander;
-import org.sami.crw.proxy.BoatExplanation;
-import org.sami.crw.proxy.BoatExplanation.Cause;
 import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.proxy.CommandQueueSnapshot;
-import org.sami.crw.proxy.LinkState;
-import org.sami.crw.proxy.MissionTitles;
 import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.explanation.BoatExplanation;
+import org.sami.crw.proxy.explanation.BoatExplanation.Cause;
+import org.sami.crw.proxy.explanation.MissionTitles;
+import org.sami.crw.proxy.queue.CommandQueueSnapshot;
+import org.sami.crw.proxy.status.LinkState;
 
 /**
  * Takes snapshots of boats: one after what happened to a boat, at most one of each in a period; the last change is caught by

@@ -1,7 +1,12 @@
 package org.sami.crw.proxy;
 
 import java.util.Optional;
-import org.sami.crw.proxy.BoatExplanation.Cause;
+import org.sami.crw.proxy.execution.ExpectedWayHome;
+import org.sami.crw.proxy.explanation.BoatExplanation.Cause;
+import org.sami.crw.proxy.explanation.Obstacle;
+import org.sami.crw.proxy.link.ProxyLink;
+import org.sami.crw.proxy.status.BoatStatus;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoPoint;
 

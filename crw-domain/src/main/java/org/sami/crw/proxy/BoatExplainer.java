@@ -3,7 +3,22 @@ package org.sami.crw.proxy;
 import java.util.List;
 import java.util.Optional;
 import org.sami.boat.link.BoatMode;
-import org.sami.crw.proxy.BoatExplanation.Cause;
+import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.proxy.command.Panorama;
+import org.sami.crw.proxy.command.Stop;
+import org.sami.crw.proxy.execution.CommandDriver;
+import org.sami.crw.proxy.execution.CommandRun;
+import org.sami.crw.proxy.execution.ProgressMonitor;
+import org.sami.crw.proxy.execution.StationRun;
+import org.sami.crw.proxy.explanation.BoatExplanation;
+import org.sami.crw.proxy.explanation.BoatExplanation.Cause;
+import org.sami.crw.proxy.explanation.ExplainedCommand;
+import org.sami.crw.proxy.explanation.LastCommandOutcome;
+import org.sami.crw.proxy.explanation.LostLinkWords;
+import org.sami.crw.proxy.explanation.MissionTitles;
+import org.sami.crw.proxy.explanation.Obstacle;
+import org.sami.crw.proxy.queue.QueuedCommand;
+import org.sami.crw.proxy.status.BoatTuning;
 
 /** Answers "why is this boat not moving?" from its proxy's link and queue. */
 final class BoatExplainer {

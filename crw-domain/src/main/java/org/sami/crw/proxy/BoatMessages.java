@@ -20,6 +20,17 @@ import org.sami.boat.link.SensorReport;
 import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Welcome;
+import org.sami.crw.proxy.execution.CommandDriver;
+import org.sami.crw.proxy.link.PendingRequests;
+import org.sami.crw.proxy.link.ProxyLink;
+import org.sami.crw.proxy.listener.BoatListener;
+import org.sami.crw.proxy.listener.DeferredNotifications;
+import org.sami.crw.proxy.status.BatteryState;
+import org.sami.crw.proxy.status.BoatPose;
+import org.sami.crw.proxy.status.BoatReading;
+import org.sami.crw.proxy.status.BoatStatus;
+import org.sami.crw.proxy.status.BoatTuning;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoPoint;
 

@@ -6,6 +6,11 @@ import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.GrantCommand;
 import org.sami.boat.link.Nack;
 import org.sami.boat.link.TakeCommand;
+import org.sami.crw.proxy.link.PendingRequests;
+import org.sami.crw.proxy.link.ProxyConfig;
+import org.sami.crw.proxy.link.ProxyLink;
+import org.sami.crw.proxy.listener.DeferredNotifications;
+import org.sami.crw.proxy.status.LinkState;
 
 /**
  * The hand-over of a boat's command between bases: what the operator asks of the boat, and what the proxy's listener has been told of it.

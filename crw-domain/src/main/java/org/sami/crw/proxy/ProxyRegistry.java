@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.crw.proxy.command.BoatCommand;
 
 /** The boats of the base, in the order in which they became known. For the thread that drives the proxies. */
 public final class ProxyRegistry {

@@ -13,6 +13,11 @@ import org.sami.boat.link.SetGains;
 import org.sami.boat.link.SetLostLinkAction;
 import org.sami.boat.link.SetVelocityMultiplier;
 import org.sami.boat.link.SettingsReport;
+import org.sami.crw.proxy.link.PendingRequests;
+import org.sami.crw.proxy.link.ProxyConfig;
+import org.sami.crw.proxy.link.ProxyLink;
+import org.sami.crw.proxy.listener.DeferredNotifications;
+import org.sami.crw.proxy.status.BoatTuning;
 
 /**
  * The settings of one boat: sets them over its proxy's link, and knows which the boat said are in force. Of each kind of setting the newest is asked for, and asked

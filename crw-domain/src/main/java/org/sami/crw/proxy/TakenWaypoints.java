@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.boat.link.BoatMode;
+import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoPoint;
 

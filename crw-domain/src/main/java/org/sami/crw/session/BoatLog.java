@@ -11,14 +11,14 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.sami.crw.fleet.FleetEvent;
-import org.sami.crw.proxy.BoatCommand;
-import org.sami.crw.proxy.BoatExplanation;
 import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.proxy.BoatStatus;
-import org.sami.crw.proxy.CommandQueueSnapshot;
-import org.sami.crw.proxy.MissionTitles;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.proxy.Upload;
+import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.command.Upload;
+import org.sami.crw.proxy.explanation.BoatExplanation;
+import org.sami.crw.proxy.explanation.MissionTitles;
+import org.sami.crw.proxy.queue.CommandQueueSnapshot;
+import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.service.water.CrossTrackError;
 
 /**

@@ -6,11 +6,11 @@ import java.util.Map;
 import java.util.function.LongSupplier;
 import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.proxy.LinkState;
-import org.sami.crw.proxy.MissionTitles;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.TakenWaypoints;
-import org.sami.crw.proxy.UploadCount;
+import org.sami.crw.proxy.command.UploadCount;
+import org.sami.crw.proxy.explanation.MissionTitles;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.protocol.Priority;
 
 /**

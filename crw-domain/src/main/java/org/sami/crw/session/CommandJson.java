@@ -7,11 +7,11 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
-import org.sami.crw.proxy.BoatCommand;
-import org.sami.crw.proxy.FollowPath;
-import org.sami.crw.proxy.KeepStation;
-import org.sami.crw.proxy.Panorama;
-import org.sami.crw.proxy.Stop;
+import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.proxy.command.KeepStation;
+import org.sami.crw.proxy.command.Panorama;
+import org.sami.crw.proxy.command.Stop;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import org.sami.crw.proxy.UploadCount;
+import org.sami.crw.proxy.command.UploadCount;
 import org.sami.spn.value.GeoPoint;
 
 /**

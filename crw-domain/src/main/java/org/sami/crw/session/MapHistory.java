@@ -7,7 +7,7 @@ import java.util.Map;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.operator.MapModel;
 import org.sami.crw.operator.map.ShownTrack;
-import org.sami.crw.proxy.BoatReading;
+import org.sami.crw.proxy.status.BoatReading;
 import org.sami.spn.journal.TelemetryRow;
 
 /** Where boats were and what they measured in earlier processes, read from telemetry, for the map of a session that goes on. */

@@ -2,7 +2,7 @@ package org.sami.crw.session;
 
 import java.util.List;
 import java.util.Objects;
-import org.sami.crw.proxy.BoatReading;
+import org.sami.crw.proxy.status.BoatReading;
 import org.sami.spn.value.GeoPoint;
 
 /**

@@ -5,7 +5,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import org.sami.boat.link.SteadyClock;
-import org.sami.crw.proxy.ProxyConfig;
+import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
 
 /** What a session runs on: its time, its threads, and the ways to its boats. */

@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.LongSupplier;
 import org.sami.crw.operator.message.OperatorMessage;
-import org.sami.crw.proxy.UploadCount;
+import org.sami.crw.proxy.command.UploadCount;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;

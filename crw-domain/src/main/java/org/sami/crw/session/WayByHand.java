@@ -7,7 +7,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.sami.crw.handler.motion.WayLimits;
-import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.path.Detour;
 import org.sami.crw.service.reach.Way;

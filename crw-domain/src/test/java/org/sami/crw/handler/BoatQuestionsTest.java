@@ -14,7 +14,7 @@ import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.protocol.Answer;

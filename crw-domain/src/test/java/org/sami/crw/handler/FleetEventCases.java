@@ -9,7 +9,7 @@ import java.util.Map;
 import org.sami.boat.link.Gains;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.handler.EventCatalogue.Seen;
-import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Priority;

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.proxy.UploadCount;
+import org.sami.crw.proxy.command.UploadCount;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Activation;

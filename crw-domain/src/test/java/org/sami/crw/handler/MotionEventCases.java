@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.handler.EventCatalogue.Seen;
-import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPath;

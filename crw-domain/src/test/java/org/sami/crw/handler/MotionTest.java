@@ -11,7 +11,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.operator.message.OperatorMessage;
-import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Effect;

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.Gains;
 import org.sami.crw.operator.message.OperatorMessage;
-import org.sami.crw.proxy.BoatTuning;
+import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.value.GeoPoint;

@@ -7,7 +7,7 @@ import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.event.ProxyMaps;
-import org.sami.crw.proxy.BoatExplanation;
+import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Effect;

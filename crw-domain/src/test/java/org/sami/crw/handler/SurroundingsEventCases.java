@@ -7,7 +7,7 @@ import java.util.Map;
 import org.sami.crw.decision.BoatDescriptions;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.handler.EventCatalogue.Seen;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;

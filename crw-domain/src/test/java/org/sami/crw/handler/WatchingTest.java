@@ -9,7 +9,7 @@ import org.assertj.core.groups.Tuple;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.operator.message.OperatorMessage;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.protocol.Effect;

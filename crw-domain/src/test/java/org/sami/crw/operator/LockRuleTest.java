@@ -15,7 +15,7 @@ import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
 import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Priority;

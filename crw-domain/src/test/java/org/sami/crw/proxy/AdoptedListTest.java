@@ -14,6 +14,11 @@ import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.link.Welcome;
+import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.proxy.command.Upload;
+import org.sami.crw.proxy.command.UploadCount;
+import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 

@@ -28,6 +28,15 @@ import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Welcome;
+import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.proxy.command.Stop;
+import org.sami.crw.proxy.explanation.BoatExplanation;
+import org.sami.crw.proxy.link.ProxyConfig;
+import org.sami.crw.proxy.listener.BoatListener;
+import org.sami.crw.proxy.status.BatteryState;
+import org.sami.crw.proxy.status.BoatStatus;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 

@@ -17,6 +17,8 @@ import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Welcome;
+import org.sami.crw.proxy.link.ProxyConfig;
+import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.spn.value.GeoPoint;
 
 /** A proxy and the boat that it talks to, whose every word the test says. */

@@ -25,6 +25,10 @@ import org.sami.boat.link.SetGains;
 import org.sami.boat.link.SetVelocityMultiplier;
 import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.Welcome;
+import org.sami.crw.proxy.link.ProxyConfig;
+import org.sami.crw.proxy.listener.BoatListener;
+import org.sami.crw.proxy.status.BoatReading;
+import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.spn.value.GeoPoint;
 
 /** Settings on their way to a boat, and what it says of them and of its sensors. */

@@ -11,6 +11,10 @@ import org.sami.boat.link.Nack;
 import org.sami.boat.link.NackReason;
 import org.sami.boat.link.ReadBack;
 import org.sami.boat.link.UploadWaypoints;
+import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.proxy.command.Upload;
+import org.sami.crw.proxy.command.UploadCount;
+import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 

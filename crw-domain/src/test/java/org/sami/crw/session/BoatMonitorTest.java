@@ -5,12 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.proxy.FollowPath;
-import org.sami.crw.proxy.MissionTitles;
-import org.sami.crw.proxy.ProxyConfig;
 import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.proxy.explanation.MissionTitles;
+import org.sami.crw.proxy.link.ProxyConfig;
+import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 

@@ -16,7 +16,7 @@ import java.util.function.ToLongFunction;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
 import org.sami.crw.sim.bench.FleetProcess;

@@ -41,7 +41,7 @@ import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.mission.MissionSnapshot;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Outcome;

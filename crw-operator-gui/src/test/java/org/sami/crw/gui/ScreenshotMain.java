@@ -18,7 +18,7 @@ import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.boat.BoatSnapshot;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.session.Session;
 import org.sami.crw.sim.run.operator.SimulatedOperatorDriver;
 import org.sami.spn.value.GeoPoint;

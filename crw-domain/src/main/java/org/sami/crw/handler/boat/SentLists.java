@@ -2,11 +2,11 @@ package org.sami.crw.handler.boat;
 
 import java.util.HashSet;
 import java.util.Set;
-import org.sami.crw.proxy.BoatListener;
-import org.sami.crw.proxy.BoatStatus;
-import org.sami.crw.proxy.LinkState;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.proxy.Upload;
+import org.sami.crw.proxy.command.Upload;
+import org.sami.crw.proxy.listener.BoatListener;
+import org.sami.crw.proxy.status.BoatStatus;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.host.EngineHost;
 
 /**

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.sami.crw.handler.activation.Addressee;
-import org.sami.crw.proxy.Stop;
+import org.sami.crw.proxy.command.Stop;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.handler.activation.Addressee;
-import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;

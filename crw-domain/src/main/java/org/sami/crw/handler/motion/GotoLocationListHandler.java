@@ -8,7 +8,7 @@ import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.handler.activation.ActivationFields;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.EventNames;
-import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;

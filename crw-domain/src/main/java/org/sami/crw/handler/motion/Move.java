@@ -3,7 +3,7 @@ package org.sami.crw.handler.motion;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.crw.handler.activation.Addressee;
-import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.service.reach.WayDoubt;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;

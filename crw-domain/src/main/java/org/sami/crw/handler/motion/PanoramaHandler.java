@@ -3,7 +3,7 @@ package org.sami.crw.handler.motion;
 import java.util.List;
 import java.util.Optional;
 import org.sami.crw.handler.activation.Addressee;
-import org.sami.crw.proxy.Panorama;
+import org.sami.crw.proxy.command.Panorama;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;

@@ -8,7 +8,7 @@ import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.OptionalAnswer;
 import org.sami.crw.operator.message.OperatorMessage;
-import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;

@@ -2,9 +2,9 @@ package org.sami.crw.handler.motion;
 
 import java.util.Optional;
 import org.sami.crw.handler.activation.Markups;
-import org.sami.crw.proxy.BoatCommand;
 import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.choice.Criterion;
 import org.sami.spn.protocol.Activation;
 

@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.handler.activation.ActivationFields;
 import org.sami.crw.handler.activation.Addressee;
-import org.sami.crw.proxy.KeepStation;
+import org.sami.crw.proxy.command.KeepStation;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;

@@ -12,7 +12,7 @@ import java.util.Set;
 import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
 import org.sami.crw.handler.motion.PathProgress;
-import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.coverage.AreaCoverage;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;

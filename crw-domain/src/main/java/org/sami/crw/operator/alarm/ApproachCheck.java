@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.sami.crw.proxy.BoatPose;
+import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.service.LocalPlane;
 
 /**

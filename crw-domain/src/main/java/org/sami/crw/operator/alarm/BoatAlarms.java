@@ -7,10 +7,10 @@ import java.util.OptionalLong;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.crw.operator.alarm.Alarm.Kind;
 import org.sami.crw.operator.boat.BoatSnapshot;
-import org.sami.crw.proxy.BoatExplanation.Cause;
-import org.sami.crw.proxy.BoatPose;
-import org.sami.crw.proxy.CommandQueueSnapshot;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.explanation.BoatExplanation.Cause;
+import org.sami.crw.proxy.queue.CommandQueueSnapshot;
+import org.sami.crw.proxy.status.BoatPose;
+import org.sami.crw.proxy.status.LinkState;
 
 /** Finds what is wrong with one boat, by what is known of it. For one thread. */
 public final class BoatAlarms {

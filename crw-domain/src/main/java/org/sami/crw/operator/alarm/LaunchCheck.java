@@ -10,9 +10,9 @@ import java.util.OptionalLong;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.operator.boat.BoatSnapshot;
-import org.sami.crw.proxy.BoatTuning;
-import org.sami.crw.proxy.LinkState;
-import org.sami.crw.proxy.LostLinkWords;
+import org.sami.crw.proxy.explanation.LostLinkWords;
+import org.sami.crw.proxy.status.BoatTuning;
+import org.sami.crw.proxy.status.LinkState;
 
 /**
  * What is to be so before a boat is put into the water, as far as it is known now.

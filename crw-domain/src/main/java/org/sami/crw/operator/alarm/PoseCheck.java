@@ -4,7 +4,7 @@ import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import org.sami.crw.proxy.BoatPose;
+import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.LocalPlane;
 

@@ -3,9 +3,9 @@ package org.sami.crw.operator.boat;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import org.sami.crw.proxy.BoatCommand;
-import org.sami.crw.proxy.CommandQueueSnapshot;
-import org.sami.crw.proxy.Upload;
+import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.command.Upload;
+import org.sami.crw.proxy.queue.CommandQueueSnapshot;
 
 /**
  * The commands of one boat: what runs, what waits and why, and what became of the latest that are gone.

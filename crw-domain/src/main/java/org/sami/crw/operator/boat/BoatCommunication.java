@@ -3,7 +3,7 @@ package org.sami.crw.operator.boat;
 import java.util.List;
 import java.util.Objects;
 import java.util.OptionalLong;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.status.LinkState;
 
 /**
  * How a boat stands in all missions (thesis 6.3.4), and its link.

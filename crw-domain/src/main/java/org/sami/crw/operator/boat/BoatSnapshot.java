@@ -5,11 +5,11 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.boat.link.BoatMode;
-import org.sami.crw.proxy.BatteryState;
-import org.sami.crw.proxy.BoatCommand;
-import org.sami.crw.proxy.BoatExplanation;
-import org.sami.crw.proxy.BoatPose;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.explanation.BoatExplanation;
+import org.sami.crw.proxy.status.BatteryState;
+import org.sami.crw.proxy.status.BoatPose;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.value.GeoPoint;
 
 /**

@@ -12,7 +12,7 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.function.BiConsumer;
 import org.sami.crw.markup.MapRelevance.Visualization;
-import org.sami.crw.proxy.BoatReading;
+import org.sami.crw.proxy.status.BoatReading;
 import org.sami.crw.service.LocalPlane;
 import org.sami.crw.service.field.ContourLine;
 import org.sami.crw.service.field.FieldGrid;

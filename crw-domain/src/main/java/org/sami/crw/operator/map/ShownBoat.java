@@ -2,7 +2,7 @@ package org.sami.crw.operator.map;
 
 import java.util.Objects;
 import java.util.OptionalDouble;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.value.GeoPoint;
 
 /**

@@ -1,8 +1,8 @@
 package org.sami.crw.proxy.tcp;
 
 import java.net.InetSocketAddress;
-import org.sami.crw.proxy.BoatListener;
 import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.listener.BoatListener;
 
 /** Gets to know what becomes of a base's links. Called on the base's thread. */
 public interface BaseListener {

@@ -1,7 +1,7 @@
 package org.sami.crw.proxy.tcp;
 
 import java.util.Objects;
-import org.sami.crw.proxy.ProxyConfig;
+import org.sami.crw.proxy.link.ProxyConfig;
 
 /**
  * What is set for the TCP links of a base.

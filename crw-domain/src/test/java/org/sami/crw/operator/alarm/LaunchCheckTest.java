@@ -15,12 +15,12 @@ import org.sami.crw.operator.alarm.LaunchCheck.State;
 import org.sami.crw.operator.alarm.LaunchCheck.Subject;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.BoatSnapshot.Commander;
-import org.sami.crw.proxy.BatteryState;
-import org.sami.crw.proxy.BoatExplanation;
-import org.sami.crw.proxy.BoatExplanation.Cause;
-import org.sami.crw.proxy.BoatPose;
-import org.sami.crw.proxy.BoatTuning;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.explanation.BoatExplanation;
+import org.sami.crw.proxy.explanation.BoatExplanation.Cause;
+import org.sami.crw.proxy.status.BatteryState;
+import org.sami.crw.proxy.status.BoatPose;
+import org.sami.crw.proxy.status.BoatTuning;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.value.GeoPoint;
 
 class LaunchCheckTest {

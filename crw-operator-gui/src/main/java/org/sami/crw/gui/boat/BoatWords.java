@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.OptionalLong;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.crw.operator.boat.BoatSnapshot;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.ui.look.SemanticColor;
 
 /** What lists and panels say of a boat, and in which colour. Values that came over the link carry their age. */

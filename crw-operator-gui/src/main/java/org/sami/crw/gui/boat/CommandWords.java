@@ -1,13 +1,13 @@
 package org.sami.crw.gui.boat;
 
 import java.util.Locale;
-import org.sami.crw.proxy.BoatCommand;
-import org.sami.crw.proxy.CommandQueueSnapshot.Entry;
-import org.sami.crw.proxy.FollowPath;
-import org.sami.crw.proxy.KeepStation;
-import org.sami.crw.proxy.MissionTitles;
-import org.sami.crw.proxy.Panorama;
-import org.sami.crw.proxy.Stop;
+import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.proxy.command.KeepStation;
+import org.sami.crw.proxy.command.Panorama;
+import org.sami.crw.proxy.command.Stop;
+import org.sami.crw.proxy.explanation.MissionTitles;
+import org.sami.crw.proxy.queue.CommandQueueSnapshot.Entry;
 
 /** What panels say of a boat's commands. */
 public final class CommandWords {

@@ -11,7 +11,7 @@ import org.sami.crw.operator.alarm.LaunchCheck.Item;
 import org.sami.crw.operator.alarm.LaunchCheck.State;
 import org.sami.crw.operator.alarm.LaunchCheck.Subject;
 import org.sami.crw.operator.boat.BoatSnapshot;
-import org.sami.crw.proxy.BoatTuning;
+import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;

@@ -4,7 +4,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import org.sami.crw.operator.OperatorModels;
-import org.sami.crw.proxy.MissionTitles;
+import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
 import org.sami.spn.vocabulary.Vocabulary;

@@ -7,7 +7,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatSnapshot;
-import org.sami.crw.proxy.BoatCommand;
+import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.session.ByHand;
 import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.WayByHand;

@@ -8,7 +8,7 @@ import org.sami.crw.gui.boat.CommandWords;
 import org.sami.crw.operator.mission.MissionEnd;
 import org.sami.crw.operator.mission.MissionEnd.BoatChange;
 import org.sami.crw.operator.mission.MissionSnapshot;
-import org.sami.crw.proxy.MissionTitles;
+import org.sami.crw.proxy.explanation.MissionTitles;
 
 /** What an abort or a completion will do, in lines. */
 final class EndWords {

@@ -14,7 +14,7 @@ import org.sami.crw.operator.boat.BoatCommunication.InMission;
 import org.sami.crw.operator.boat.ProxyStatus;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;

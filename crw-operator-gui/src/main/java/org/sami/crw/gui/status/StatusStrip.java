@@ -15,7 +15,7 @@ import org.sami.crw.gui.boat.BoatWords;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.operator.boat.BoatSnapshot;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.protocol.Ids;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;

@@ -17,8 +17,8 @@ import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.BoatSnapshot.Commander;
-import org.sami.crw.proxy.FollowPath;
-import org.sami.crw.proxy.Stop;
+import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.proxy.command.Stop;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 

@@ -11,7 +11,7 @@ import org.sami.crw.operator.map.MapSnapshot;
 import org.sami.crw.operator.map.NamedArea;
 import org.sami.crw.operator.map.ShownBoat;
 import org.sami.crw.operator.map.ShownLayer;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;

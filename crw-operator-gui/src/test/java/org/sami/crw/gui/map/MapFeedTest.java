@@ -13,7 +13,7 @@ import org.sami.crw.operator.MapModel;
 import org.sami.crw.operator.map.MapSnapshot;
 import org.sami.crw.operator.map.ShownLayer;
 import org.sami.crw.operator.map.ShownPlace;
-import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.geo.GeoBounds;

@@ -16,7 +16,7 @@ import org.sami.crw.operator.message.MessageEntry;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;

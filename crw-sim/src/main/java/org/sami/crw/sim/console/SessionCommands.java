@@ -14,7 +14,7 @@ import java.util.function.Supplier;
 import org.sami.crw.operator.mission.EngineText;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.session.SavedGlobals;
 import org.sami.crw.sim.run.settings.ValueText;
 import org.sami.spn.engine.EngineView;

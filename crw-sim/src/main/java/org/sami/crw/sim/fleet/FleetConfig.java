@@ -3,7 +3,7 @@ package org.sami.crw.sim.fleet;
 import java.util.Objects;
 import java.util.function.UnaryOperator;
 import org.sami.boat.server.ServerConfig;
-import org.sami.crw.proxy.ProxyConfig;
+import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.HullConfig;
 import org.sami.crw.sim.link.PipeConfig;

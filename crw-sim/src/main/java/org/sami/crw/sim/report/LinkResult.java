@@ -1,7 +1,7 @@
 package org.sami.crw.sim.report;
 
 import java.util.Objects;
-import org.sami.crw.proxy.UploadCount;
+import org.sami.crw.proxy.command.UploadCount;
 
 /**
  * How base and boat were joined, and how that went.

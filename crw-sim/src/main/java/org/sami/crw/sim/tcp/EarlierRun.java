@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import org.sami.crw.proxy.UploadCount;
+import org.sami.crw.proxy.command.UploadCount;
 import org.sami.crw.session.FleetHistory;
 import org.sami.crw.session.SensorValue;
 import org.sami.crw.session.SessionNote;

@@ -11,7 +11,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.handler.planning.CrwServices;
-import org.sami.crw.proxy.ProxyConfig;
+import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
 import org.sami.crw.session.Session;

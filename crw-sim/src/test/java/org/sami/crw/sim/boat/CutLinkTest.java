@@ -25,7 +25,7 @@ import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.server.log.LoggedCommand;
 import org.sami.boat.server.testing.Await;
-import org.sami.crw.proxy.Upload;
+import org.sami.crw.proxy.command.Upload;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 import org.sami.crw.sim.boat.TestRelay.Cut;
 import org.sami.crw.sim.boat.TestRelay.Where;

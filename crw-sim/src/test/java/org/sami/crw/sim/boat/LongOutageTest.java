@@ -17,8 +17,8 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.server.testing.Await;
-import org.sami.crw.proxy.LinkState;
-import org.sami.crw.proxy.Upload;
+import org.sami.crw.proxy.command.Upload;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** Outages that last, on real sockets; the clock of boats and bases runs five times as fast as the wall's. */

@@ -13,7 +13,7 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
-import org.sami.crw.proxy.LinkState;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.link.PipeConfig;

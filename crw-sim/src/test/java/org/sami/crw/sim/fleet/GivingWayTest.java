@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.hull.HullConfig;

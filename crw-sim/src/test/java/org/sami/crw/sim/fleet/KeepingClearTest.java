@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.LostLinkAction;
-import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.coverage.Coverage;
 import org.sami.crw.service.coverage.CoverageProblem;
 import org.sami.crw.service.coverage.LawnMower;

@@ -2,11 +2,11 @@ package org.sami.crw.sim.fleet;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.sami.crw.proxy.BatteryState;
-import org.sami.crw.proxy.BoatCommand;
-import org.sami.crw.proxy.BoatListener;
-import org.sami.crw.proxy.BoatStatus;
-import org.sami.crw.proxy.Withdrawal;
+import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.listener.BoatListener;
+import org.sami.crw.proxy.queue.Withdrawal;
+import org.sami.crw.proxy.status.BatteryState;
+import org.sami.crw.proxy.status.BoatStatus;
 
 /** Writes down all that a proxy reports, telemetry apart. */
 final class ProxyEventRecorder implements BoatListener {

@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.proxy.FollowPath;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.hull.SimulatedHull;
 import org.sami.spn.protocol.Priority;

@@ -7,8 +7,8 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.proxy.BoatProxy;
-import org.sami.crw.proxy.FollowPath;
 import org.sami.crw.proxy.TakenWaypoints;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.spn.protocol.Priority;
 
 /** Whether it is said of a boat that it waits for one that lies at its next waypoint. */

@@ -6,7 +6,7 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.boat.link.BatteryLevel;
-import org.sami.crw.proxy.BatteryState;
+import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
 

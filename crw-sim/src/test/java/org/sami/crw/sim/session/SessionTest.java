@@ -20,7 +20,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.server.testing.Await;
-import org.sami.crw.proxy.BoatStatus;
+import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;

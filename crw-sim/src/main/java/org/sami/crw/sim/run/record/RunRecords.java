@@ -10,7 +10,7 @@ import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.mission.BlockedPlaces;
-import org.sami.crw.proxy.BatteryState;
+import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
 import org.sami.crw.sim.report.BoatResult;

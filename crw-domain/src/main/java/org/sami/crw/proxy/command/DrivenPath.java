@@ -1,0 +1,80 @@
+package org.sami.crw.proxy.command;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.sami.boat.link.Waypoint;
+import org.sami.crw.service.path.Detour;
+import org.sami.crw.service.water.Water;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * What a boat drives along for a path: its points, and between them those at which it turns to keep clear of what is not to be entered
+ * (docs/decisions, 0301). Immutable.
+ */
+public final class DrivenPath {
+    private final List<GeoPoint> points;
+    private final int[] indexOf; // of each point of the path
+
+    private DrivenPath(List<GeoPoint> points, int[] indexOf) {
+        this.points = List.copyOf(points);
+        this.indexOf = indexOf;
+    }
+
+    /**
+     * The way along a path for a boat.
+     *
+     * @param visited how many points of the path are behind it: the legs between them are not driven any more
+     * @param from where the boat is, if that is known
+     * @param water where it may go, if there are limits
+     */
+    public static DrivenPath of(List<GeoPoint> path, int visited, Optional<GeoPoint> from, Optional<Water> water) {
+        List<GeoPoint> points = new ArrayList<>();
+        int[] indexOf = new int[path.size()];
+        Optional<GeoPoint> at = from;
+        for (int i = 0; i < path.size(); i++) {
+            GeoPoint point = path.get(i);
+            if (i >= visited && at.isPresent() && water.isPresent()) {
+                Detour.between(at.get(), point, water.get()).ifPresent(points::addAll);
+            }
+            at = i >= visited ? Optional.of(point) : at;
+            indexOf[i] = points.size();
+            points.add(point);
+        }
+        return new DrivenPath(points, indexOf);
+    }
+
+    /** The way that a boat holds already, if it is one along the path: the path's points are on it in their order, its last at the end. */
+    public static Optional<DrivenPath> held(List<Waypoint> held, List<Waypoint> path) {
+        int[] indexOf = new int[path.size()];
+        List<GeoPoint> points = new ArrayList<>();
+        int next = 0;
+        for (Waypoint waypoint : held) {
+            if (next < path.size() && waypoint.equals(path.get(next))) {
+                indexOf[next++] = points.size();
+            }
+            points.add(GeoPoint.of(waypoint.latDeg(), waypoint.lonDeg()));
+        }
+        boolean ends = next == path.size() && (next == 0 ? held.isEmpty() : indexOf[next - 1] == held.size() - 1);
+        return ends ? Optional.of(new DrivenPath(points, indexOf)) : Optional.empty();
+    }
+
+    /** All points in driving order. */
+    public List<GeoPoint> points() {
+        return points;
+    }
+
+    /** Index of the first point to drive to when so many points of the path are behind the boat. */
+    public int indexAfter(int visited) {
+        return visited == 0 ? 0 : indexOf[visited - 1] + 1;
+    }
+
+    /** How many points of the path are behind the boat when so many of all points are. */
+    public int visited(int driven) {
+        int visited = 0;
+        while (visited < indexOf.length && indexOf[visited] < driven) {
+            visited++;
+        }
+        return visited;
+    }
+}

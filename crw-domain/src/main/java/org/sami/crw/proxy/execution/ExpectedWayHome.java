@@ -1,0 +1,104 @@
+package org.sami.crw.proxy.execution;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.sami.boat.link.BoatMode;
+import org.sami.crw.service.Geodesy;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * The way on which a boat is expected to come home by itself when its link is lost: of the ways that it was sent for the leg that it drives or drove last,
+ * the shortest from where it was seen, as the boat chooses it (docs/decisions, 0335).
+ */
+public final class ExpectedWayHome {
+    /** A boat that is so near to its home has no way there. */
+    private static final double AT_HOME_M = 3;
+
+    private final Supplier<Optional<GeoPoint>> home;
+    private String listId = "";
+    private List<List<List<GeoPoint>>> ofLegs = List.of(); // each way as the turns before home
+    private int leg;
+    private List<GeoPoint> way = List.of();
+
+    /**
+     * Knows no way but the straight one.
+     *
+     * @param home gives where the boat returns to, if that is known
+     */
+    public ExpectedWayHome(Supplier<Optional<GeoPoint>> home) {
+        this.home = home;
+    }
+
+    /** Where the boat returns to, if that is known. */
+    Optional<GeoPoint> home() {
+        return home.get();
+    }
+
+    /** The boat has the ways home from a list. */
+    void has(String ofList, List<List<List<GeoPoint>>> ways) {
+        listId = ofList;
+        ofLegs = List.copyOf(ways);
+    }
+
+    /** The boat has started a list at a point; the ways of another list are over. */
+    void started(String startedList, int index) {
+        if (!startedList.equals(listId)) {
+            has(startedList, List.of());
+        }
+        leg = index;
+    }
+
+    /** The boat drives to that point of the list. */
+    void drivesTo(int index) {
+        leg = index;
+    }
+
+    /** The boat is expected to come home from now on, from where it was seen last. */
+    public void begin(Optional<GeoPoint> from) {
+        way = from.isPresent() && home.get().isPresent()
+                ? way(from.get(), home.get().get())
+                : List.of();
+    }
+
+    /** The boat does something else. */
+    void end() {
+        way = List.of();
+    }
+
+    /** The boat says what it does. */
+    public void says(BoatMode mode) {
+        if (mode != BoatMode.RETURN) {
+            end();
+        }
+    }
+
+    /** From where the boat was seen last to its home, with the turns between; empty where it is not expected to come home. */
+    public List<GeoPoint> way() {
+        return way;
+    }
+
+    private List<GeoPoint> way(GeoPoint from, GeoPoint to) {
+        if (Geodesy.distanceM(from, to) < AT_HOME_M) {
+            return List.of();
+        }
+        List<List<GeoPoint>> known = ofLegs.isEmpty() ? List.of() : ofLegs.get(Math.min(leg, ofLegs.size() - 1));
+        List<GeoPoint> shortest = List.of();
+        double leastM = Double.POSITIVE_INFINITY;
+        for (List<GeoPoint> turns : known) {
+            List<GeoPoint> rest = new ArrayList<>(turns);
+            rest.add(to);
+            double lengthM = Geodesy.lengthM(from, rest);
+            if (lengthM < leastM) {
+                leastM = lengthM;
+                shortest = turns;
+            }
+        }
+        List<GeoPoint> whole = new ArrayList<>(List.of(from));
+        whole.addAll(shortest);
+        whole.add(to);
+        return Collections.unmodifiableList(whole);
+    }
+}

@@ -1,0 +1,258 @@
+package org.sami.crw.proxy.execution;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.IntConsumer;
+import java.util.function.Supplier;
+import org.sami.boat.link.CommandMessage;
+import org.sami.boat.link.HeldWaypoints;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Progress;
+import org.sami.boat.link.ReadBack;
+import org.sami.boat.link.SetWaysHome;
+import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.UploadWaypoints;
+import org.sami.boat.link.Waypoint;
+import org.sami.crw.proxy.command.DrivenPath;
+import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.proxy.command.Upload;
+import org.sami.crw.proxy.link.PendingRequests;
+import org.sami.crw.proxy.queue.QueuedCommand;
+import org.sami.crw.service.path.WaysHome;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Has the boat drive along a path: uploads it as a list under a new id, reads it back, starts it where the command is, and
+ * follows its progress. The list holds the whole path, and the points at which the boat turns to keep clear of what is not to be entered.
+ * Before the start the boat gets the ways home along the list where straight ones would lead through that (docs/decisions, 0335).
+ */
+final class PathRun extends CommandRun {
+
+    private enum Phase {
+        UPLOADING("the path is being uploaded"),
+        READING_BACK("the upload is acknowledged and being read back"),
+        SENDING_WAYS_HOME("the upload is read back equal, and the ways home from it are being uploaded"),
+        STARTING("the upload is read back equal and being started"),
+        DRIVING("under way");
+
+        private final String words;
+
+        Phase(String words) {
+            this.words = words;
+        }
+    }
+
+    private final String wireId; // what is asked in this try has ids of its own, also where the list is an earlier one
+    private final String listId;
+    private final Optional<Adopted> adopted;
+    private final PendingRequests requests;
+    private final Consumer<Upload> reached;
+    private final FollowPath path;
+    private final Supplier<Optional<GeoPoint>> position;
+    private final ExpectedWayHome wayHome;
+    private final double speedMps;
+    private DrivenPath driven;
+    private int next; // of the points that are driven along, as the boat said last
+    private List<List<List<GeoPoint>>> ways = List.of(); // home, by legs
+    private Phase phase = Phase.UPLOADING;
+    private Optional<ProgressMonitor> headway = Optional.empty();
+    private int starts;
+
+    /**
+     * A list that the boat holds already, since an earlier process of this base sent it for the same command.
+     *
+     * @param held gives what the boat said last of its progress
+     * @param visited is told how many points are behind the boat, once it is sure that the list is this path
+     */
+    record Adopted(String listId, Supplier<Progress> held, IntConsumer visited) {}
+
+    /**
+     * A try.
+     *
+     * @param position gives where the boat is, if that is known
+     * @param wayHome learns what the boat knows of its ways home
+     * @param adopted goes on with the list that the boat holds, if that is the path; else the path is sent under a new id
+     * @param reached is told how far the upload has come, once for each state
+     */
+    PathRun(
+            QueuedCommand queued,
+            FollowPath path,
+            Supplier<Optional<GeoPoint>> position,
+            ExpectedWayHome wayHome,
+            String wireId,
+            Optional<Adopted> adopted,
+            double cruiseSpeedMps,
+            PendingRequests requests,
+            Consumer<Upload> reached) {
+        super(queued);
+        this.reached = reached;
+        this.wireId = wireId;
+        this.adopted = adopted;
+        this.listId = adopted.map(Adopted::listId).orElse(wireId);
+        this.requests = requests;
+        this.path = path;
+        this.position = position;
+        this.wayHome = wayHome;
+        speedMps = path.speedMps().orElse(cruiseSpeedMps);
+        driven = DrivenPath.of(path.points(), path.points().size(), Optional.empty(), Optional.empty());
+    }
+
+    private List<Waypoint> waypoints(List<GeoPoint> points) {
+        List<Waypoint> waypoints = new ArrayList<>(points.size());
+        for (GeoPoint point : points) {
+            waypoints.add(new Waypoint(point.latDeg(), point.lonDeg(), speedMps));
+        }
+        return waypoints;
+    }
+
+    @Override
+    public String state() {
+        return phase.words;
+    }
+
+    @Override
+    public Optional<ProgressMonitor> headway() {
+        return headway;
+    }
+
+    @Override
+    public boolean isDriving() {
+        return phase == Phase.DRIVING;
+    }
+
+    @Override
+    void begin(long nowMs) {
+        if (adopted.isPresent()) {
+            readBack(nowMs);
+        } else {
+            driven = DrivenPath.of(path.points(), queued().visited(), position.get(), path.water());
+            next = driven.indexAfter(queued().visited());
+            reach(Upload.State.SENT);
+            requests.send(new UploadWaypoints(wireId + "/upload", listId, waypoints(driven.points())), nowMs);
+        }
+    }
+
+    @Override
+    Verdict answered(CommandMessage asked, LinkMessage answer, long nowMs) {
+        if (asked instanceof UploadWaypoints) {
+            reach(Upload.State.ACKNOWLEDGED);
+            readBack(nowMs);
+        } else if (answer instanceof HeldWaypoints held) {
+            return readBack(held, nowMs);
+        } else if (asked instanceof SetWaysHome) {
+            wayHome.has(listId, ways);
+            start(nowMs);
+        } else if (asked instanceof StartWaypoints started) {
+            wayHome.started(listId, started.index());
+            phase = Phase.DRIVING;
+            headway = Optional.of(new ProgressMonitor(nowMs));
+        }
+        return Verdict.GO_ON;
+    }
+
+    private Verdict readBack(HeldWaypoints held, long nowMs) {
+        Optional<DrivenPath> along = adopted.isPresent()
+                ? DrivenPath.held(held.waypoints(), waypoints(path.points()))
+                : Optional.of(driven).filter(sent -> held.waypoints().equals(waypoints(sent.points())));
+        if (!held.listId().equals(listId) || along.isEmpty()) {
+            return because(Verdict.RETRY, "the boat does not hold the path that was sent");
+        }
+        driven = along.get();
+        return adopted.isPresent() ? goOn(adopted.get(), nowMs) : startUploaded(nowMs);
+    }
+
+    private void readBack(long nowMs) {
+        phase = Phase.READING_BACK;
+        requests.send(new ReadBack(wireId + "/readback"), nowMs);
+    }
+
+    private Verdict startUploaded(long nowMs) {
+        reach(Upload.State.READ_BACK_EQUAL);
+        ways = waysHome();
+        if (ways.isEmpty()) {
+            start(nowMs);
+        } else {
+            phase = Phase.SENDING_WAYS_HOME;
+            List<List<List<Waypoint>>> sent = ways.stream()
+                    .map(ofLeg -> ofLeg.stream().map(this::waypoints).toList())
+                    .toList();
+            requests.send(new SetWaysHome(wireId + "/ways", listId, sent), nowMs);
+        }
+        return Verdict.GO_ON;
+    }
+
+    /** Empty where all of them are straight, or more than a message holds. */
+    private List<List<List<GeoPoint>>> waysHome() {
+        Optional<GeoPoint> from = position.get();
+        Optional<GeoPoint> home = wayHome.home();
+        if (from.isEmpty() || home.isEmpty() || path.water().isEmpty()) {
+            return List.of();
+        }
+        List<List<List<GeoPoint>>> found = WaysHome.of(
+                from.get(), driven.points(), next, home.get(), path.water().get());
+        long turns = found.stream().flatMap(List::stream).mapToLong(List::size).sum();
+        return turns <= SetWaysHome.MOST_TURNS ? found : List.of();
+    }
+
+    /** What the boat has visited while nobody commanded it is behind it. */
+    private Verdict goOn(Adopted list, long nowMs) {
+        phase = Phase.STARTING;
+        reach(Upload.State.TAKEN_OVER);
+        list.visited().accept(visited(list.held().get()));
+        wayHome.has(listId, waysHome()); // the boat has kept those of the earlier process
+        return resume(list.held().get(), nowMs);
+    }
+
+    private void reach(Upload.State state) {
+        reached.accept(Upload.of(listId, queued().command().commandId(), driven.points(), state));
+    }
+
+    /** Has the boat drive, from where the command is. */
+    void start(long nowMs) {
+        phase = Phase.STARTING;
+        headway = Optional.empty();
+        requests.send(new StartWaypoints(wireId + "/start" + ++starts, listId, firstIndex()), nowMs);
+    }
+
+    /** Where on its way the boat is; to its last point it is sent again and again where that is a station. */
+    private int firstIndex() {
+        int behind = Math.max(next, driven.indexAfter(queued().visited()));
+        return Math.min(behind, driven.points().size() - 1);
+    }
+
+    @Override
+    int visited(Progress progress) {
+        next = progress.nextIndex();
+        wayHome.drivesTo(next);
+        return driven.visited(next);
+    }
+
+    @Override
+    public Optional<GeoPoint> target() {
+        return next < driven.points().size() ? Optional.of(driven.points().get(next)) : Optional.empty();
+    }
+
+    @Override
+    int targetIndex() {
+        return next;
+    }
+
+    @Override
+    boolean isAbout(Progress progress) {
+        return progress.listId().equals(listId) && phase.compareTo(Phase.STARTING) >= 0;
+    }
+
+    @Override
+    Verdict resume(Progress held, long nowMs) {
+        if (!isAbout(held)) {
+            return because(Verdict.RETRY, "the boat holds another list");
+        }
+        if (held.completed()) {
+            return arrived();
+        }
+        start(nowMs);
+        return Verdict.GO_ON;
+    }
+}

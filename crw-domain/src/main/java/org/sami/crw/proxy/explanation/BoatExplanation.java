@@ -1,0 +1,62 @@
+package org.sami.crw.proxy.explanation;
+
+import java.util.Objects;
+
+/**
+ * Why a boat moves or does not, in words for the operator.
+ *
+ * @param shouldMove whether the boat is expected to be under way now
+ * @param cause the same in one word, for lists and filters
+ */
+public record BoatExplanation(boolean shouldMove, Cause cause, String text) {
+
+    /** What a boat waits for, or does. */
+    public enum Cause {
+        /** It follows a path. */
+        UNDER_WAY,
+        /** It should follow a path, and has come no nearer to its next point for a while. */
+        NO_PROGRESS,
+        /** Nothing comes from it. */
+        LINK_LOST,
+        /** It has never answered. */
+        NEVER_ANSWERED,
+        /** It will not have this base. */
+        REFUSES,
+        /** Another base commands it. */
+        COMMANDED_ELSEWHERE,
+        /** The whole fleet is stopped. */
+        FLEET_STOPPED,
+        /** A person drives it. */
+        TAKEN_OVER,
+        /** Its server has started anew, and the operator has not answered whether it may move. */
+        STARTED_ANEW,
+        /** The link is back, and the boat has not said yet what it holds. */
+        COMPARING,
+        /** Nothing is left to drive with. */
+        BATTERY_EMPTY,
+        /** Its path is on the way to it, or is being started. */
+        UPLOADING,
+        /** It stays at the point where a mission wants it. */
+        KEEPS_STATION,
+        /** It turns all round and takes pictures. */
+        TAKES_PICTURES,
+        /** It is told to stop. */
+        STOPPING,
+        /** A mission keeps it where it is. */
+        BLOCKED,
+        /** It has done all that was wanted. */
+        ARRIVED,
+        /** What was wanted could not be done. */
+        FAILED,
+        /** What was wanted was taken back. */
+        WITHDRAWN,
+        /** Nothing was ever wanted of it. */
+        NO_COMMAND
+    }
+
+    /** Refuses null. */
+    public BoatExplanation {
+        Objects.requireNonNull(cause, "cause");
+        Objects.requireNonNull(text, "text");
+    }
+}

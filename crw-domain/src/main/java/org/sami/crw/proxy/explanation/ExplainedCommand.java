@@ -1,0 +1,44 @@
+package org.sami.crw.proxy.explanation;
+
+import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.proxy.command.KeepStation;
+import org.sami.crw.proxy.command.Panorama;
+
+/**
+ * How explanations speak of a command: what a boat does with it, and for whom.
+ *
+ * @param does the boat does it now, such as {@code follows its path}
+ * @param infinitive it is to do it
+ * @param doing names the command as a thing that waits or fails
+ * @param done how it ended well
+ */
+public record ExplainedCommand(String does, String infinitive, String doing, String done) {
+    private static final ExplainedCommand PATH = new ExplainedCommand(
+            "follows its path", "follow its path", "following its path", "has arrived at the end of its path");
+    private static final ExplainedCommand STATION = new ExplainedCommand(
+            "keeps its station", "keep its station", "keeping its station", "has kept its station");
+    private static final ExplainedCommand PANORAMA = new ExplainedCommand(
+            "takes pictures all round",
+            "take pictures all round",
+            "taking pictures all round",
+            "has taken its pictures all round");
+    private static final ExplainedCommand STOP = new ExplainedCommand("stops", "stop", "stopping", "has stopped");
+
+    /** That of a command. */
+    public static ExplainedCommand of(BoatCommand command, MissionTitles titles) {
+        String whose = " for " + titles.words(command.mission());
+        ExplainedCommand words = words(command);
+        return new ExplainedCommand(
+                words.does + whose, words.infinitive + whose, words.doing + whose, words.done + whose);
+    }
+
+    private static ExplainedCommand words(BoatCommand command) {
+        if (command instanceof FollowPath) {
+            return PATH;
+        } else if (command instanceof KeepStation) {
+            return STATION;
+        }
+        return command instanceof Panorama ? PANORAMA : STOP;
+    }
+}

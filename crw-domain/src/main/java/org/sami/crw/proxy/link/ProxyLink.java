@@ -1,0 +1,142 @@
+package org.sami.crw.proxy.link;
+
+import java.util.Optional;
+import org.sami.boat.link.Frame;
+import org.sami.boat.link.FrameSink;
+import org.sami.boat.link.Heartbeat;
+import org.sami.boat.link.Hello;
+import org.sami.boat.link.LinkCodec;
+import org.sami.boat.link.LinkException;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.Role;
+import org.sami.boat.link.Welcome;
+import org.sami.crw.proxy.status.LinkState;
+
+/** The base's end of one link: says hello until it is welcome, keeps it alive, notices when it is lost. */
+public final class ProxyLink {
+    private static final long HELLO_MS = 1000;
+    private static final long HEARTBEAT_MS = 1000;
+
+    private final String boatId;
+    private final FrameSink toBoat;
+    private final ProxyConfig config;
+    private LinkState state = LinkState.CONNECTING;
+    private Role role = Role.OBSERVER;
+    private Role wanted = Role.COMMANDER;
+    private String bootId = "";
+    private String term = "";
+    private boolean takesTraffic;
+    private long sequence;
+    private long nextHelloMs = Long.MIN_VALUE;
+    private long lastSentMs;
+    private long lastReceivedMs;
+    private long unreadable;
+
+    /** A link over which nothing has come yet. */
+    public ProxyLink(String boatId, FrameSink toBoat, ProxyConfig config) {
+        this.boatId = boatId;
+        this.toBoat = toBoat;
+        this.config = config;
+    }
+
+    /** Whether the boat answers. */
+    public LinkState state() {
+        return state;
+    }
+
+    /** Whether the boat takes commands from here. */
+    public boolean isCommanding() {
+        return state == LinkState.LINKED && role == Role.COMMANDER;
+    }
+
+    /** Whether the boat takes commands from here, and is one that gives way to others. */
+    public boolean takesTraffic() {
+        return isCommanding() && takesTraffic;
+    }
+
+    /** Names the start of the boat's server that answered last; empty text before it ever did. */
+    public String bootId() {
+        return bootId;
+    }
+
+    /** How many frames could not be read. */
+    public long unreadable() {
+        return unreadable;
+    }
+
+    /** When something came last. */
+    public long lastReceivedMs() {
+        return lastReceivedMs;
+    }
+
+    /** Sends a message. */
+    public void send(LinkMessage message, long nowMs) {
+        lastSentMs = nowMs;
+        toBoat.send(new Frame(sequence++, term, message));
+    }
+
+    /** A frame has come, which keeps the link alive. */
+    public void received(long nowMs) {
+        lastReceivedMs = nowMs;
+    }
+
+    /** Reads a frame; what cannot be read is counted. */
+    public Optional<Frame> read(byte[] bytes) {
+        try {
+            return Optional.of(LinkCodec.STANDARD.decode(bytes));
+        } catch (LinkException e) {
+            unreadable++;
+            return Optional.empty();
+        }
+    }
+
+    /** Says hello now. */
+    public void hello(long nowMs) {
+        nextHelloMs = nowMs + HELLO_MS;
+        send(new Hello(boatId, config.clientId(), wanted, config.telemetryHz(), ""), nowMs);
+    }
+
+    /** Wishes no longer to command. */
+    public void observe() {
+        wanted = Role.OBSERVER;
+    }
+
+    /** Says hello again, if that is some time ago. */
+    public void helloIfDue(long nowMs) {
+        if (nowMs >= nextHelloMs) {
+            hello(nowMs);
+        }
+    }
+
+    /** Takes what the boat grants. A base that loses the command while it is linked does not ask for it again by itself. */
+    public void welcomed(Welcome welcome) {
+        if (isCommanding() || welcome.role() == Role.COMMANDER) {
+            wanted = welcome.role();
+        }
+        state = LinkState.LINKED;
+        role = welcome.role();
+        bootId = welcome.bootId();
+        term = welcome.term();
+        takesTraffic = welcome.takesTraffic();
+    }
+
+    /** The link has closed under us. Returns whether that is news. */
+    public boolean closed() {
+        boolean news = state == LinkState.LINKED;
+        if (news) {
+            state = LinkState.LOST;
+        }
+        return news;
+    }
+
+    /** Keeps the link alive. Returns whether it was lost just now. */
+    public boolean tick(long nowMs) {
+        boolean lost = state == LinkState.LINKED && nowMs - lastReceivedMs > config.lostAfterMs() && closed();
+        if (state != LinkState.LINKED || role != wanted) {
+            helloIfDue(nowMs);
+        } else if (nowMs - lastSentMs >= HEARTBEAT_MS) {
+            send(new Heartbeat(Math.max(0, nowMs)), nowMs);
+        }
+        return lost;
+    }
+}
