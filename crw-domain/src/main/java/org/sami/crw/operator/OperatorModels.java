@@ -1,46 +1,24 @@
 package org.sami.crw.operator;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import java.util.Queue;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
-import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
-import org.sami.crw.decision.DecisionPresentation;
-import org.sami.crw.decision.DecisionPresenter;
 import org.sami.crw.fleet.FleetEvent;
-import org.sami.crw.markup.MarkedEvent;
-import org.sami.crw.operator.MissionModel.StartedPlan;
 import org.sami.crw.operator.area.AreaVariables;
-import org.sami.crw.operator.area.AvoidedAreas;
-import org.sami.crw.operator.area.OperatingArea;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.message.MessageSink;
 import org.sami.crw.operator.message.OperatorMessage;
-import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.task.TaskQueue;
-import org.sami.crw.task.TaskQueues;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
-import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Effect;
-import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
-import org.sami.spn.value.GeoArea;
-import org.sami.spn.value.TaskId;
-import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
@@ -58,7 +36,6 @@ public final class OperatorModels implements HostListener, MessageSink {
     private static final int MESSAGES_KEPT = 1000;
 
     private final ModelInbox inbox;
-    private final LongSupplier nowMillis;
     private final DecisionQueue decisions;
     private final MessageList messages;
     private final MissionModel missions = new MissionModel();
@@ -74,14 +51,9 @@ public final class OperatorModels implements HostListener, MessageSink {
     private final Queue<CompletableFuture<Void>> awaitShown = new ArrayDeque<>(); // for the owner's thread
     private final AreaVariables variables = new AreaVariables();
     private final MapModel map;
-    private final RunningPlans plans = new RunningPlans(); // for the engine's thread
-    private final AvoidedAreas avoided = new AvoidedAreas(); // likewise
+    private final EngineFeed engine;
+    private final FleetFeed boats;
     private boolean held; // for the owner's thread
-    private final AtomicLong steps = new AtomicLong();
-    private final AtomicLong stepsLookedAt = new AtomicLong();
-    private final AtomicBoolean looking = new AtomicBoolean();
-    private final AtomicBoolean ticking = new AtomicBoolean();
-    private volatile Optional<FleetSampler> sampler = Optional.empty();
 
     /** Models whose clock stands still: for parts that need no ages of boats. */
     public OperatorModels(Executor owner) {
@@ -102,7 +74,6 @@ public final class OperatorModels implements HostListener, MessageSink {
      *     window's
      */
     public OperatorModels(Executor owner, LongSupplier nowMillis, Executor computing) {
-        this.nowMillis = nowMillis;
         inbox = new ModelInbox(owner, this::publish);
         decisions = new DecisionQueue(inbox::post);
         log = new OperatorLog(inbox::post, nowMillis);
@@ -124,6 +95,8 @@ public final class OperatorModels implements HostListener, MessageSink {
                 map.gone(boat);
             }
         });
+        engine = new EngineFeed(this, inbox, nowMillis, logged, variables);
+        boats = new FleetFeed(this, inbox, nowMillis);
     }
 
     /**
@@ -230,103 +203,22 @@ public final class OperatorModels implements HostListener, MessageSink {
 
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
-        take(atMillis, input, effects, view, true);
+        engine.take(atMillis, input, effects, view, true);
     }
 
     /** As {@link #onStep}, for a step of an earlier process that is heard of again: what the operator did is in the log already. */
     public void onPastStep(long atMillis, Input input, List<Effect> effects, EngineView view) {
-        take(atMillis, input, effects, view, false);
-    }
-
-    private void take(long atMillis, Input input, List<Effect> effects, EngineView view, boolean isNew) {
-        steps.incrementAndGet();
-        if (!effects.isEmpty() || !(input instanceof Input.Received)) {
-            EngineStep step = EngineStep.of(atMillis, input, effects, view, plans, avoided);
-            inbox.post(() -> {
-                logged.apply(input, effects, isNew);
-                apply(step);
-            });
-        }
-    }
-
-    private void apply(EngineStep step) {
-        clicks.apply(step.input(), step.effects());
-        step.plans().forEach((mission, plan) -> variables.mission(mission, plan.variables()));
-        step.globals().ifPresent(variables::project);
-        boolean moved = variables.apply(step.input(), step.effects());
-        if (moved || step.globals().isPresent()) {
-            operatingAreaChanged();
-        }
-        step.avoided().ifPresent(areas -> alarms.setAvoided(areas, nowMillis.getAsLong()));
-        communication.apply(step);
-        allocation.apply(step.input(), step.effects(), step.newTasks());
-        for (Effect effect : step.effects()) {
-            missions.apply(effect, step.plans(), step.atMillis());
-            if (effect instanceof Effect.DecisionOpened opened) {
-                open(step.presentations().get(opened.decision().id()), step.atMillis());
-            } else if (effect instanceof Effect.DecisionClosed closed) {
-                decisions.close(closed.decision(), closed.answer(), closed.by());
-            } else if (effect instanceof Effect.DecisionHeld held) {
-                decisions.hold(held.decision());
-            } else {
-                EngineMessages.of(effect, step.atMillis()).ifPresent(messages::add);
-            }
-        }
-        map.apply(step); // it names missions that the step has started
-    }
-
-    private void operatingAreaChanged() {
-        alarms.setArea(variables.operatingArea(), nowMillis.getAsLong());
-        map.refresh();
-    }
-
-    private void open(DecisionPresentation presentation, long atMillis) {
-        decisions.open(new PendingDecision(presentation, atMillis, false));
+        engine.take(atMillis, input, effects, view, false);
     }
 
     /** Takes up the areas and places of the project, and where boats may go. As {@link #restore}; also where a state is replayed. */
     public void restoreAreas(EngineView view) {
-        Map<String, Value> globals = view.globals();
-        Optional<Value> fence = view.memory(Ids.NONE, OperatingArea.MEMORY);
-        inbox.post(() -> {
-            variables.project(globals);
-            variables.remembered(fence);
-            operatingAreaChanged();
-        });
+        engine.restoreAreas(view);
     }
 
     /** Shows what a restored state has: missions, decisions that wait, tasks. On the engine's thread or before the host works. */
     public void restore(EngineView view, long atMillis) {
-        List<Effect> marking = view.markingAsEffects();
-        List<DecisionPresentation> open = new ArrayList<>();
-        view.decisions().forEach(decision -> open.add(DecisionPresenter.of(decision, view)));
-        plans.restore(view);
-        Map<Long, List<GeoArea>> areas = avoided.restore(view);
-        Map<Long, StartedPlan> started = new HashMap<>();
-        List<TaskId> tasks = new ArrayList<>();
-        view.missions().forEach(mission -> {
-            Optional<Plan> plan = plans.of(mission.id());
-            plan.ifPresent(one -> started.put(mission.id(), EngineStep.startedPlan(mission.id(), one, view)));
-            plan.ifPresent(one -> tasks.addAll(EngineStep.tasksOf(mission.id(), one, view)));
-        });
-        Set<TaskId> complete = new HashSet<>();
-        tasks.stream().filter(task -> TaskQueues.isComplete(task, view)).forEach(complete::add);
-        Map<TaskId, String> robots = view.allocation();
-        Map<String, TaskQueue> queues = TaskQueues.remembered(view);
-        List<MarkedEvent> marked = view.openActivations().stream()
-                .filter(activation -> !activation.markups().isEmpty())
-                .map(MarkedEvent::of)
-                .toList();
-        inbox.post(() -> {
-            started.forEach((mission, plan) -> variables.mission(mission, plan.variables()));
-            communication.restore(marked, atMillis);
-            logged.restore(open.stream().map(DecisionPresentation::decision).toList());
-            missions.restore(marking, started, atMillis);
-            map.restore(marked);
-            alarms.setAvoided(areas, atMillis);
-            allocation.restore(tasks, robots, complete, queues);
-            open.forEach(presentation -> open(presentation, atMillis));
-        });
+        engine.restore(view, atMillis);
     }
 
     /**
@@ -334,26 +226,7 @@ public final class OperatorModels implements HostListener, MessageSink {
      * not wait; does nothing while an earlier question is under way, or where the engine has done nothing since the last. From any thread.
      */
     public void refresh(EngineHost host, Vocabulary vocabulary) {
-        long now = steps.get();
-        if (now == stepsLookedAt.get() || !looking.compareAndSet(false, true)) {
-            return;
-        }
-        CompletableFuture<EngineSnapshot> look = host.query(view -> EngineSnapshot.at(view, vocabulary));
-        look.whenComplete((told, fault) -> {
-                    looking.set(false);
-                    if (fault == null) {
-                        stepsLookedAt.set(now);
-                        looked(told);
-                    }
-                })
-                .exceptionally(stopped -> null); // the host takes no more questions: what was known stays
-    }
-
-    private void looked(EngineSnapshot told) {
-        inbox.post(() -> {
-            missions.details(told.details());
-            interrupts.show(told.buttons());
-        });
+        engine.refresh(host, vocabulary);
     }
 
     // ---- for a replay
@@ -381,8 +254,7 @@ public final class OperatorModels implements HostListener, MessageSink {
 
     /** Forgets what happened. What the operator chose to see, and muted, stays. On the engine's thread. */
     void forget(EngineView empty) {
-        plans.restore(empty);
-        avoided.restore(empty);
+        engine.forget(empty);
         inbox.post(() -> {
             variables.clear();
             decisions.clear();
@@ -403,7 +275,7 @@ public final class OperatorModels implements HostListener, MessageSink {
 
     /** Shows what an engine says when it is asked. On the engine's thread. */
     void look(EngineView view, Vocabulary vocabulary) {
-        looked(EngineSnapshot.at(view, vocabulary));
+        engine.look(view, vocabulary);
     }
 
     // ---- fed by handlers and by the fleet
@@ -416,10 +288,10 @@ public final class OperatorModels implements HostListener, MessageSink {
     /**
      * What is to be subscribed to the fleet's events, once; called on the fleet's thread.
      *
-     * @param boats the proxies, for the fleet's thread
+     * @param proxies for the fleet's thread
      */
-    public Consumer<FleetEvent> fleetListener(ProxyRegistry boats) {
-        return fleetListener(boats, SHOW_MILLIS);
+    public Consumer<FleetEvent> fleetListener(ProxyRegistry proxies) {
+        return fleetListener(proxies, SHOW_MILLIS);
     }
 
     /**
@@ -427,42 +299,12 @@ public final class OperatorModels implements HostListener, MessageSink {
      *
      * @param periodMillis how long a boat is left alone after a snapshot of it
      */
-    public Consumer<FleetEvent> fleetListener(ProxyRegistry boats, long periodMillis) {
-        FleetSampler made = new FleetSampler(boats, missions::title, nowMillis, periodMillis, fleet::seen);
-        sampler = Optional.of(made);
-        alarms.sampledEvery(periodMillis);
-        return event -> {
-            made.happened(event);
-            if (event instanceof FleetEvent.Measured measured) {
-                map.measured(measured);
-            }
-            if (CommandModel.concerns(event)
-                    || event instanceof FleetEvent.LinkAlarmed
-                    || event instanceof FleetEvent.Moved) {
-                long at = nowMillis.getAsLong();
-                inbox.post(() -> {
-                    if (CommandModel.concerns(event)) {
-                        commands.apply(event, at);
-                        map.refresh();
-                    }
-                    alarms.apply(event, at);
-                });
-            }
-        };
+    public Consumer<FleetEvent> fleetListener(ProxyRegistry proxies, long periodMillis) {
+        return boats.listener(proxies, periodMillis);
     }
 
     /** Looks at all boats, as ages and reasons change by themselves. To be called ten times a second on the fleet's thread. */
     public void look() {
-        sampler.ifPresent(FleetSampler::look);
-        long now = nowMillis.getAsLong();
-        map.look(now);
-        if (ticking.compareAndSet(false, true)) {
-            inbox.post(() -> {
-                ticking.set(false);
-                map.tick(now);
-                messages.tick(now);
-                alarms.tick(now);
-            });
-        }
+        boats.look();
     }
 }
