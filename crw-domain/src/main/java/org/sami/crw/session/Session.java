@@ -1,7 +1,6 @@
 package org.sami.crw.session;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -31,7 +30,6 @@ import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.host.Registration;
-import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Effect;
@@ -64,6 +62,7 @@ public final class Session implements AutoCloseable {
     private final AtomicBoolean closed = new AtomicBoolean();
     private final Fleet fleet;
     private final ByHand byHand;
+    private final SessionProject project;
 
     private Session(SessionSetup setup) throws IOException {
         this.setup = setup;
@@ -79,6 +78,7 @@ public final class Session implements AutoCloseable {
                 parts.models.missions()::title,
                 this::noteBegin);
         byHand = new ByHand(fleet, parts.host, setup.services(), parts.models.log(), parts.replies, parts.drawing);
+        project = new SessionProject(parts);
     }
 
     /**
@@ -215,56 +215,6 @@ public final class Session implements AutoCloseable {
         return post(new Input.SetVariable(mission, variable, value));
     }
 
-    /**
-     * Loads a project beside the missions that run: those keep the plans with which they started, missions that start from now on have
-     * these. Its plans are checked on a thread of the session's; one with an error is refused, and nothing changes.
-     *
-     * @return the session's number for the project: that with which it began is 1
-     */
-    public CompletionStage<Integer> load(Project project) {
-        return post(parts.replies.on(parts.files, () -> parts.projects.checked(project)));
-    }
-
-    /** Reads a project's file or folder on a thread of the session's, and loads it as {@link #load(Project)} does. */
-    public CompletionStage<Integer> load(Path file) {
-        return post(parts.replies.on(parts.files, () -> parts.projects.checked(parts.projects.read(file))));
-    }
-
-    private CompletionStage<Integer> post(CompletionStage<String> document) {
-        return document.thenCompose(text -> parts.posted.post(new Input.LoadProject(text), Session::loaded));
-    }
-
-    private static int loaded(List<Effect> effects) {
-        for (Effect effect : effects) {
-            if (effect instanceof Effect.ProjectLoaded project) {
-                return project.version();
-            }
-        }
-        throw new RefusedException("the project is not loaded");
-    }
-
-    /**
-     * Makes the values that global variables have now their initial ones in a project's file or folder, which is written on a thread of
-     * the session's; everything else in it stays.
-     *
-     * @return what changed in the file; a refusal where it cannot be read or written, or gives a global another type
-     */
-    public CompletionStage<SavedGlobals> saveGlobals(Path file) {
-        return parts.replies
-                .of(parts.host.query(EngineView::globals))
-                .thenCompose(values -> parts.replies.on(parts.files, () -> parts.projects.save(values, file)));
-    }
-
-    /**
-     * Writes the newest project, with the values that its global variables have now, to a new file, on a thread of the session's. One
-     * that is there already is refused.
-     */
-    public CompletionStage<Void> saveProject(Path file) {
-        return parts.replies
-                .of(parts.host.query(view -> ProjectFiles.withValues(view.project(), view.globals())))
-                .thenCompose(project -> parts.replies.on(parts.files, () -> parts.projects.saveNew(project, file)));
-    }
-
     /** Takes a boat out of one mission, which waits for it no longer; the boat goes on with what others want of it. */
     public CompletionStage<Void> drop(String boat, long mission) {
         return post(new Input.ProxyDropped(boat, mission));
@@ -331,6 +281,11 @@ public final class Session implements AutoCloseable {
 
     private CompletionStage<Void> post(Input input) {
         return parts.posted.post(input, effects -> null);
+    }
+
+    /** The plans that missions start from, and what global variables hold at first. */
+    public SessionProject project() {
+        return project;
     }
 
     // ---- boats, operators, listeners, models

@@ -261,8 +261,9 @@ final class GlobalsPanel extends JPanel {
         Map<String, Value> values = state.map(GlobalsState::values).orElse(Map.of());
         boolean isNew = file.path().isEmpty() && !Files.exists(to);
         CompletionStage<String> written = isNew
-                ? context.session().saveProject(to).thenApply(done -> "The project is in " + to + " now")
+                ? context.session().project().save(to).thenApply(done -> "The project is in " + to + " now")
                 : context.session()
+                        .project()
                         .saveGlobals(to)
                         .thenApply(what -> what.changes().size() + " globals are saved to "
                                 + to.getFileName()

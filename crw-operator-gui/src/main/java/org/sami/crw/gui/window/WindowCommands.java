@@ -121,7 +121,10 @@ final class WindowCommands {
             return;
         }
         context.tell(
-                context.session().load(reading.result().get()).thenAccept(version -> projectLoaded.accept(file)),
+                context.session()
+                        .project()
+                        .load(reading.result().get())
+                        .thenAccept(version -> projectLoaded.accept(file)),
                 file.getFileName() + " is loaded; missions that start now have its plans");
     }
 }

@@ -114,7 +114,7 @@ final class SessionCommands {
 
     private void save(Arguments arguments, Consumer<String> out) {
         Path file = file(arguments);
-        SavedGlobals saved = context.await(context.session().saveGlobals(file));
+        SavedGlobals saved = context.await(context.session().project().saveGlobals(file));
         saved.changes().forEach(change -> out.accept(change.name() + " = " + EngineText.value(change.after())));
         saved.warnings().forEach(warning -> out.accept(warning.message()));
         out.accept(saved.changes().isEmpty() ? file + " has these values already" : "saved to " + file);
@@ -122,7 +122,7 @@ final class SessionCommands {
 
     private void load(Arguments arguments, Consumer<String> out) {
         Path file = file(arguments);
-        int version = context.await(context.session().load(file));
+        int version = context.await(context.session().project().load(file));
         out.accept("loaded " + file + " as project " + version + "; missions that start now have its plans: "
                 + String.join(", ", context.plans()));
     }

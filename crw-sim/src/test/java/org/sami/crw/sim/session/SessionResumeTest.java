@@ -162,9 +162,10 @@ class SessionResumeTest {
         TestSession.decision(session, "OperatorApprove");
 
         String mended = TestSession.connecting(anna).replace("Is all well?", "Is all very well?");
-        assertThat(TestSession.get(session.load(TestSession.project(mended)))).isEqualTo(2);
-        assertThatThrownBy(() ->
-                        TestSession.get(session.load(TestSession.project(mended.replace("\"start\": true, ", "")))))
+        assertThat(TestSession.get(session.project().load(TestSession.project(mended))))
+                .isEqualTo(2);
+        assertThatThrownBy(() -> TestSession.get(
+                        session.project().load(TestSession.project(mended.replace("\"start\": true, ", "")))))
                 .hasMessageContaining("the project is not loaded");
         TestSession.get(session.start("p", "new", Map.of()));
         TestSession.until("both ask", session, view -> view.decisions().size() == 2);

@@ -235,17 +235,19 @@ class SessionTest {
         Files.writeString(file, new ProjectWriter(session.setup().vocabulary()).text(project));
         TestSession.get(session.setVariable(Ids.NONE, "@meeting", TestSession.PIER));
 
-        assertThat(TestSession.get(session.saveGlobals(file)).changes())
+        assertThat(TestSession.get(session.project().saveGlobals(file)).changes())
                 .extracting(GlobalsFile.Change::name)
                 .containsExactly("@meeting");
 
         assertThat(Files.readString(file)).contains("45.4").doesNotContain("45.7");
-        assertThat(TestSession.get(session.saveGlobals(file)).changes()).isEmpty();
-        assertThat(TestSession.get(session.load(file))).isEqualTo(2);
-        assertThatThrownBy(() -> TestSession.get(session.saveGlobals(folder.resolve("none.json"))))
+        assertThat(TestSession.get(session.project().saveGlobals(file)).changes())
+                .isEmpty();
+        assertThat(TestSession.get(session.project().load(file))).isEqualTo(2);
+        assertThatThrownBy(() -> TestSession.get(session.project().saveGlobals(folder.resolve("none.json"))))
                 .hasRootCauseInstanceOf(RefusedException.class)
                 .hasMessageContaining("nothing is saved");
         Files.writeString(file, "{");
-        assertThatThrownBy(() -> TestSession.get(session.load(file))).hasMessageContaining("the project is not loaded");
+        assertThatThrownBy(() -> TestSession.get(session.project().load(file)))
+                .hasMessageContaining("the project is not loaded");
     }
 }
