@@ -3,7 +3,7 @@ package org.sami.crw.handler.activation;
 import java.util.Set;
 import org.sami.boat.link.BatteryLevel;
 
-/** The input events that this package answers with, as the domain's vocabulary names them. */
+/** The input events by which handlers answer, as the domain's vocabulary names them. */
 public final class EventNames {
     public static final String PATH_COMPLETED = "ProxyPathCompleted";
     public static final String PATH_FAILED = "ProxyPathFailed";

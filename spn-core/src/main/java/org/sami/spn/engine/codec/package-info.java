@@ -4,6 +4,6 @@
  * <p>Belongs here: writing and reading of states and of what they contain. Does not belong here: anything that changes a state
  * further. Knows {@code state} and {@code net}.
  *
- * <p>Read {@code StateWriter}; {@code StateReader} is its mirror.
+ * <p>Begin with {@link org.sami.spn.engine.codec.StateEncoder}; {@link org.sami.spn.engine.codec.StateDecoder} reads what it writes.
  */
 package org.sami.spn.engine.codec;

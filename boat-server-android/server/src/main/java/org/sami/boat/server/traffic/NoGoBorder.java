@@ -13,7 +13,7 @@ import org.sami.boat.server.vehicle.PlaneMath;
  * it from there. One that errors or a current have brought nearer goes off ({@link #off}); inside, it goes only where it is less deep (docs/decisions, 0321).
  */
 final class NoGoBorder {
-    /** Nothing is near. All boats share it: it takes down nothing. */
+    /** Nothing is near. All boats share it: it records nothing. */
     static final NoGoBorder NONE = new NoGoBorder(0, new Segment[0]);
 
     /** How far a boat may have come since it was told of the edges, in metres: they reach that much farther than what is near. */

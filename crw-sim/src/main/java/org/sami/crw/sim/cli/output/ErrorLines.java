@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
 
 /**
  * Standard error, line by line: passed on, or only what is wrong, and all whole lines into a log as well. What is wrong begins with
- * {@code crw:}, or is a finding, as everywhere in this package.
+ * {@code crw:}, or is a finding, as whatever commands write.
  */
 public final class ErrorLines extends Writer {
     private static final Pattern FAULT = Pattern.compile("crw: .*|Try '.*|.*: error [A-Z]-.*");
