@@ -24,6 +24,12 @@ import org.sami.crw.proxy.status.BoatTuning;
 final class BoatExplainer {
     private static final int MOST_NAMED = 3;
 
+    /** What a boat does that drives without leaving its place; which of the two, it does not say. */
+    private static final String MAKES_ROOM = "makes room for another boat or drives back";
+
+    /** Slower than this it may as well drift, in m/s: more than a current and a breeze in the field. */
+    private static final double DRIVES_MPS = 0.4;
+
     private final BoatProxy proxy;
     private final CommandDriver driver;
     private final MissionTitles titles;
@@ -50,7 +56,7 @@ final class BoatExplainer {
             return still(Cause.STOPPING, "no mission wants anything of it; it is being stopped");
         } else if (driver.queue().blockedBy().isPresent()) {
             long blocker = driver.queue().blockedBy().get();
-            return still(Cause.BLOCKED, titles.words(blocker) + " keeps it where it is" + counted());
+            return inItsPlace(Cause.BLOCKED, titles.words(blocker) + " keeps it where it is" + counted());
         }
         LastCommandOutcome last = driver.lastWord();
         String became = last.text(titles).map(text -> "; " + text).orElse("");
@@ -58,7 +64,20 @@ final class BoatExplainer {
         return isReturning()
                 ? new BoatExplanation(
                         false, last.cause(), proxy.boatId() + " returns to its home, as its link was lost: " + nobody)
-                : still(last.cause(), nobody);
+                : inItsPlace(last.cause(), nobody);
+    }
+
+    /** A boat that keeps its place drives aside for another one, and back, by itself (docs/decisions, 0322): then it is not said to stand. */
+    private BoatExplanation inItsPlace(Cause cause, String why) {
+        return drivesInItsPlace()
+                ? new BoatExplanation(false, cause, proxy.boatId() + " keeps its place, and " + MAKES_ROOM + ": " + why)
+                : still(cause, why);
+    }
+
+    private boolean drivesInItsPlace() {
+        BoatStatus status = proxy.status();
+        return status.mode().filter(BoatMode.HOLD::equals).isPresent()
+                && status.pose().filter(pose -> pose.speedMps() >= DRIVES_MPS).isPresent();
     }
 
     /** Whether the boat says that it is on its way home by itself. */
@@ -113,7 +132,10 @@ final class BoatExplainer {
                             + visited + waiting());
         }
         Cause cause = run.isDriving() ? Cause.UNDER_WAY : causeOf(run);
-        String state = cause == Cause.KEEPS_STATION ? "" : ": " + run.state() + visited;
+        String state = ": " + run.state() + visited;
+        if (cause == Cause.KEEPS_STATION) {
+            state = drivesInItsPlace() ? ", and " + MAKES_ROOM : "";
+        }
         String does = switch (cause) {
             case KEEPS_STATION, TAKES_PICTURES -> command.does();
             case UNDER_WAY -> run instanceof StationRun ? "is to " + command.infinitive() : command.does();

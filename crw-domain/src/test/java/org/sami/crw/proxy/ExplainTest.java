@@ -82,6 +82,21 @@ class ExplainTest {
     }
 
     @Test
+    void boatThatDrivesInItsPlaceIsNotSaidToStand() {
+        boat.says(new Welcome("boat1", "b1", Role.COMMANDER, ""));
+        boat.says(new Progress("", 0, false));
+        boat.says(new Telemetry(45, 10, 0, 0.8, 90, BoatMode.HOLD, 1));
+
+        assertThat(boat.proxy.explain().text())
+                .isEqualTo(
+                        "boat1 keeps its place, and makes room for another boat or drives back: no mission wants anything of it");
+
+        boat.says(new Telemetry(45, 10, 0, 0.2, 90, BoatMode.HOLD, 2));
+
+        assertThat(boat.proxy.explain().text()).isEqualTo("boat1 does not move: no mission wants anything of it");
+    }
+
+    @Test
     void everyCauseIsNamed() {
         assertWhy(Cause.NEVER_ANSWERED, "has not answered yet");
         boat.says(new Goodbye("boat1", "too many clients"));
