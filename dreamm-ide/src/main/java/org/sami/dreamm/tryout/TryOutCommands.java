@@ -35,9 +35,15 @@ public final class TryOutCommands {
                 this::whyIdle);
         add("try-stop", "End the run", "shift F5", "stop", this::stop, this::whyIdle);
         add("try-step", "Step", "F6", "right", this::step, this::whyNoStep);
-        add("try-run", "Run on, or pause", "F9", "play", this::toggle, this::whyNoStep);
+        add("try-run", "Run on, or pause", "F9", "run-on", this::toggle, this::whyNoStep);
         add("try-back", "One step back", "F7", "left", this::back, this::whyNoBack);
-        add("try-breakpoint", "Breakpoint at the selection", "ctrl F9", "stop", this::breakpoint, this::whyNoVertex);
+        add(
+                "try-breakpoint",
+                "Breakpoint at the selection",
+                "ctrl F9",
+                "breakpoint",
+                this::breakpoint,
+                this::whyNoVertex);
         add("try-why", "Why is it not enabled?", "ctrl F6", "help", this::why, this::whyNoTransition);
         add("try-start-at", "Start from the marking", "", "go-to", this::startAt, this::whyNoMarking);
         add("try-cases", "Run all saved cases", "ctrl F11", "check", cases::runAll, cases::whyNotRun);

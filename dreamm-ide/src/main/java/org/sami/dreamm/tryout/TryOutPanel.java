@@ -25,6 +25,7 @@ import org.sami.spn.stepping.Stepper;
 import org.sami.ui.EventThread;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.ScrolledPanel;
 import org.sami.ui.look.SemanticColor;
@@ -158,15 +159,17 @@ public final class TryOutPanel extends JPanel {
         label.setVisible(!small);
         operator.setText(small ? "Operator" : "Operator answers");
         answering.setText(small ? "Robots" : "Robots answer");
-        run.setText(runWord());
+        showRun();
         arrange(small);
         foot.setVisible(!small); // the message stands behind the tabs then
         super.doLayout();
     }
 
-    private String runWord() {
+    /** The button says what it does next, in a narrow panel by its icon alone. */
+    private void showRun() {
         boolean icon = getWidth() > 0 && getWidth() < Look.px(ALL_WORDS);
-        return icon ? "" : commands.isRunning() ? "Pause" : "Run";
+        run.setText(icon ? "" : commands.isRunning() ? "Pause" : "Run");
+        run.setIcon(Icons.normal(commands.isRunning() ? "pause" : "run-on"));
     }
 
     /** What can happen stands beside the tabs, or, where both would have no room, is the first of them. */
@@ -266,7 +269,7 @@ public final class TryOutPanel extends JPanel {
         where.setText(stepper.map(this::words).orElse(""));
         operator.setSelected(tryOut.isMockOperator());
         answering.setSelected(tryOut.isMockRobots());
-        run.setText(runWord());
+        showRun();
     }
 
     private String words(Stepper stepper) {

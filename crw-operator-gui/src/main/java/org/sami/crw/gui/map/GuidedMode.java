@@ -97,12 +97,16 @@ final class GuidedMode {
                 .distinct()
                 .toList();
         String waits = missions.isEmpty()
-                ? "no mission wants anything of them now"
+                ? "no mission wants anything of " + they(boats) + " now"
                 : "what "
                         + String.join(
                                 "; ",
                                 missions.stream().map(context.titles()::words).toList())
-                        + (missions.size() == 1 ? " wants" : " want") + " of them waits meanwhile";
+                        + (missions.size() == 1 ? " wants" : " want") + " of " + they(boats) + " waits meanwhile";
         return String.join(", ", boats) + ": " + waits;
+    }
+
+    private static String they(List<String> boats) {
+        return boats.size() == 1 ? "it" : "them";
     }
 }

@@ -1,6 +1,7 @@
 package org.sami.crw.gui.mission;
 
 import java.awt.BorderLayout;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -16,6 +17,7 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
 import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Outcome;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.SemanticColor;
@@ -31,6 +33,7 @@ public final class MissionMonitor extends JPanel {
     private final GlobalsPanel globals;
     private final PhaseFollower phases;
     private final Set<Long> closed = new HashSet<>();
+    private final Map<Long, Optional<Outcome>> outcomes = new HashMap<>(); // as the icons of the tabs say
 
     /**
      * The missions of the session.
@@ -167,8 +170,9 @@ public final class MissionMonitor extends JPanel {
                 if (view == tabs.getSelectedComponent()) {
                     view.show(mission, missions);
                 }
-                int index = tabs.indexOfComponent(view);
-                tabs.setIconAt(index, icon(mission));
+                if (!mission.outcome().equals(outcomes.put(mission.id(), mission.outcome()))) {
+                    tabs.setIconAt(tabs.indexOfComponent(view), icon(mission));
+                }
             }
         }
         leaveOut(missions);
@@ -194,7 +198,9 @@ public final class MissionMonitor extends JPanel {
         MissionView view = new MissionView(context, mission, all, this::refreshCommands);
         view.show(phases.of(mission.id()));
         boolean again = views.values().stream().anyMatch(other -> other.title().equals(mission.title()));
-        tabs.addTab(again ? mission.title() + " (" + mission.id() + ")" : mission.title(), view);
+        String title = again ? mission.title() + " (" + mission.id() + ")" : mission.title();
+        outcomes.put(mission.id(), mission.outcome());
+        tabs.addTab(title, icon(mission), view); // with its icon: a tab that widens later is cut at the edge
         tabs.setSelectedComponent(view);
         view.focusFirst();
         return view;
