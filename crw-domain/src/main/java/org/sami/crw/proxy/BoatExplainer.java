@@ -18,6 +18,7 @@ import org.sami.crw.proxy.explanation.LostLinkWords;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.proxy.explanation.Obstacle;
 import org.sami.crw.proxy.queue.QueuedCommand;
+import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.BoatTuning;
 
 /** Answers "why is this boat not moving?" from its proxy's link and queue. */

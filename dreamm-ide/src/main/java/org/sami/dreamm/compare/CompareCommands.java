@@ -84,12 +84,14 @@ final class CompareCommands {
         Optional<Plan> before = reading.result().flatMap(project -> project.plan(plan));
         if (reading.result().isEmpty()) {
             context.notices()
-                    .refused("It cannot be read: " + reading.findings().get(0).message());
+                    .refused(name + " cannot be read: "
+                            + reading.findings().get(0).message());
         } else if (before.isEmpty()) {
             context.notices().refused("There is no plan \"" + plan + "\" in " + name);
         } else {
             context.commands().find("panel-comparison").ifPresent(Command::run);
             compare.accept(before.get(), name);
+            context.notices().told("Compared with " + name);
         }
     }
 }

@@ -80,6 +80,7 @@ public record PlanComparison(Plan both, Map<String, NetChange> changes, List<Dif
                     words::changes,
                     kept);
             moved();
+            PlanWords.testCases(before, after).forEach(text -> differences.add(new Difference(text, Set.of())));
             return new PlanComparison(both(gonePlaces, goneTransitions, goneIn, goneOut), changes, differences);
         }
 

@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.function.Function;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.TaskSpec;
-import org.sami.spn.model.TestCase;
 import org.sami.spn.model.VariableSpec;
 
 /** In what two versions of a plan differ beside their nets. */
@@ -30,7 +29,12 @@ final class PlanWords {
         if (!was.notes().equals(is.notes())) {
             texts.add("The plan's notes are others");
         }
-        parts("test case ", was.testCases(), is.testCases(), TestCase::name, texts);
+        return texts;
+    }
+
+    static List<String> testCases(Plan was, Plan is) {
+        List<String> texts = new ArrayList<>();
+        parts("test case ", was.testCases(), is.testCases(), one -> "\"" + one.name() + "\"", texts);
         return texts;
     }
 
