@@ -8,16 +8,13 @@ import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
-import org.sami.boat.link.NoGoEdges;
 import org.sami.boat.link.Teleoperate;
-import org.sami.boat.link.Traffic;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.KeepStation;
 import org.sami.crw.proxy.command.Upload;
 import org.sami.crw.proxy.command.UploadCount;
 import org.sami.crw.proxy.execution.CommandDriver;
-import org.sami.crw.proxy.execution.CommandRun;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.proxy.explanation.Obstacle;
@@ -56,6 +53,7 @@ public final class BoatProxy {
     private final CommandDriver driver;
     private final BoatCondition condition;
     private final BoatMessages messages;
+    private final ProxyTraffic traffic;
     private long announcedChanges; // of the queue
 
     /** A proxy that says hello at its first tick. */
@@ -70,6 +68,7 @@ public final class BoatProxy {
         handOver = new HandOver(boatId, link, config, announcements, condition, driver::wireId);
         settings = new ProxySettings(boatId, link, config, announcements, condition, driver::wireId, this::settle);
         messages = new BoatMessages(boatId, condition, link, handOver, settings, fleetRequests, driver, announcements);
+        traffic = new ProxyTraffic(condition, driver, link);
     }
 
     private Optional<GeoPoint> position() {
@@ -460,32 +459,9 @@ public final class BoatProxy {
         return new BoatExplainer(this, MissionTitles.NONE).isUnderWay();
     }
 
-    // ---- what the relay of traffic asks and tells
-
-    /** Where the boat was seen last, and when; empty as long as it has not said where it is. */
-    Optional<Sighting> sighting() {
-        return condition.sighting;
-    }
-
-    /** The point to which the boat drives now. */
-    Optional<GeoPoint> target() {
-        return driver.isDriving() ? driver.run().flatMap(CommandRun::target) : Optional.empty();
-    }
-
-    /** The edges of what the boat is not to enter, near where it was seen last. */
-    Optional<NoGoEdges> noGoEdges() {
-        return driver.noGoEdges()
-                .flatMap(edges -> condition.sighting.flatMap(at -> edges.near(GeoPoint.of(at.latDeg(), at.lonDeg()))));
-    }
-
-    /** Whether the boat wishes to know of others. */
-    boolean takesTraffic() {
-        return link.takesTraffic();
-    }
-
-    /** Tells the boat which others are near it. */
-    void tellTraffic(Traffic traffic) {
-        link.send(traffic, condition.nowMs);
+    /** Where the boat is and goes, for who looks at several boats, and what it is told of others. */
+    ProxyTraffic traffic() {
+        return traffic;
     }
 
     // ---- what the explainer asks

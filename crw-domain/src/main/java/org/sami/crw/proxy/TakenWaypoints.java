@@ -45,7 +45,7 @@ public final class TakenWaypoints {
     public List<Taken> look(Collection<BoatProxy> boats) {
         List<Taken> taken = new ArrayList<>();
         for (BoatProxy boat : boats) {
-            Optional<GeoPoint> target = boat.target();
+            Optional<GeoPoint> target = boat.traffic().target();
             if (target.isEmpty()) {
                 waiting.remove(boat.boatId());
                 continue;
@@ -67,7 +67,8 @@ public final class TakenWaypoints {
     }
 
     private static boolean isWaiting(BoatProxy boat, GeoPoint target) {
-        return boat.sighting()
+        return boat.traffic()
+                .sighting()
                 .filter(at -> at.mode() == BoatMode.PATH && isStill(at) && distanceM(at, target) < WAITS_WITHIN_M)
                 .isPresent();
     }
@@ -75,7 +76,8 @@ public final class TakenWaypoints {
     private static Optional<String> whoLiesAt(GeoPoint target, BoatProxy boat, Collection<BoatProxy> boats) {
         return boats.stream()
                 .filter(other -> other != boat
-                        && other.sighting()
+                        && other.traffic()
+                                .sighting()
                                 .filter(at -> isStill(at) && distanceM(at, target) < AT_M)
                                 .isPresent())
                 .map(BoatProxy::boatId)

@@ -82,7 +82,9 @@ public final class TrafficRelay {
         }
 
         boolean isDue(long nowMs) {
-            return isConcerned && (isClose || nowMs - toldMs >= PERIOD_MS) && boat.takesTraffic();
+            return isConcerned
+                    && (isClose || nowMs - toldMs >= PERIOD_MS)
+                    && boat.traffic().isWanted();
         }
 
         double squareTo(Seen other) {
@@ -103,7 +105,9 @@ public final class TrafficRelay {
         for (Seen seen : fromWest) {
             if (seen.isDue(nowMs)) {
                 seen.toldMs = nowMs;
-                seen.boat.tellTraffic(new Traffic(rows(seen, nowMs), seen.boat.noGoEdges()));
+                seen.boat
+                        .traffic()
+                        .tell(new Traffic(rows(seen, nowMs), seen.boat.traffic().noGoEdges()));
             }
         }
     }
@@ -112,7 +116,7 @@ public final class TrafficRelay {
     private void look(Collection<BoatProxy> boats, long nowMs) {
         Plane plane = null; // of the first one
         for (BoatProxy boat : boats) {
-            Optional<Sighting> sighting = boat.sighting();
+            Optional<Sighting> sighting = boat.traffic().sighting();
             if (sighting.isPresent() && nowMs - sighting.get().atMs() <= OLDEST_MS) {
                 plane = plane == null ? Plane.at(sighting.get()) : plane;
                 seen(boat).look(sighting.get(), plane, nowMs);
@@ -182,7 +186,7 @@ public final class TrafficRelay {
 
     private static NearbyBoat row(Seen other, long nowMs) {
         Sighting at = other.sighting;
-        Optional<GeoPoint> to = other.boat.target();
+        Optional<GeoPoint> to = other.boat.traffic().target();
         return new NearbyBoat(
                 other.boat.boatId(),
                 at.latDeg(),

@@ -1,0 +1,51 @@
+package org.sami.crw.proxy;
+
+import java.util.Optional;
+import org.sami.boat.link.NoGoEdges;
+import org.sami.boat.link.Traffic;
+import org.sami.crw.proxy.execution.CommandDriver;
+import org.sami.crw.proxy.execution.CommandRun;
+import org.sami.crw.proxy.link.ProxyLink;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * A boat among others, as far as its proxy knows: where it was seen last, where it goes and what it is not to enter, and how it is told of the
+ * others. For the proxy's thread.
+ */
+final class ProxyTraffic {
+    private final BoatCondition condition;
+    private final CommandDriver driver;
+    private final ProxyLink link;
+
+    ProxyTraffic(BoatCondition condition, CommandDriver driver, ProxyLink link) {
+        this.condition = condition;
+        this.driver = driver;
+        this.link = link;
+    }
+
+    /** Where the boat was seen last, and when; empty as long as it has not said where it is. */
+    Optional<Sighting> sighting() {
+        return condition.sighting;
+    }
+
+    /** The point to which the boat drives now. */
+    Optional<GeoPoint> target() {
+        return driver.isDriving() ? driver.run().flatMap(CommandRun::target) : Optional.empty();
+    }
+
+    /** The edges of what the boat is not to enter, near where it was seen last. */
+    Optional<NoGoEdges> noGoEdges() {
+        return driver.noGoEdges()
+                .flatMap(edges -> condition.sighting.flatMap(at -> edges.near(GeoPoint.of(at.latDeg(), at.lonDeg()))));
+    }
+
+    /** Whether the boat wishes to know of others. */
+    boolean isWanted() {
+        return link.takesTraffic();
+    }
+
+    /** Tells the boat which others are near it. */
+    void tell(Traffic others) {
+        link.send(others, condition.nowMs);
+    }
+}
