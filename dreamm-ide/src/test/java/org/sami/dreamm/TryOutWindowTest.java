@@ -88,9 +88,9 @@ class TryOutWindowTest {
         robot.press(VK_F6);
         robot.until("the boats are under way", () -> tokens().contains("execute"));
         robot.click("try-robots-answer");
-        JTable happenings = robot.find(JTable.class, "try-happenings");
-        int row = row(happenings, 1, "Proxy Path Failed");
-        robot.clickCell(happenings, row, 1);
+        JTable possibleSteps = robot.find(JTable.class, "try-possible-steps");
+        int row = row(possibleSteps, 1, "Proxy Path Failed");
+        robot.clickCell(possibleSteps, row, 1);
         robot.click("try-happen");
         robot.until("the boat has stopped", () -> tokens().contains("stopped"));
         robot.click("try-robots-answer");

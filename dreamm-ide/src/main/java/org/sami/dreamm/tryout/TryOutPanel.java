@@ -49,7 +49,7 @@ public final class TryOutPanel extends JPanel {
     private final transient DreammContext context;
     private final transient TryOut tryOut;
     private final transient TryOutCommands commands;
-    private final RowTable<Happening> happenings;
+    private final RowTable<PossibleStep> possibleSteps;
     private final Column editorPlace = new Column();
     private final transient MigLayout halves = new MigLayout("insets 0, gap 1, fill", WIDE_HALVES, "[grow, fill]");
     private final JPanel now = new JPanel(halves);
@@ -72,7 +72,7 @@ public final class TryOutPanel extends JPanel {
     private final JLabel label = new JLabel("Robots");
     private final transient CommandButton run;
     private final transient List<CommandButton> worded = new ArrayList<>();
-    private transient Optional<HappeningEditor> editor = Optional.empty();
+    private transient Optional<PossibleStepEditor> editor = Optional.empty();
     private int shownSteps = -1;
 
     /** The panel of a window. */
@@ -83,13 +83,14 @@ public final class TryOutPanel extends JPanel {
         this.tryOut = tryOut;
         this.commands = commands;
         setName("try-out-panel");
-        happenings = new RowTable<>(
-                "try-happenings",
+        possibleSteps = new RowTable<>(
+                "try-possible-steps",
                 "Nothing can happen now. Start (F5) begins the open plan with robots that are not real; what can happen then stands here.",
-                Happening::key,
+                PossibleStep::key,
                 List.of(
-                        RowColumn.<Happening>words("Who", 84, Happening::who).colored(row -> SemanticColor.MUTED),
-                        RowColumn.words("What can happen now", 0, Happening::what)));
+                        RowColumn.<PossibleStep>words("Who", 84, PossibleStep::who)
+                                .colored(row -> SemanticColor.MUTED),
+                        RowColumn.words("What can happen now", 0, PossibleStep::what)));
         robots = new JSpinner(new SpinnerNumberModel(tryOut.robots(), 0, TryOut.MOST_ROBOTS, 1));
         run = new CommandButton(context.commands().get("try-run"));
         tabs.setName("try-tabs");
@@ -214,7 +215,7 @@ public final class TryOutPanel extends JPanel {
         one.add(scroll);
         one.add(buttons, BorderLayout.SOUTH);
         now.setOpaque(false);
-        now.add(happenings, "wmin 0, hmin 0");
+        now.add(possibleSteps, "wmin 0, hmin 0");
         now.add(one, "wmin 0, hmin 0");
         parts.setOpaque(false);
         parts.add(now, "wmin 0, hmin 0");
@@ -233,12 +234,12 @@ public final class TryOutPanel extends JPanel {
     }
 
     private void bind() {
-        happenings.addSelectionListener(() -> showEditor(true));
-        happenings
+        possibleSteps.addSelectionListener(() -> showEditor(true));
+        possibleSteps
                 .table()
                 .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
                 .put(KeyStroke.getKeyStroke("ENTER"), "try-happen");
-        happenings.table().getActionMap().put("try-happen", new AbstractAction() {
+        possibleSteps.table().getActionMap().put("try-happen", new AbstractAction() {
             @Override
             public void actionPerformed(java.awt.event.ActionEvent e) {
                 happen(false);
@@ -255,11 +256,11 @@ public final class TryOutPanel extends JPanel {
 
     private void refresh() {
         Optional<Stepper> stepper = tryOut.stepper();
-        List<Happening> possible =
-                stepper.filter(s -> !tryOut.isOver()).map(Happening::of).orElse(List.of());
-        happenings.show(possible);
-        if (happenings.selected().isEmpty() && !possible.isEmpty()) {
-            happenings.selectKeys(Set.of(possible.get(0).key()));
+        List<PossibleStep> possible =
+                stepper.filter(s -> !tryOut.isOver()).map(PossibleStep::of).orElse(List.of());
+        possibleSteps.show(possible);
+        if (possibleSteps.selected().isEmpty() && !possible.isEmpty()) {
+            possibleSteps.selectKeys(Set.of(possible.get(0).key()));
         }
         showEditor(tryOut.steps() != shownSteps);
         shownSteps = tryOut.steps();
@@ -280,17 +281,17 @@ public final class TryOutPanel extends JPanel {
                 + over;
     }
 
-    /** Shows what the selected happening needs; what the author is filling in stays until another is selected or a step was taken. */
+    /** Shows what the selected step needs; what the author is filling in stays until another is selected or a step was taken. */
     private void showEditor(boolean anew) {
-        Optional<Happening> selected =
-                happenings.selected().filter(row -> tryOut.stepper().isPresent());
-        boolean same = editor.map(HappeningEditor::happening).equals(selected);
-        if (same && !anew && editor.filter(HappeningEditor::isTouched).isPresent()) {
+        Optional<PossibleStep> selected =
+                possibleSteps.selected().filter(row -> tryOut.stepper().isPresent());
+        boolean same = editor.map(PossibleStepEditor::possibleStep).equals(selected);
+        if (same && !anew && editor.filter(PossibleStepEditor::isTouched).isPresent()) {
             return;
         }
         if (!same || anew) {
-            editor = selected.map(row ->
-                    new HappeningEditor(context, tryOut, row, tryOut.stepper().orElseThrow()));
+            editor = selected.map(row -> new PossibleStepEditor(
+                    context, tryOut, row, tryOut.stepper().orElseThrow()));
             editorPlace.removeAll();
             editor.ifPresent(shown -> editorPlace.add(shown.component(), BorderLayout.NORTH));
             editorPlace.revalidate();
@@ -298,7 +299,7 @@ public final class TryOutPanel extends JPanel {
             EventThread.later(() -> editorPlace.scrollRectToVisible(new Rectangle(0, 0, 1, 1)));
         }
         happen.setEnabled(editor.isPresent());
-        reject.setVisible(editor.filter(HappeningEditor::canReject).isPresent());
+        reject.setVisible(editor.filter(PossibleStepEditor::canReject).isPresent());
     }
 
     /** Shows a tab by its title. */

@@ -78,9 +78,9 @@ class TryOutTest {
 
         assertThat(tryOut.stepOn()).isFalse();
         assertThat(tryOut.message()).contains("by hand");
-        List<Happening> possible = Happening.of(tryOut.stepper().orElseThrow());
+        List<PossibleStep> possible = PossibleStep.of(tryOut.stepper().orElseThrow());
         assertThat(possible.get(0).who()).isEqualTo("Operator");
-        assertThat(possible).extracting(Happening::who).contains("Time", "Robot");
+        assertThat(possible).extracting(PossibleStep::who).contains("Time", "Robot");
     }
 
     @Test

@@ -92,7 +92,7 @@ class RunPanelsTest {
 
             assertThat(faults(panel)).isEmpty();
             assertThat(Layout.paint(panel)).isNotNull();
-            assertThat(table(panel, "try-happenings").getRowCount()).isPositive();
+            assertThat(table(panel, "try-possible-steps").getRowCount()).isPositive();
             assertThat(table(panel, "try-steps").getRowCount()).isEqualTo(1);
         });
     }
@@ -112,7 +112,7 @@ class RunPanelsTest {
             JComponent last =
                     Layout.find(panel, "try-robots-answer", JComponent.class).orElseThrow();
             assertThat(last.getX() + last.getWidth()).isLessThanOrEqualTo(panel.getWidth());
-            assertThat(table(panel, "try-happenings").getWidth()).isGreaterThan(240);
+            assertThat(table(panel, "try-possible-steps").getWidth()).isGreaterThan(240);
 
             Layout.layOut(panel, 1400, 480);
             assertThat(faults(panel)).isEmpty();

@@ -42,12 +42,12 @@ import org.sami.ui.value.ValueEditors;
 import org.sami.ui.value.ValueField;
 import org.sami.ui.value.ValueSummary;
 
-/** Gives what a happening needs: an answer, who is named, values. Lives on the event thread; another happening gets another editor. */
-final class HappeningEditor {
+/** Gives what a possible step needs: an answer, who is named, values. Lives on the event thread; another step gets another editor. */
+final class PossibleStepEditor {
     private static final long USUAL_WAIT_MS = 10_000;
 
     private final TryOut tryOut;
-    private final Happening happening;
+    private final PossibleStep possibleStep;
     private final Stepper stepper;
     private final ComponentChoice choice;
     private final ValueEditors editors;
@@ -57,41 +57,42 @@ final class HappeningEditor {
     private final Map<String, ValueEditor> values = new LinkedHashMap<>();
     private Optional<QuestionEditor> question = Optional.empty();
 
-    HappeningEditor(DreammContext context, TryOut tryOut, Happening happening, Stepper stepper) {
+    PossibleStepEditor(DreammContext context, TryOut tryOut, PossibleStep possibleStep, Stepper stepper) {
         this.tryOut = tryOut;
-        this.happening = happening;
+        this.possibleStep = possibleStep;
         this.stepper = stepper;
         choice = new ComponentChoice(context.components(), context.vocabulary().types());
         editors = new ValueEditors(
                 choice, new ValueContext(context.vocabulary().types(), new Robots(stepper), MapMaker.PLAIN));
-        panel.setName("happening-editor");
+        panel.setName("possible-step-editor");
         panel.setOpaque(false);
-        JTextArea title = new JTextArea(happening.what());
+        JTextArea title = new JTextArea(possibleStep.what());
         title.setLineWrap(true);
         title.setWrapStyleWord(true);
         title.setEditable(false);
         title.setFocusable(false);
         title.setOpaque(false);
-        title.setName("happening-title");
-        title.setToolTipText(happening.what());
+        title.setName("possible-step-title");
+        title.setToolTipText(possibleStep.what());
         title.setFont(Fonts.strong());
         panel.add(title, "wmin 0");
         fill(context);
     }
 
     private void fill(DreammContext context) {
-        Happening.What what = happening.of();
-        if (what instanceof Happening.What.Decide decide) {
+        PossibleStep.What what = possibleStep.of();
+        if (what instanceof PossibleStep.What.Decide decide) {
             ask(context, decide.decision());
-        } else if (what instanceof Happening.What.Respond respond) {
+        } else if (what instanceof PossibleStep.What.Respond respond) {
             name(respond.type(), respond.asked().proxies(), respond.asked().tasks(), true);
             give(respond.type());
-        } else if (what instanceof Happening.What.News news) {
+        } else if (what instanceof PossibleStep.What.News news) {
             name(news.type(), stepper.view().proxies(), List.of(), false);
             give(news.type());
-        } else if (what instanceof Happening.What.Press press && press.button().asksForProxies()) {
+        } else if (what instanceof PossibleStep.What.Press press
+                && press.button().asksForProxies()) {
             boxes("For which robots", stepper.view().proxies(), false);
-        } else if (what instanceof Happening.What.Wait wait) {
+        } else if (what instanceof PossibleStep.What.Wait wait) {
             long millis = wait.nextTimerMillis() < 0 ? USUAL_WAIT_MS : wait.nextTimerMillis();
             add(
                     new ValueField("wait", "How long", ValueType.Simple.DURATION, "", "The time that passes"),
@@ -197,51 +198,51 @@ final class HappeningEditor {
                 || values.values().stream().anyMatch(ValueEditor::isTouched);
     }
 
-    Happening happening() {
-        return happening;
+    PossibleStep possibleStep() {
+        return possibleStep;
     }
 
     /** Whether "none of these" is an answer. */
     boolean canReject() {
-        return happening.of() instanceof Happening.What.Decide decide
+        return possibleStep.of() instanceof PossibleStep.What.Decide decide
                 && decide.decision().question() instanceof Question.ChooseOption;
     }
 
     /** Lets it happen; why it cannot, in one line, where something is missing. */
     Optional<String> happen() {
-        Happening.What what = happening.of();
-        if (what instanceof Happening.What.Decide decide) {
+        PossibleStep.What what = possibleStep.of();
+        if (what instanceof PossibleStep.What.Decide decide) {
             Optional<Answer> answer = question.orElseThrow().answer();
             if (answer.isEmpty()) {
                 return question.get().reason().or(() -> Optional.of("nothing is chosen yet"));
             }
             return answer(decide.decision(), answer.get());
-        } else if (what instanceof Happening.What.Respond respond) {
+        } else if (what instanceof PossibleStep.What.Respond respond) {
             Activation asked = respond.asked();
             String words = respond.type().name() + whom() + ", answering " + asked.event();
             return tryOut.done(words, s -> s.occur(asked.id(), respond.type().name(), checked(), about(), given()))
                     .refusal();
-        } else if (what instanceof Happening.What.News news) {
+        } else if (what instanceof PossibleStep.What.News news) {
             return tryOut.done(
                             news.type().name() + whom(), s -> s.news(news.type().name(), checked(), about(), given()))
                     .refusal();
-        } else if (what instanceof Happening.What.Press press) {
+        } else if (what instanceof PossibleStep.What.Press press) {
             return tryOut.take(new TestStep.Press(press.button().name(), checked()))
                     .refusal();
-        } else if (what instanceof Happening.What.Wait) {
+        } else if (what instanceof PossibleStep.What.Wait) {
             return values.get("wait").entry().value().isEmpty()
                     ? values.get("wait").entry().reason()
                     : tryOut.take(new TestStep.Advance(((DurationValue) given().get("wait")).millis()))
                             .refusal();
         }
-        Happening.What.Robot robot = (Happening.What.Robot) what;
+        PossibleStep.What.Robot robot = (PossibleStep.What.Robot) what;
         return tryOut.take(robot.joins() ? new TestStep.Join(robot.name()) : new TestStep.Drop(robot.name()))
                 .refusal();
     }
 
     /** The operator takes none of what is offered. */
     Optional<String> reject() {
-        return answer(((Happening.What.Decide) happening.of()).decision(), new Answer.Rejected());
+        return answer(((PossibleStep.What.Decide) possibleStep.of()).decision(), new Answer.Rejected());
     }
 
     private Optional<String> answer(Decision decision, Answer answer) {

@@ -18,7 +18,7 @@ import org.sami.spn.vocabulary.EventType;
  * @param key what it is about: equal for the same thing at two moments
  * @param who who does it: Operator, Answer, News, Button, Time, Robot
  */
-record Happening(String key, String who, String what, What of) {
+record PossibleStep(String key, String who, String what, What of) {
     /** What happens. */
     sealed interface What {
         /** The operator answers. */
@@ -40,7 +40,7 @@ record Happening(String key, String who, String what, What of) {
         record Robot(String name, boolean joins) implements What {}
     }
 
-    Happening {
+    PossibleStep {
         Objects.requireNonNull(key, "key");
         Objects.requireNonNull(who, "who");
         Objects.requireNonNull(what, "what");
@@ -48,12 +48,12 @@ record Happening(String key, String who, String what, What of) {
     }
 
     /** All that can happen now: what waits for somebody first, then time, news and robots. */
-    static List<Happening> of(Stepper stepper) {
-        List<Happening> all = new ArrayList<>();
+    static List<PossibleStep> of(Stepper stepper) {
+        List<PossibleStep> all = new ArrayList<>();
         Possible possible = stepper.possible();
         for (Decision d : possible.decisions()) {
             String asking = stepper.eventAsking(d);
-            all.add(new Happening(
+            all.add(new PossibleStep(
                     "decision-" + d.id(),
                     "Operator",
                     d.prompt() + (asking.isEmpty() ? "" : " (" + asking + ")"),
@@ -62,7 +62,7 @@ record Happening(String key, String who, String what, What of) {
         for (Possible.OpenActivation open : possible.activations()) {
             Activation asked = open.activation();
             for (EventType type : open.answers()) {
-                all.add(new Happening(
+                all.add(new PossibleStep(
                         "answer-" + asked.id() + "-" + type.name(),
                         "Answer",
                         type.label() + " to " + asked.event() + whom(asked),
@@ -70,7 +70,7 @@ record Happening(String key, String who, String what, What of) {
             }
         }
         for (InterruptButton button : possible.interrupts()) {
-            all.add(new Happening(
+            all.add(new PossibleStep(
                     "press-" + button.mission() + "-" + button.name(),
                     "Button",
                     button.name(),
@@ -79,16 +79,16 @@ record Happening(String key, String who, String what, What of) {
         long next = possible.nextDueMillis().isEmpty()
                 ? -1
                 : Math.max(0, possible.nextDueMillis().getAsLong() - stepper.nowMillis());
-        all.add(new Happening(
+        all.add(new PossibleStep(
                 "time", "Time", next < 0 ? "passes; no timer runs" : "passes; the next timer", new What.Wait(next)));
         for (EventType type : possible.news()) {
-            all.add(new Happening("news-" + type.name(), "News", type.label(), new What.News(type)));
+            all.add(new PossibleStep("news-" + type.name(), "News", type.label(), new What.News(type)));
         }
         List<String> known = stepper.view().proxies();
         String another = "robot-" + (known.size() + 1);
-        all.add(new Happening("join", "Robot", another + " joins", new What.Robot(another, true)));
-        known.forEach(robot ->
-                all.add(new Happening("drop-" + robot, "Robot", robot + " is dropped", new What.Robot(robot, false))));
+        all.add(new PossibleStep("join", "Robot", another + " joins", new What.Robot(another, true)));
+        known.forEach(robot -> all.add(
+                new PossibleStep("drop-" + robot, "Robot", robot + " is dropped", new What.Robot(robot, false))));
         return all;
     }
 
