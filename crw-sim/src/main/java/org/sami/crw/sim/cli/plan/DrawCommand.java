@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.sami.crw.sim.cli.option.PlanOption;
 import org.sami.crw.sim.cli.option.PlansArgument;
 import org.sami.crw.sim.cli.output.ExitCode;
 import org.sami.picture.NetPicture;
@@ -34,12 +35,8 @@ public final class DrawCommand implements Callable<Integer> {
     @Mixin
     private PlansArgument plans = new PlansArgument();
 
-    @Option(
-            names = "--plan",
-            paramLabel = "NAME",
-            defaultValue = "",
-            description = "Which plan of a project with several; its id or name.")
-    private String planName;
+    @Mixin
+    private PlanOption planOption = new PlanOption();
 
     @Option(names = "--svg", paramLabel = "FILE", description = "Write the picture as SVG.")
     private Path svg;
@@ -59,7 +56,7 @@ public final class DrawCommand implements Callable<Integer> {
         if (read.isEmpty()) {
             return ExitCode.FINDINGS;
         }
-        Plan plan = read.get().source().choose(planName);
+        Plan plan = read.get().source().choose(planOption.name());
         NetPicture picture = NetPicture.of(plan, read.get().library().vocabulary(), layout);
         if (svg != null) {
             write(svg, picture.svg().getBytes(StandardCharsets.UTF_8));

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
+import org.sami.crw.sim.cli.option.PlanOption;
 import org.sami.crw.sim.cli.option.PlansArgument;
 import org.sami.crw.sim.cli.output.ExitCode;
 import org.sami.crw.sim.cli.output.UsageFault;
@@ -40,12 +41,8 @@ public final class PhasesCommand implements Callable<Integer> {
     @Mixin
     private PlansArgument plans = new PlansArgument();
 
-    @Option(
-            names = "--plan",
-            paramLabel = "NAME",
-            defaultValue = "",
-            description = "Which plan of a project with several; its id or name.")
-    private String planName;
+    @Mixin
+    private PlanOption planOption = new PlanOption();
 
     @Option(
             names = "--choose",
@@ -60,7 +57,7 @@ public final class PhasesCommand implements Callable<Integer> {
         if (read.isEmpty()) {
             return ExitCode.FINDINGS;
         }
-        Plan plan = read.get().source().choose(planName);
+        Plan plan = read.get().source().choose(planOption.name());
         PhaseChart chart = PhaseChart.of(plan, read.get().library().vocabulary());
         PrintWriter out = spec.commandLine().getOut();
         Map<String, String> chosen = chosen(chart);

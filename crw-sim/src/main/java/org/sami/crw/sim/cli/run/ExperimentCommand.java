@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.sami.crw.sim.cli.option.MissionOptions;
+import org.sami.crw.sim.cli.option.PlanOption;
 import org.sami.crw.sim.cli.option.PlanSource;
 import org.sami.crw.sim.cli.option.SeedsConverter;
 import org.sami.crw.sim.cli.output.ErrorMessages;
@@ -108,12 +109,8 @@ public final class ExperimentCommand implements Callable<Integer> {
     @Option(names = "--overwrite", description = "Replace the file of --out where there is one.")
     private boolean overwrite;
 
-    @Option(
-            names = "--plan",
-            paramLabel = "NAME",
-            defaultValue = "",
-            description = "Which plan of a project with several; its id or name.")
-    private String planName;
+    @Mixin
+    private PlanOption planOption = new PlanOption();
 
     @Mixin
     private MissionOptions options;
@@ -155,7 +152,7 @@ public final class ExperimentCommand implements Callable<Integer> {
             throw new UsageFault("which missions? Name a plan (PLAN|FILE), or a file with a mission a line (--runs)");
         }
         if (runs == null) {
-            return List.of(read.of(name, planName, "", options, Path.of("")));
+            return List.of(read.of(name, planOption.name(), "", options, Path.of("")));
         }
         if (name != null) {
             throw new UsageFault("--runs: the missions are those of " + runs + ", and '" + name + "' is too many");

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.sim.cli.option.OutputOptions;
+import org.sami.crw.sim.cli.option.PlanOption;
 import org.sami.crw.sim.cli.option.PlanSource;
 import org.sami.crw.sim.cli.option.RunOptions;
 import org.sami.crw.sim.cli.output.ExitCode;
@@ -57,12 +58,8 @@ public final class RunCommand implements Callable<Integer> {
             description = "A plan of the library by its id (see 'crw plans'), or a project's file or folder.")
     private String name;
 
-    @Option(
-            names = "--plan",
-            paramLabel = "NAME",
-            defaultValue = "",
-            description = "Which plan of a project with several; its id or name.")
-    private String planName;
+    @Mixin
+    private PlanOption planOption = new PlanOption();
 
     @Mixin
     private RunOptions options;
@@ -86,7 +83,7 @@ public final class RunCommand implements Callable<Integer> {
             err.flush();
             return ExitCode.FINDINGS;
         }
-        Plan plan = source.choose(planName);
+        Plan plan = source.choose(planOption.name());
         List<Finding> concerning = source.concerning(plan);
         if (concerning.stream().anyMatch(Finding::isError)) {
             FindingsText.print(err, name, concerning);
