@@ -55,10 +55,10 @@ final class UncoveredArea {
             rest = OverlayNGRobust.overlay(rest, covered, OverlayNG.DIFFERENCE);
         }
         if (!pieces.isEmpty()) {
-            List<Geometry> covered = pieces.stream()
+            List<Geometry> covered = pieces.parallelStream()
                     .map(piece -> covered(turn.transform(piece), distanceM))
                     .toList();
-            rest = OverlayNGRobust.overlay(rest, OverlayNGRobust.union(covered), OverlayNG.DIFFERENCE);
+            rest = StripDifference.of(rest, covered);
         }
         return AffineTransformation.rotationInstance(angleRad).transform(rest);
     }
