@@ -244,8 +244,8 @@ public final class GivingWay {
         double wantedMps = atMps * Math.max(0, direction.along(heading));
         double gain = GAINING_MPS2 * Stopping.REACTION_S;
         double thenMps = speedMps + clamped(wantedMps - speedMps, gain);
-        Course least = leastTurn.after(turn);
-        Course farthest = leastTurn.allows(turn) ? least : farthestTurn.after(turn);
+        Course least = leastTurn.after(direction, turn);
+        Course farthest = leastTurn.allows(turn) ? least : farthestTurn.after(direction, turn);
         double wayM = (speedMps + thenMps) / 2 * Stopping.REACTION_S;
         double thenEastM = eastM + wayM * least.east();
         double thenNorthM = northM + wayM * least.north();

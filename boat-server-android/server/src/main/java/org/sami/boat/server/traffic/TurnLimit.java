@@ -27,10 +27,15 @@ final class TurnLimit {
         return Math.abs(turnRad) <= mostRad;
     }
 
-    /** The course after a turn in radians, positive to starboard, or after as much of it as is possible. */
-    Course after(double turnRad) {
+    /**
+     * The course after a turn, or after as much of it as is possible.
+     *
+     * @param to where it turns to
+     * @param turnRad from its heading to there in radians, positive to starboard
+     */
+    Course after(Course to, double turnRad) {
         if (allows(turnRad)) {
-            return new Course(heading.rad() + turnRad);
+            return to;
         } else if (turnRad < 0) {
             toPort = toPort == null ? new Course(heading.rad() - mostRad) : toPort;
             return toPort;
