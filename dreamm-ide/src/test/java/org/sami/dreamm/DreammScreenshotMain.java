@@ -69,6 +69,7 @@ public final class DreammScreenshotMain {
         picture("event-editor");
         act(() -> editor.select(Set.of()));
         act(() -> editor.setMode(NetMode.RECOVERY));
+        command("net-fit"); // recovery parts lie below the nominal ones
         picture("recovery");
         String interrupt = plan.transitions().stream()
                 .filter(t -> t.mode() == Mode.RECOVERY)
@@ -78,6 +79,7 @@ public final class DreammScreenshotMain {
         act(() -> editor.select(List.of(interrupt)));
         picture("recovery-selected");
         act(() -> editor.setMode(NetMode.NOMINAL));
+        command("net-fit");
         act(() -> editor.select(Set.of()));
         pictureOfIssues(plan);
         command("panel-try-out");

@@ -12,12 +12,15 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.LongSupplier;
 import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.handler.motion.WayLimits;
 import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.operator.OperatorLog;
 import org.sami.crw.operator.OperatorLogEntry.Kind;
 import org.sami.crw.operator.area.OperatingArea;
+import org.sami.crw.operator.message.MessageSink;
+import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.KeepStation;
@@ -43,6 +46,8 @@ public final class ByHand {
     private final EngineHost host;
     private final CrwServices services;
     private final OperatorLog log;
+    private final MessageSink messages;
+    private final LongSupplier nowMillis;
     private final Replies replies;
     private final Executor computing;
     private final AtomicLong wishes = new AtomicLong();
@@ -54,13 +59,15 @@ public final class ByHand {
      *
      * @param computing finds ways
      */
-    ByHand(Fleet fleet, EngineHost host, CrwServices services, OperatorLog log, Replies replies, Executor computing) {
+    ByHand(Fleet fleet, SessionParts parts, CrwServices services, Executor computing) {
         this.fleet = fleet;
-        this.host = host;
         this.services = services;
-        this.log = log;
-        this.replies = replies;
         this.computing = computing;
+        host = parts.host;
+        log = parts.models.log();
+        messages = parts.messages;
+        nowMillis = parts.scheduler::nowMs;
+        replies = parts.replies;
     }
 
     private record Limits(WayLimits way, OperatingArea area) {}
@@ -69,7 +76,8 @@ public final class ByHand {
 
     /**
      * Has a boat go to a point, around the project's no-go areas and what the missions avoid in which it takes part; in the fence, unless it is outside
-     * or is sent there. Refused where the point lies in such an area, or where there is no way around: nothing is sent then.
+     * or is sent there. Refused where the point lies in such an area, or where there is no way around: nothing is sent then. A message tells what is to
+     * be feared on the way, if anything is.
      */
     public CompletionStage<WayByHand> goTo(String boat, GeoPoint point) {
         long wish = wish(boat);
@@ -87,6 +95,7 @@ public final class ByHand {
                             if (latest.get(boat) == wish) {
                                 proxy.withdraw(Ids.NONE);
                                 proxy.submit(found.command());
+                                found.way().doubts().forEach(doubt -> tellOf(boat, doubt));
                             }
                         })
                         .thenApply(sent -> found.way()));
@@ -142,6 +151,18 @@ public final class ByHand {
 
     private static String words(String boat, GeoPoint point) {
         return String.format(Locale.ROOT, "sent %s to %.5f,%.5f", boat, point.latDeg(), point.lonDeg());
+    }
+
+    private void tellOf(String boat, String doubt) {
+        String words = doubt.startsWith(boat + " ") ? doubt : boat + " " + doubt;
+        messages.tell(new OperatorMessage(
+                nowMillis.getAsLong(),
+                Ids.NONE,
+                OperatorMessage.Source.DOMAIN,
+                Priority.HIGH,
+                words,
+                List.of(boat),
+                ""));
     }
 
     private CompletionStage<Void> tell(String boat, String done, Consumer<BoatProxy> what) {

@@ -77,7 +77,7 @@ public final class Session implements AutoCloseable {
                 parts.models.log(),
                 parts.models.missions()::title,
                 this::noteBegin);
-        byHand = new ByHand(fleet, parts.host, setup.services(), parts.models.log(), parts.replies, parts.drawing);
+        byHand = new ByHand(fleet, parts, setup.services(), parts.drawing);
         project = new SessionProject(parts);
     }
 

@@ -100,7 +100,7 @@ public record WayByHand(List<GeoPoint> points, List<String> doubts) {
         fence.flatMap(area -> new WayLimits(List.of(), fence)
                         .water(Optional.empty(), command.points(), start.at().error()))
                 .filter(Water::isOpen) // who is sent outside is not kept in
-                .ifPresent(outside -> doubts.add(text(to) + " lies outside of the fence"));
+                .ifPresent(outside -> doubts.add("is sent to " + text(to) + ", which lies outside of the fence"));
         command.water().ifPresent(water -> doubts.addAll(WayDanger.of(from, command.points(), water)));
         Optional<WayDoubt> doubt = WayCheck.doubt(way);
         doubt.ifPresent(one -> doubts.add(one.words()));

@@ -9,6 +9,7 @@ import io.github.andrewauclair.moderndocking.exception.DockingLayoutException;
 import io.github.andrewauclair.moderndocking.settings.Settings;
 import java.awt.BorderLayout;
 import java.awt.Component;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.nio.file.Path;
@@ -21,6 +22,7 @@ import javax.swing.JPanel;
 import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.UIManager;
 import javax.swing.plaf.InputMapUIResource;
+import org.sami.ui.EventThread;
 import org.sami.ui.look.Look;
 
 /**
@@ -93,8 +95,19 @@ public final class DockArea extends JPanel implements AutoCloseable {
         boolean another = offered.all().stream()
                 .anyMatch(one -> DockShape.of(one.layout()).equals(now));
         if (another && !DockShape.of(fit.layout()).equals(now)) {
+            Component focused =
+                    KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
             DockingState.restoreApplicationLayout(fit.layout());
+            if (focused != null) {
+                EventThread.later(() -> keepFocus(focused));
+            }
         }
+    }
+
+    /** The focus stays in the panels: what moves is taken out of the window meanwhile, and a key would reach what comes first in it. */
+    private void keepFocus(Component focused) {
+        Component next = focused.isShowing() ? focused : FIRST_IN.getFirstComponent(this);
+        Optional.ofNullable(next).ifPresent(Component::requestFocusInWindow);
     }
 
     /** Arranges the panels as they were left; as the program wants it where that is not known. From now on changes are kept. */

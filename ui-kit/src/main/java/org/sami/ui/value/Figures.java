@@ -1,6 +1,8 @@
 package org.sami.ui.value;
 
+import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -14,6 +16,7 @@ import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.MapValue;
+import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.TextValue;
@@ -53,9 +56,11 @@ record Figures(Map<String, String> figures, Map<String, String> lines) {
         if (value instanceof MapValue map) {
             if (!map.entries().isEmpty()) {
                 figures.put(ValueField.words(name), String.valueOf(map.entries().size()));
-                map.entries()
-                        .forEach((key, one) -> lines.merge(
-                                ValueSummary.of(key), inWords(one), (a, b) -> a.equals(b) ? a : a + ", " + b));
+                keys(map)
+                        .forEach(key -> lines.merge(
+                                ValueSummary.of(key),
+                                inWords(map.entries().get(key)),
+                                (a, b) -> a.equals(b) ? a : a + ", " + b));
             }
         } else if (value instanceof ListValue list) {
             figures.put(
@@ -75,6 +80,15 @@ record Figures(Map<String, String> figures, Map<String, String> lines) {
         } else if (value instanceof IntegerValue || value instanceof DurationValue || isWords(value)) {
             figures.put(ValueField.words(name), ValueSummary.of(value));
         }
+    }
+
+    /** Robots by their names; all else, such as tasks, as it is in the map. */
+    private static List<Value> keys(MapValue map) {
+        List<Value> keys = new ArrayList<>(map.entries().keySet());
+        if (keys.stream().allMatch(ProxyValue.class::isInstance)) {
+            keys.sort(Comparator.comparing(key -> ((ProxyValue) key).proxy()));
+        }
+        return keys;
     }
 
     private static boolean isWords(Value value) {

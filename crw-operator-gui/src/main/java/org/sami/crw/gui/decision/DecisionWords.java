@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalLong;
 import org.sami.crw.decision.DecisionPresentation;
+import org.sami.crw.markup.MapRelevance;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
@@ -13,6 +14,7 @@ import org.sami.spn.protocol.Priority;
 final class DecisionWords {
     private static final long SECOND = 1000;
     private static final long MINUTE = 60;
+    private static final int MOST_BOATS = 3;
 
     private DecisionWords() {}
 
@@ -48,8 +50,19 @@ final class DecisionWords {
                 heading(decision).equals(decision.asker().placeName())
                         ? decision.asker().event()
                         : decision.asker().placeName()));
+        parts.add(boats(decision));
         parts.removeIf(String::isBlank);
         return parts.isEmpty() ? "Asked by the system" : String.join(" · ", parts);
+    }
+
+    /** The few boats that it is about; empty text where it is about none in particular. */
+    static String boats(DecisionPresentation decision) {
+        return decision.map()
+                .boats()
+                .map(MapRelevance.Boats::boats)
+                .filter(boats -> boats.size() <= MOST_BOATS)
+                .map(boats -> String.join(", ", boats))
+                .orElse("");
     }
 
     /** How long it has waited, and how urgent it is where that is not as usual. */

@@ -8,6 +8,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
+import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.look.Fonts;
@@ -71,7 +72,7 @@ final class WaitingList extends JPanel {
     private void addRow(PendingDecision pending) {
         Priority priority = pending.decision().priority();
         String mark = priority == Priority.CRITICAL ? "▲ " : priority == Priority.HIGH ? "△ " : "";
-        JButton row = new JButton(mark + shortened(DecisionWords.heading(pending.presentation())));
+        JButton row = new JButton(mark + words(pending.presentation()));
         row.setName("decision-waiting-" + (ages.size() + 1));
         row.setHorizontalAlignment(SwingConstants.LEADING);
         row.putClientProperty("JButton.buttonType", "borderless");
@@ -84,6 +85,12 @@ final class WaitingList extends JPanel {
         ages.add(age);
         add(row, "wmin 0, hmin " + (Look.hasHighRows() ? Spacing.HIT_TARGET_FIELD : Spacing.HIT_TARGET));
         add(age);
+    }
+
+    /** What is asked, and about whom: several boats may be asked about alike. */
+    private static String words(DecisionPresentation decision) {
+        String boats = DecisionWords.boats(decision);
+        return (boats.isEmpty() ? "" : boats + ": ") + shortened(DecisionWords.heading(decision));
     }
 
     private static String shortened(String title) {

@@ -36,9 +36,8 @@ final class GuidedMode {
 
     private static String words(WayByHand way) {
         String length = String.format(Locale.ROOT, " goes there, %.0f m", way.lengthM());
-        List<String> all = new ArrayList<>(List.of(way.turns() ? length + " around what is to be avoided" : length));
-        all.addAll(way.doubts());
-        return String.join("; ", all);
+        String around = way.turns() ? " around what is to be avoided" : "";
+        return length + around + (way.doubts().isEmpty() ? "" : "; see the message about its way");
     }
 
     /** Has the selected boats stay where they are, until they are given back. */

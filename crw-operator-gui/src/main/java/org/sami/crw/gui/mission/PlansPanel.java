@@ -66,7 +66,10 @@ public final class PlansPanel extends JPanel {
         CommandButton startButton = new CommandButton(start);
         startButton.putClientProperty(
                 "FlatLaf.style",
-                "background: $Button.default.background; foreground: $Button.default.foreground; font: bold");
+                "background: $Button.default.background; foreground: $Button.default.foreground; font: bold;"
+                        + " focusedBackground: $Button.default.focusedBackground;"
+                        + " hoverBackground: $Button.default.hoverBackground;"
+                        + " pressedBackground: $Button.default.pressedBackground");
         startButton.setIcon(Icons.of("play", 20, SemanticColor.ON_ACCENT));
         CommandRow head = new CommandRow();
         head.left(title).right(startButton).right(new CommandButton(startWith));

@@ -167,7 +167,12 @@ class GuidedModeTest {
         Notice told = goTo(BEHIND);
 
         assertThat(told.refused()).isFalse();
-        assertThat(told.text()).endsWith("lies outside of the fence");
+        assertThat(told.text()).endsWith("see the message about its way");
         assertThat(command()).isPresent();
+        SessionWorld.until(
+                "a message says it",
+                () -> world.context.models().messages().messages().stream()
+                        .anyMatch(message -> message.text().startsWith("anna is sent to ")
+                                && message.text().endsWith("which lies outside of the fence")));
     }
 }
