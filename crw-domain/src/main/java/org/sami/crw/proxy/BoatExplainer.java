@@ -51,6 +51,8 @@ final class BoatExplainer {
             return still(obstacle.get().cause(), obstacle.get().text() + counted());
         } else if (isBatteryEmpty()) {
             return still(Cause.BATTERY_EMPTY, "its battery is empty" + wanted());
+        } else if (driver.isHolding()) {
+            return holding(driver.run().get());
         } else if (driver.run().isPresent()) {
             return running(driver.run().get());
         } else if (driver.isStopping()) {
@@ -143,6 +145,15 @@ final class BoatExplainer {
             default -> "waits to " + command.infinitive();
         };
         return new BoatExplanation(run.isDriving(), cause, proxy.boatId() + " " + does + state + sends() + waiting());
+    }
+
+    /** Nobody wants anything of it; what it last did says why it holds its place. */
+    private BoatExplanation holding(CommandRun run) {
+        String became = driver.lastWord().text(titles).map(text -> ": " + text).orElse("");
+        return new BoatExplanation(
+                run.isDriving(),
+                run.isDriving() ? Cause.UNDER_WAY : causeOf(run),
+                proxy.boatId() + " holds its place until it gets a command or is stopped" + became);
     }
 
     private static Cause causeOf(CommandRun run) {

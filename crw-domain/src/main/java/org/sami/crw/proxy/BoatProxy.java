@@ -38,7 +38,8 @@ import org.sami.spn.value.GeoPoint;
  * <p>The proxy keeps the boat at the command whose turn it is: it uploads the path under a new list id, reads it back,
  * starts it, sends again what stays unanswered, and follows the progress. After a lost link it compares what the boat holds
  * with what the queue wants, and says continue or uploads anew. When the last command is withdrawn it stops the boat; a
- * path that was completed leaves the boat keeping its station there.
+ * path that was completed leaves the boat keeping its station there, and one that was given up has it hold its place
+ * (docs/decisions, 0323).
  *
  * <p>For one thread, with milliseconds of one clock that never runs back. The {@link FrameSink} must not call back.
  */
@@ -160,9 +161,12 @@ public final class BoatProxy {
         return link.isCommanding();
     }
 
-    /** Whether no mission wants anything of the boat and it has answered all that was asked, so that nothing is under way. */
+    /**
+     * Whether no mission wants anything of the boat and it has answered all that was asked, so that nothing is under way. It may hold its
+     * place meanwhile, since its path was given up.
+     */
     public boolean isAtRest() {
-        return driver.queue().size() == 0 && driver.run().isEmpty() && !driver.isStopping();
+        return driver.queue().size() == 0 && (driver.run().isEmpty() || driver.isHolding()) && !driver.isStopping();
     }
 
     /** How many frames could not be read. */
@@ -477,7 +481,12 @@ public final class BoatProxy {
 
     /** Brings the boat to the command whose turn it is, then tells the listener what has happened. */
     private void settle() {
-        driver.settle(obstacle().isEmpty(), condition.nowMs);
+        Optional<Obstacle> obstacle = obstacle();
+        if (obstacle.filter(one -> one.cause() != BoatExplanation.Cause.COMPARING)
+                .isPresent()) {
+            driver.endHold();
+        }
+        driver.settle(obstacle.isEmpty(), condition.nowMs);
         if (driver.queue().changes() != announcedChanges) {
             announcedChanges = driver.queue().changes();
             CommandQueueSnapshot queue = queue();

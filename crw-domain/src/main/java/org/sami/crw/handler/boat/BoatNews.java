@@ -11,6 +11,7 @@ import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.handler.subscription.BatterySubscriptions;
 import org.sami.crw.operator.message.MessageSink;
 import org.sami.crw.operator.message.OperatorMessage;
+import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatStatus;
@@ -117,6 +118,18 @@ public final class BoatNews implements BoatListener {
         } else if (observed.remove(boatId)) {
             tell(boatId, Priority.LOW, "This base commands " + boatId + " again");
         }
+    }
+
+    @Override
+    public void onHoldsPlace(String boatId, BoatCommand givenUp) {
+        messages.tell(new OperatorMessage(
+                host.nowMillis(),
+                givenUp.mission(),
+                OperatorMessage.Source.DOMAIN,
+                Priority.MEDIUM,
+                boatId + " holds its place, as its path was given up, until it gets a command or is stopped",
+                List.of(boatId),
+                ""));
     }
 
     @Override

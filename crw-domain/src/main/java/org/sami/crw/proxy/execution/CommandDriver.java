@@ -35,6 +35,7 @@ public final class CommandDriver {
     private final DeferredNotifications announcements;
     private final PendingRequests requests; // of the running command, or to stop for want of one
     private final CommandQueue queue = new CommandQueue();
+    private final PlaceHold hold = new PlaceHold();
     private final Uploads uploads;
     private final Supplier<Optional<GeoPoint>> position;
     private final ExpectedWayHome wayHome;
@@ -124,8 +125,22 @@ public final class CommandDriver {
                 .forEach((displaced, why) -> announcements.add(l -> l.onWithdrawn(boatId, displaced, why)));
     }
 
+    /** Whether the boat holds its place, since its path was given up and nobody wants anything of it. */
+    public boolean isHolding() {
+        return run.isPresent() && hold.is(run.get().queued());
+    }
+
+    /** The boat is out of this base's hands: it is not told to hold its place any longer, nor to stop. */
+    public void endHold() {
+        if (isHolding()) {
+            abandon("the boat holds its place no longer");
+        }
+        hold.end();
+    }
+
     /** Takes back all that a mission has for the boat, and its block. Gives what it was. */
     public List<BoatCommand> withdraw(long mission) {
+        hold.end(mission);
         List<BoatCommand> withdrawn = queue.withdraw(mission);
         withdrawn.forEach(command -> lastWord = LastCommandOutcome.withdrawn(command));
         return withdrawn;
@@ -148,6 +163,7 @@ public final class CommandDriver {
 
     /** Every command fails, for a reason in words. */
     public void failAll(String reason) {
+        hold.end();
         for (BoatCommand command : queue.clear()) {
             lastWord = LastCommandOutcome.failed(command, reason);
             announcements.add(l -> l.onFailed(boatId, command, reason));
@@ -176,8 +192,19 @@ public final class CommandDriver {
                 headway.get().at(position, run.get().targetIndex(), target.get(), nowMs);
             }
             if (headway.get().isHopeless()) {
-                conclude(run.get().because(Verdict.FAILED, headway.get().words()));
+                giveUp(run.get(), headway.get().words(), position);
             }
+        }
+    }
+
+    /** The boat cannot follow its path; where no command takes its turn it holds its place. */
+    private void giveUp(CommandRun failed, String why, GeoPoint at) {
+        QueuedCommand queued = failed.queued();
+        boolean wasMissions = !hold.is(queued);
+        conclude(failed.because(Verdict.FAILED, why));
+        if (wasMissions) {
+            hold.begin(queued.command(), at);
+            announcements.add(l -> l.onHoldsPlace(boatId, queued.command()));
         }
     }
 
@@ -211,7 +238,7 @@ public final class CommandDriver {
             mustStop = true;
             completeEmptyPaths(); // the one that took the boat may have nothing to do
         }
-        Optional<QueuedCommand> wanted = queue.current();
+        Optional<QueuedCommand> wanted = wanted();
         if (run.isEmpty() && wanted.isPresent()) {
             mustStop = false;
             begin(wanted.get(), nowMs);
@@ -234,7 +261,15 @@ public final class CommandDriver {
         }
     }
 
+    /** What the boat is to do now: a mission's command, else to hold its place. */
+    private Optional<QueuedCommand> wanted() {
+        return queue.current().or(hold::station);
+    }
+
     private void begin(QueuedCommand queued, long nowMs) {
+        if (!hold.is(queued)) {
+            hold.end(); // somebody has decided
+        }
         requests.clear();
         String wireId = wireId(queued.command().commandId());
         CommandRun next = run(queued, wireId);
@@ -271,8 +306,7 @@ public final class CommandDriver {
 
     private boolean isRunWanted() {
         return run.isPresent()
-                && queue.current().isPresent()
-                && queue.current().get() == run.get().queued();
+                && wanted().filter(one -> one == run.get().queued()).isPresent();
     }
 
     /** Sends again what is due; gives up a command that stays unanswered, but never a stop. */
@@ -361,6 +395,11 @@ public final class CommandDriver {
         abandon(ended.why());
         if (verdict == Verdict.COMPLETED) {
             finish(queued);
+        } else if (hold.is(queued)) {
+            if (verdict == Verdict.FAILED || (verdict == Verdict.RETRY && queued.failedTry() >= MAX_TRIES)) {
+                mustStop = true;
+                hold.end();
+            }
         } else if (verdict == Verdict.FAILED || (verdict == Verdict.RETRY && queued.failedTry() >= MAX_TRIES)) {
             mustStop = true;
             queue.finish(queued);

@@ -22,6 +22,9 @@ public interface BoatListener {
     /** A command cannot be done, for a reason in words; it has left the queue. */
     default void onFailed(String boatId, BoatCommand command, String reason) {}
 
+    /** A path was given up, and failed; the boat holds its place from now on, until it gets a command or nobody can tell it to. */
+    default void onHoldsPlace(String boatId, BoatCommand givenUp) {}
+
     /** Another command has displaced this one for good; it has left the queue. What missions withdraw is not reported. */
     default void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {}
 

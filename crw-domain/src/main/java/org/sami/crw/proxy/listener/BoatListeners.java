@@ -34,6 +34,11 @@ public final class BoatListeners implements BoatListener {
     }
 
     @Override
+    public void onHoldsPlace(String boatId, BoatCommand givenUp) {
+        each(listener -> listener.onHoldsPlace(boatId, givenUp));
+    }
+
+    @Override
     public void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {
         each(listener -> listener.onWithdrawn(boatId, command, why));
     }

@@ -12,7 +12,8 @@ public final class QueuedCommand {
     private int tries;
     private boolean interrupted;
 
-    QueuedCommand(BoatCommand command, long order) {
+    /** A command that nothing of is done; its place among those of its priority is by this order. */
+    public QueuedCommand(BoatCommand command, long order) {
         this.command = command;
         this.order = order;
         visited = command instanceof FollowPath path ? path.startIndex() : 0;

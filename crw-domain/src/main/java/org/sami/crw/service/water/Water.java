@@ -183,6 +183,19 @@ public final class Water {
                 : forbidden.getBoundary().distance(place);
     }
 
+    /**
+     * Where a boat that is inside what is forbidden comes out soonest and is clear of it again; the point itself where it is not inside.
+     *
+     * @param marginM how far off what is forbidden, in metres
+     */
+    public GeoPoint outside(GeoPoint point, double marginM) {
+        if (clearanceM(point) > 0) {
+            return point;
+        }
+        Geometry rim = forbidden.buffer(marginM).getBoundary();
+        return Areas.point(DistanceOp.nearestPoints(rim, FACTORY.createPoint(coordinate(point)))[0], plane);
+    }
+
     /** The place of a way that is nearest to what is forbidden; where nothing is, its first point. */
     public GeoPoint nearest(List<GeoPoint> way) {
         if (isOpen() || way.size() < 2) {

@@ -1,0 +1,55 @@
+package org.sami.crw.proxy.execution;
+
+import java.util.Optional;
+import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.command.KeepStation;
+import org.sami.crw.proxy.queue.QueuedCommand;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Has a boat whose path was given up keep a station where it is, or where it comes out of what it is not to enter, until somebody decides
+ * (docs/decisions, 0323). No mission wants it: it stands behind every command, and is in no queue.
+ */
+final class PlaceHold {
+    private static final double RADIUS_M = 10; // the boat itself keeps closer, where it can
+
+    private Optional<QueuedCommand> station = Optional.empty();
+
+    /** The station to be kept while no mission wants anything of the boat. */
+    Optional<QueuedCommand> station() {
+        return station;
+    }
+
+    /** Whether a command is the station, and no mission's. */
+    boolean is(QueuedCommand queued) {
+        return station.isPresent() && station.get() == queued;
+    }
+
+    /** Begins for a boat that is there, and whose command was given up. */
+    void begin(BoatCommand givenUp, GeoPoint at) {
+        GeoPoint place = givenUp.water()
+                .map(water -> water.outside(at, water.error().marginM()))
+                .orElse(at);
+        KeepStation keep = new KeepStation(
+                givenUp.commandId() + "-hold",
+                givenUp.mission(),
+                givenUp.activation(),
+                place,
+                RADIUS_M,
+                Priority.LOW,
+                false,
+                givenUp.water());
+        station = Optional.of(new QueuedCommand(keep, 0));
+    }
+
+    /** Ends for good. */
+    void end() {
+        station = Optional.empty();
+    }
+
+    /** Ends if it was begun for a command of that mission. */
+    void end(long mission) {
+        station = station.filter(queued -> queued.command().mission() != mission);
+    }
+}
