@@ -1,6 +1,8 @@
 package org.sami.crw.sim.run;
 
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
@@ -24,6 +26,12 @@ final class StallDetector {
     /** After so long without an input nothing comes of what was asked of services and sensors either. */
     private static final long QUIET_MILLIS = 300_000;
 
+    /** For so long no boat gets anywhere of which more can be expected: a path without headway is given up in half of that (docs/decisions, 0324). */
+    private static final long STUCK_MILLIS = 600_000;
+
+    /** Farther than a boat that keeps a station, or that waits, drifts. */
+    private static final double SOMEWHERE_M = 15;
+
     /** Within this time everything has been asked and said that follows from an input. */
     private static final long SETTLED_MILLIS = 5_000;
 
@@ -35,6 +43,8 @@ final class StallDetector {
     private final SimulatedOperatorDriver operator;
     private final InterruptScheduler interrupts;
     private final RunRecorder recorder;
+    private final Map<String, BoatState> places = new HashMap<>(); // of boats, where they last were somewhere else
+    private long lastSomewhereMillis;
 
     /** A watch over one run. */
     StallDetector(Session session, RunPlan plan, RunRecords records) {
@@ -52,6 +62,7 @@ final class StallDetector {
      * @param isWanted whether a mission wants something of a boat, by its name
      */
     Optional<String> look(long nowMillis, List<BoatState> boats, Predicate<String> isWanted) {
+        follow(nowMillis, boats, isWanted);
         long quietMillis = nowMillis - recorder.lastInputMillis();
         if (recorder.root().isEmpty()
                 || quietMillis <= SETTLED_MILLIS
@@ -64,7 +75,23 @@ final class StallDetector {
                 boats.stream().allMatch(boat -> !isWanted.test(boat.id()) || Math.abs(boat.speedMps()) < STILL_MPS);
         boolean nobodyIsWanted = boats.stream().noneMatch(boat -> isWanted.test(boat.id()));
         boolean atOnce = nobodyIsWanted && !interrupts.waitForBatteries() && !host.ask(news::isAwaited);
-        return atOnce || (nobodyMoves && quietMillis > QUIET_MILLIS) ? Optional.of(reason(boats)) : Optional.empty();
+        boolean nobodyCan = boats.stream().noneMatch(boat -> isWanted.test(boat.id()) && boat.batteryPercent() > 0);
+        boolean nobodyGetsOn = nobodyMoves && (nobodyCan || nowMillis - lastSomewhereMillis > STUCK_MILLIS);
+        return atOnce || (nobodyGetsOn && quietMillis > QUIET_MILLIS) ? Optional.of(reason(boats)) : Optional.empty();
+    }
+
+    /** Notes when a boat that a mission wants, and that can drive, last got somewhere. */
+    private void follow(long nowMillis, List<BoatState> boats, Predicate<String> isWanted) {
+        for (BoatState boat : boats) {
+            BoatState before = places.putIfAbsent(boat.id(), boat);
+            if (before != null
+                    && Math.hypot(boat.eastM() - before.eastM(), boat.northM() - before.northM()) > SOMEWHERE_M) {
+                places.put(boat.id(), boat);
+                if (isWanted.test(boat.id()) && boat.batteryPercent() > 0) {
+                    lastSomewhereMillis = nowMillis;
+                }
+            }
+        }
     }
 
     private String reason(List<BoatState> boats) {

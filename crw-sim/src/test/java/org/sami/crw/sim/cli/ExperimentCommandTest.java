@@ -84,6 +84,33 @@ class ExperimentCommandTest {
         assertThat(ran.exitCode()).as(ran.err()).isZero();
     }
 
+    /** With this seed a boat waits for another that lies at its next waypoint, until its path is given up. */
+    @Test
+    void aMissionGoesOnWhileThePathOfABoatThatWaitsMayStillBeGivenUp() {
+        CommandResult ran = crw(
+                "experiment",
+                "../docs/experiments/rocks.json",
+                "--plan",
+                "explore-area",
+                "--boats",
+                "12",
+                "--area",
+                "200",
+                "--at",
+                "45.6988,10.72",
+                "--interrupt",
+                "Let somebody pass@60",
+                "--seeds",
+                "34",
+                "--for",
+                "1800",
+                "--conditions",
+                "rough");
+
+        assertThat(ran.err()).endsWith("1 of 1 runs ended\n");
+        assertThat(ran.exitCode()).isZero();
+    }
+
     @Test
     void missionsOfAFileRunWithFilesBesideIt() throws Exception {
         Files.writeString(folder.resolve("none.json"), """
