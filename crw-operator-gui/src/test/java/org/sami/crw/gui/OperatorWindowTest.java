@@ -9,14 +9,17 @@ import static java.awt.event.KeyEvent.VK_G;
 import static java.awt.event.KeyEvent.VK_J;
 import static java.awt.event.KeyEvent.VK_P;
 import static java.awt.event.KeyEvent.VK_SHIFT;
+import static java.awt.event.KeyEvent.VK_W;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowable;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -26,6 +29,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.JFileChooser;
+import javax.swing.JTabbedPane;
+import javax.swing.JViewport;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -55,6 +60,7 @@ import org.sami.ui.map.SlowFiles;
 @Tag("window")
 @TestInstance(Lifecycle.PER_CLASS)
 class OperatorWindowTest {
+    private static final int MANY = 6;
     private static final int REPORTS = 42; // at ten a second; a link is lost after 3.5 s
 
     private Path folder;
@@ -130,6 +136,55 @@ class OperatorWindowTest {
                 () -> boat("emil").pose().orElseThrow().position().lonDeg()
                         > before.pose().orElseThrow().position().lonDeg() + 0.00002);
         assertThat(boat("anna").command()).isEmpty();
+    }
+
+    @Test
+    void theTabOfTheNewestOfManyMissionsIsSeenWhole() {
+        JTabbedPane tabs = robot.find(JTabbedPane.class, "mission-tabs");
+        int before = tabs.getTabCount();
+        for (int i = 1; i <= MANY; i++) {
+            int now = before + i;
+            window.session().start("communications-monitoring", "monitoring of the bay", Map.of());
+            robot.until(
+                    "the mission has a tab",
+                    () -> tabs.getSelectedIndex() == tabs.getTabCount() - 1 && tabs.getTabCount() == now);
+        }
+
+        robot.until(
+                "the newest is seen whole",
+                () -> Arrays.stream(tabs.getComponents())
+                        .filter(JViewport.class::isInstance)
+                        .allMatch(shown -> shown.getBounds().contains(tabs.getBoundsAt(tabs.getSelectedIndex()))));
+
+        window.session().abortAll();
+        robot.untilSaid("missions-count", "0 missions");
+        for (int i = 1; i <= MANY; i++) {
+            int left = before + MANY - i;
+            robot.press(VK_W, VK_CONTROL);
+            robot.until("its tab is closed", () -> tabs.getTabCount() == left);
+        }
+    }
+
+    @Test
+    void theFocusStaysInThePanelsWhereTheyAreArrangedAnew() {
+        robot.clickRow("boats-table", "carl");
+        robot.untilFocused("boats-table");
+        Component messages = robot.find(Component.class, "messages-table");
+        Dimension large = WindowRobot.ask(() -> window.frame().getSize());
+
+        resize(new Dimension(1280, 800));
+
+        robot.until("there are fewer panels beside one another", () -> !messages.isShowing());
+        robot.untilFocused("boats-table"); // and not the fleet stop
+        resize(large);
+        robot.until("all are back", messages::isShowing);
+    }
+
+    private void resize(Dimension size) {
+        WindowRobot.ask(() -> {
+            window.frame().setSize(size);
+            return null;
+        });
     }
 
     @Test
