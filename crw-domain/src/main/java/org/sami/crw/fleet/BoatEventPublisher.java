@@ -31,6 +31,11 @@ final class BoatEventPublisher implements BoatListener {
     }
 
     @Override
+    public void onHoldsPlace(String boatId, BoatCommand givenUp) {
+        events.accept(new FleetEvent.PlaceHeld(boatId, givenUp));
+    }
+
+    @Override
     public void onWithdrawn(String boatId, BoatCommand command, Withdrawal why) {
         events.accept(new FleetEvent.CommandWithdrawn(boatId, command, why));
     }

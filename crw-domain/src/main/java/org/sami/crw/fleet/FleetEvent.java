@@ -105,6 +105,9 @@ public sealed interface FleetEvent {
     /** A command cannot be done, for a reason in words; it has left the queue. */
     record CommandFailed(String boat, BoatCommand command, String reason) implements FleetEvent {}
 
+    /** The boat holds its place since this command was given up, until it gets another one. */
+    record PlaceHeld(String boat, BoatCommand givenUp) implements FleetEvent {}
+
     /** Another command displaced this one for good; it has left the queue. */
     record CommandWithdrawn(String boat, BoatCommand command, Withdrawal why) implements FleetEvent {}
 
