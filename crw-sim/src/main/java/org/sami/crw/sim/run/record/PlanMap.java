@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.handler.activation.PlanAreas;
 import org.sami.crw.operator.area.OperatingArea;
@@ -187,6 +188,9 @@ public final class PlanMap implements HostListener {
      * @param locations are shown as such, and not as points of the plan
      */
     RunMap map(KnownTracks tracks, List<LocationResult> locations) {
+        // takes as long as what was left uncovered, which is computed meanwhile
+        CompletableFuture<ClosestApproach> closest =
+                CompletableFuture.supplyAsync(() -> ClosestApproach.of(tracks.best()));
         List<MapSpot> spots = new ArrayList<>(assembly.values());
         points.values().stream()
                 .filter(spot -> locations.stream()
@@ -199,7 +203,7 @@ public final class PlanMap implements HostListener {
                 explorations.values().stream()
                         .map(asked -> asked.result(tracks, left -> area(MapArea.Kind.UNCOVERED, left)))
                         .toList(),
-                ClosestApproach.of(tracks.best()),
+                closest.join(),
                 paths);
     }
 }
