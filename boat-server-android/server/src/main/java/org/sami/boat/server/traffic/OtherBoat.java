@@ -29,11 +29,15 @@ final class OtherBoat {
         seenMs = Long.MIN_VALUE;
     }
 
-    /** Takes up where it was seen, which is later than before. */
-    void update(NearbyBoat row, LocalFrame plane, long atMs) {
+    /**
+     * Takes up where it was seen, which is later than before.
+     *
+     * @param plane on which that is so many metres east and north of the origin
+     */
+    void update(NearbyBoat row, double atEastM, double atNorthM, LocalFrame plane, long atMs) {
         mode = row.mode();
-        eastM = plane.eastM(row.latDeg(), row.lonDeg());
-        northM = plane.northM(row.latDeg(), row.lonDeg());
+        eastM = atEastM;
+        northM = atNorthM;
         speedMps = row.speedMps();
         aheadEast = row.headingEast();
         aheadNorth = row.headingNorth();

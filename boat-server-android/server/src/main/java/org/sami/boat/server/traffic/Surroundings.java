@@ -34,12 +34,16 @@ public final class Surroundings {
     public void update(Traffic traffic, long nowMs) {
         for (NearbyBoat row : traffic.boats()) {
             if (!row.boatId().equals(ownId) && row.ageMs() < OLDEST_MS && Math.abs(row.latDeg()) <= 85) {
-                if (!(plane.distanceM(row.latDeg(), row.lonDeg()) < REACH_M)) {
+                double eastM = plane.eastM(row.latDeg(), row.lonDeg());
+                double northM = plane.northM(row.latDeg(), row.lonDeg());
+                if (PlaneMath.length(eastM, northM) < REACH_M) {
+                    take(row, eastM, northM, nowMs);
+                } else {
                     others.clear(); // they are those of another water
                     border = NoGoBorder.NONE;
                     plane = new LocalFrame(row.latDeg(), row.lonDeg());
+                    take(row, 0, 0, nowMs);
                 }
-                take(row, nowMs);
             }
         }
         if (!others.isEmpty()) { // else the plane may be that of another water
@@ -52,11 +56,11 @@ public final class Surroundings {
         border = NoGoBorder.NONE;
     }
 
-    private void take(NearbyBoat row, long nowMs) {
+    private void take(NearbyBoat row, double eastM, double northM, long nowMs) {
         OtherBoat other = known(row.boatId());
         long seenMs = nowMs - row.ageMs();
         if (seenMs >= other.seenMs()) {
-            other.update(row, plane, seenMs);
+            other.update(row, eastM, northM, plane, seenMs);
         }
         oldestSeenMs = Math.min(oldestSeenMs, seenMs);
     }
