@@ -23,7 +23,7 @@ final class UncoveredArea {
     /** Round ends are polygons inside the circle: what they cover is covered. */
     private static final int QUADRANT_SEGMENTS = 16;
 
-    /** Longer tracks are taken in pieces: one that stays at a place crosses itself as often as the square of its points. */
+    /** Where tracks are longer they are taken in pieces: one that stays at a place crosses itself as often as the square of its points. */
     private static final int PIECE = 32;
 
     private static final GeometryFactory FACTORY = new GeometryFactory();
@@ -39,28 +39,27 @@ final class UncoveredArea {
     static Geometry of(Geometry region, List<List<Coordinate>> tracks, double distanceM, double angleRad) {
         AffineTransformation turn = AffineTransformation.rotationInstance(-angleRad);
         Geometry rest = turn.transform(region);
-        List<LineString> pieces = new ArrayList<>();
-        List<LineString> lanes = new ArrayList<>();
-        for (List<Coordinate> track : tracks) {
-            if (track.size() <= PIECE) {
-                lanes.add(line(track));
-            } else {
-                for (int from = 0; from + 1 < track.size(); from += PIECE) {
-                    pieces.add(line(track.subList(from, Math.min(track.size(), from + PIECE + 1))));
-                }
-            }
-        }
-        if (!lanes.isEmpty()) {
-            Geometry covered = covered(turn.transform(lines(lanes)), distanceM);
-            rest = OverlayNGRobust.overlay(rest, covered, OverlayNG.DIFFERENCE);
-        }
-        if (!pieces.isEmpty()) {
-            List<Geometry> covered = pieces.parallelStream()
+        if (tracks.stream().allMatch(track -> track.size() <= PIECE)) {
+            List<LineString> lanes = tracks.stream().map(UncoveredArea::line).toList();
+            rest = OverlayNGRobust.overlay(
+                    rest, covered(turn.transform(lines(lanes)), distanceM), OverlayNG.DIFFERENCE);
+        } else {
+            List<Geometry> covered = pieces(tracks).parallelStream()
                     .map(piece -> covered(turn.transform(piece), distanceM))
                     .toList();
             rest = StripDifference.of(rest, covered);
         }
         return AffineTransformation.rotationInstance(angleRad).transform(rest);
+    }
+
+    private static List<LineString> pieces(List<List<Coordinate>> tracks) {
+        List<LineString> pieces = new ArrayList<>();
+        for (List<Coordinate> track : tracks) {
+            for (int from = 0; from + 1 < track.size(); from += PIECE) {
+                pieces.add(line(track.subList(from, Math.min(track.size(), from + PIECE + 1))));
+            }
+        }
+        return pieces;
     }
 
     private static Geometry covered(Geometry lines, double distanceM) {
