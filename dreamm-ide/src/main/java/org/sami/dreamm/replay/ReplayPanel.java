@@ -28,6 +28,7 @@ import org.sami.ui.EventThread;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.net.NetBadges;
 import org.sami.ui.net.NetMarking;
@@ -41,11 +42,14 @@ import org.sami.ui.table.RowTable;
  * event thread; moments are computed beside it.
  */
 public final class ReplayPanel extends JPanel {
+    private static final int LOW = 180;
+
     private final transient DreammContext context;
     private final transient TryOut tryOut;
     private final transient TryOutOverlay overlay;
     private final transient ReplayPlayer player;
     private final TimeLinePanel timeLine;
+    private final JPanel top = new JPanel(new MigLayout("insets 4 8 4 8, gap 12", "[][][grow, fill]", "[]"));
     private final JLabel file = new JLabel();
     private final JLabel difference = new JLabel();
     private final RowTable<PlanReplay.ShownMission> missions;
@@ -91,7 +95,6 @@ public final class ReplayPanel extends JPanel {
                 command.unless(() -> replay.isPresent() ? Optional.empty() : Optional.of("no journal is open"));
             }
         }
-        JPanel top = new JPanel(new MigLayout("insets 4 8 4 8, gap 12", "[][][grow, fill]", "[]"));
         top.setOpaque(false);
         top.add(new CommandButton(open), "hmin 32");
         top.add(CommandButton.iconOnly(close), "hmin 32");
@@ -118,6 +121,13 @@ public final class ReplayPanel extends JPanel {
         player.addListener(this::noteJump);
         style();
         refresh();
+    }
+
+    /** In a low panel there is room for missions and the time line of a journal; its file is closed and another opened from the menu. */
+    @Override
+    public void doLayout() {
+        top.setVisible(replay.isEmpty() || difference.isVisible() || getHeight() >= Look.px(LOW));
+        super.doLayout();
     }
 
     private void choose() {
@@ -219,6 +229,8 @@ public final class ReplayPanel extends JPanel {
         difference.setText(differs.map(text -> "▲ " + text).orElse(""));
         difference.setToolTipText(differs.orElse(null));
         difference.setVisible(differs.isPresent());
+        timeLine.setVisible(replay.isPresent());
+        revalidate();
         missions.show(moment.map(Moment::missions).orElse(List.of()));
         String open = context.editor().planId().orElse("");
         overlay.showInstead(moment.filter(m -> replay.isPresent())

@@ -42,6 +42,7 @@ public final class TryOutPanel extends JPanel {
     private static final String BESIDE = "[64%, grow, fill][36%, grow, fill]";
     private static final String WIDE_HALVES = "[44%, grow, fill][260:56%, grow, fill]";
     private static final String SMALL_HALVES = "[36%, grow, fill][260:64%, grow, fill]";
+    private static final String LIST_ALONE = "[grow, fill]";
     private static final int TAB = 30;
     private static final int HIGH_TAB = 40; // with buttons behind it
     private static final String BEHIND_TABS = "JTabbedPane.trailingComponent";
@@ -162,6 +163,7 @@ public final class TryOutPanel extends JPanel {
         answering.setText(small ? "Robots" : "Robots answer");
         showRun();
         arrange(small);
+        halve();
         foot.setVisible(!small); // the message stands behind the tabs then
         super.doLayout();
     }
@@ -179,7 +181,6 @@ public final class TryOutPanel extends JPanel {
         if (small && !isTab) {
             parts.remove(now);
             columns.setColumnConstraints("[grow, fill]");
-            halves.setColumnConstraints(SMALL_HALVES);
             tabs.insertTab("Now", null, now, "What can happen now", 0);
             tabs.setSelectedIndex(0);
             behindTabs.add(message, "w 0, growx"); // tabs come first
@@ -190,7 +191,6 @@ public final class TryOutPanel extends JPanel {
         } else if (!small && isTab) {
             tabs.remove(now);
             columns.setColumnConstraints(BESIDE);
-            halves.setColumnConstraints(WIDE_HALVES);
             parts.add(now, "wmin 0, hmin 0", 0);
             one.add(buttons, BorderLayout.SOUTH);
             tabs.putClientProperty("JTabbedPane.tabHeight", TAB);
@@ -198,6 +198,19 @@ public final class TryOutPanel extends JPanel {
             foot.add(message, "wmin 0, h 20!", 0);
             parts.revalidate();
         }
+    }
+
+    /** Where both have little room, the list has all of it until there is something to fill in. */
+    private void halve() {
+        boolean small = tabs.indexOfComponent(now) >= 0;
+        boolean alone = small && editor.isEmpty();
+        if (alone) {
+            now.remove(one);
+        } else if (one.getParent() == null) {
+            now.add(one, "wmin 0, hmin 0");
+        }
+        halves.setColumnConstraints(alone ? LIST_ALONE : small ? SMALL_HALVES : WIDE_HALVES);
+        now.revalidate();
     }
 
     private JPanel middle() {
@@ -298,6 +311,7 @@ public final class TryOutPanel extends JPanel {
             editorPlace.repaint();
             EventThread.later(() -> editorPlace.scrollRectToVisible(new Rectangle(0, 0, 1, 1)));
         }
+        halve();
         happen.setEnabled(editor.isPresent());
         reject.setVisible(editor.filter(PossibleStepEditor::canReject).isPresent());
     }

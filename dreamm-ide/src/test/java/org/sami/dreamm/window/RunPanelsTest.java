@@ -2,8 +2,12 @@ package org.sami.dreamm.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.awt.image.BufferedImage;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -16,6 +20,7 @@ import javax.swing.JTable;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -23,6 +28,8 @@ import org.sami.dreamm.canvas.ModelView;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
+import org.sami.dreamm.replay.RecordedSession;
+import org.sami.dreamm.replay.ReplayPanel;
 import org.sami.spn.edit.RemoveElements;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
@@ -118,6 +125,83 @@ class RunPanelsTest {
             assertThat(faults(panel)).isEmpty();
             Look.apply(Theme.LIGHT, 100);
         });
+    }
+
+    @Test
+    void inASmallPanelTheListHasAllTheRoomUntilSomethingCanHappen() throws Exception {
+        onEventThread(() -> {
+            Look.apply(Theme.LIGHT, 150);
+            open();
+            JComponent panel = parts.tryOut();
+            Layout.layOut(panel, 786, 197);
+            assertThat(faults(panel)).isEmpty();
+            assertThat(table(panel, "try-possible-steps").getWidth()).isGreaterThan(740);
+
+            context.commands().get("try-start").run();
+            Layout.layOut(panel, 786, 197);
+            assertThat(table(panel, "try-possible-steps").getWidth()).isLessThan(400);
+
+            context.commands().get("try-stop").run();
+            Layout.layOut(panel, 786, 197);
+            assertThat(table(panel, "try-possible-steps").getWidth()).isGreaterThan(740);
+            Look.apply(Theme.LIGHT, 100);
+        });
+    }
+
+    /** As it is in a window of 1280 by 800 pixels with letters of 150 %. */
+    @Test
+    void inALowPanelTheMissionsOfAJournalHaveRoomBesideItsTimeLine(@TempDir Path folder) throws Exception {
+        Path journal = RecordedSession.write(folder.resolve("session.journal"));
+        ReplayPanel[] panel = new ReplayPanel[1];
+        CountDownLatch opened = new CountDownLatch(1);
+        CountDownLatch shown = new CountDownLatch(1);
+        onEventThread(() -> {
+            Look.apply(Theme.LIGHT, 150);
+            open();
+            panel[0] = parts.replay();
+            Layout.layOut(panel[0], 786, 197);
+            assertThat(isShown(panel[0], "time-line-panel")).isFalse();
+            JTable missions = table(panel[0], "replay-missions");
+            missions.getModel().addTableModelListener(e -> {
+                if (missions.getRowCount() > 0) {
+                    shown.countDown();
+                }
+            });
+            Layout.find(panel[0], "time-line-panel", JComponent.class)
+                    .orElseThrow()
+                    .addComponentListener(new ComponentAdapter() {
+                        @Override
+                        public void componentShown(ComponentEvent e) {
+                            opened.countDown();
+                        }
+                    });
+            panel[0].open(journal);
+        });
+        assertThat(opened.await(20, TimeUnit.SECONDS)).isTrue();
+        onEventThread(() -> context.commands().get("replay-end").run());
+        assertThat(shown.await(20, TimeUnit.SECONDS)).isTrue();
+        onEventThread(() -> {
+            Layout.layOut(panel[0], 786, 197);
+            assertThat(isShown(panel[0], "time-line-panel")).isTrue();
+            JTable missions = table(panel[0], "replay-missions");
+            assertThat(missions.getVisibleRect().height).isGreaterThanOrEqualTo(missions.getRowHeight());
+            assertThat(faults(panel[0])).isEmpty();
+
+            Layout.layOut(panel[0], 786, 400);
+            assertThat(isShown(panel[0], "replay-file")).isTrue();
+            Look.apply(Theme.LIGHT, 100);
+        });
+    }
+
+    private static boolean isShown(JComponent panel, String name) {
+        for (Component each = Layout.find(panel, name, JComponent.class).orElseThrow();
+                each != panel;
+                each = each.getParent()) {
+            if (!each.isVisible()) {
+                return false;
+            }
+        }
+        return true;
     }
 
     @Test

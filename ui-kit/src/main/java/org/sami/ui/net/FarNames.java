@@ -15,7 +15,6 @@ import org.sami.spn.drawing.NetDrawing.Label;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.drawing.TextBlock;
 import org.sami.spn.drawing.TextStyle;
-import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
 
 /**
@@ -33,15 +32,19 @@ final class FarNames {
 
     private final DrawingBox shown;
 
-    private FarNames(Graphics2D g, double scale, DrawingBox shown) {
+    private FarNames(Graphics2D g, double unit, DrawingBox shown) {
         this.g = g;
         this.shown = shown;
-        unit = Look.scalePercent() / 100.0 / scale;
+        this.unit = unit;
     }
 
-    static void paint(
-            Graphics2D g, double scale, NetScene scene, NetMarking marking, NetLight light, DrawingBox shown) {
-        FarNames names = new FarNames(g, scale, shown);
+    /**
+     * Writes names.
+     *
+     * @param unit how many drawing units a pixel at 100 % has
+     */
+    static void paint(Graphics2D g, double unit, NetScene scene, NetMarking marking, NetLight light, DrawingBox shown) {
+        FarNames names = new FarNames(g, unit, shown);
         Map<String, String> texts = new HashMap<>();
         for (Label label : scene.labels()) {
             names(label).ifPresent(text -> texts.put(label.of(), text));

@@ -51,8 +51,9 @@ final class NetNavigation {
         }
     }
 
-    /** The view has a size now. */
+    /** The view has a size now, and the scale of the look may be another. */
     void laidOut() {
+        viewport.takeScaleOfLook();
         if (toBegin) {
             begin();
         }

@@ -1,6 +1,5 @@
 package org.sami.ui.net;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
@@ -28,12 +27,7 @@ final class NetPainter {
     private static final double RING = 5; // between the two circles of a place with a sub-mission
     private static final double ASCENT = 0.98; // of a letter's size, from the top of its line to its base line
     private static final double GLOW = 7;
-    private static final double LEAST_SCALE_OF_TEXT = 0.45; // smaller than that nobody reads it
-    private static final BasicStroke THIN = new BasicStroke(1.4f);
-    private static final BasicStroke DASHED =
-            new BasicStroke(1.4f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {6, 5}, 0);
-    private static final BasicStroke RIM = new BasicStroke(2);
-    private static final BasicStroke THICK = new BasicStroke(3.5f);
+    private static final double LEAST_ZOOM_OF_TEXT = 0.6; // smaller than that nobody reads it
 
     private final TokenPainter tokens;
 
@@ -46,11 +40,13 @@ final class NetPainter {
      *
      * @param g in drawing units
      * @param scale how many pixels a drawing unit has
+     * @param own how many it has at the net's own size, where its letters are as large as those of the window
      */
-    void paint(Graphics2D g, double scale, NetScene scene, NetMarking marking, NetLight light) {
+    void paint(Graphics2D g, double scale, double own, NetScene scene, NetMarking marking, NetLight light) {
         hint(g);
         DrawingBox clip = clip(g, scene);
-        boolean words = scale >= LEAST_SCALE_OF_TEXT;
+        boolean words = scale >= LEAST_ZOOM_OF_TEXT * own;
+        NetStrokes strokes = NetStrokes.at(scale / own);
         for (NoteBox note : scene.notes()) {
             if (clip.intersects(note.box())) {
                 NotePainter.paint(g, note, light.selected().contains(NetScene.idOf(note.index())), words);
@@ -60,7 +56,7 @@ final class NetPainter {
                 .filter(edge -> clip.intersects(box(edge)))
                 .toList();
         for (Edge edge : edges) {
-            edge(g, edge, light);
+            edge(g, edge, light, strokes);
         }
         if (words) { // a line that crosses a text is not to be read through it
             g.setColor(SemanticColor.NET_CANVAS.get());
@@ -76,7 +72,7 @@ final class NetPainter {
         scene.silhouettes().forEach(vertex -> silhouette(g, vertex));
         for (Vertex vertex : scene.vertices()) {
             if (clip.intersects(vertex.box().grown(GLOW))) {
-                vertex(g, vertex, marking, light);
+                vertex(g, vertex, marking, light, strokes);
             }
         }
         if (words) {
@@ -86,7 +82,7 @@ final class NetPainter {
                 }
             }
         } else {
-            FarNames.paint(g, scale, scene, marking, light, clip);
+            FarNames.paint(g, own / scale, scene, marking, light, clip);
             for (Label label : scene.labels()) { // what is missing is seen from afar, too
                 if (isMissing(label) && clip.intersects(label.box())) {
                     missing(g, label.box());
@@ -139,7 +135,7 @@ final class NetPainter {
         return (edge.recovery() ? SemanticColor.NET_RECOVERY : SemanticColor.NET_EDGE).get();
     }
 
-    private static void edge(Graphics2D g, Edge edge, NetLight light) {
+    private static void edge(Graphics2D g, Edge edge, NetLight light, NetStrokes strokes) {
         boolean lit =
                 light.selected().contains(edge.id()) || light.highlighted().contains(edge.id());
         Path2D path = new Path2D.Double();
@@ -147,7 +143,7 @@ final class NetPainter {
         path.moveTo(points.get(0).x(), points.get(0).y());
         points.stream().skip(1).forEach(point -> path.lineTo(point.x(), point.y()));
         g.setColor(color(edge, light));
-        g.setStroke(lit ? THICK : edge.unconditional() ? DASHED : THIN);
+        g.setStroke(lit ? strokes.thick() : edge.unconditional() ? strokes.dashed() : strokes.thin());
         g.draw(path);
     }
 
@@ -180,24 +176,24 @@ final class NetPainter {
                 vertex.centre().x() - radius, vertex.centre().y() - radius, 2 * radius, 2 * radius);
     }
 
-    private void vertex(Graphics2D g, Vertex vertex, NetMarking marking, NetLight light) {
-        around(g, vertex, light);
+    private void vertex(Graphics2D g, Vertex vertex, NetMarking marking, NetLight light, NetStrokes strokes) {
+        around(g, vertex, light, strokes);
         if (vertex.kind() == Kind.TRANSITION) {
             transition(g, vertex, light.firing().applyAsDouble(vertex.id()));
         } else {
-            place(g, vertex, marking.isActive(vertex.id()));
+            place(g, vertex, marking.isActive(vertex.id()), strokes);
             tokens.paint(g, vertex, marking);
         }
     }
 
     /** What is selected or spoken of has a band around it. */
-    private static void around(Graphics2D g, Vertex vertex, NetLight light) {
+    private static void around(Graphics2D g, Vertex vertex, NetLight light, NetStrokes strokes) {
         boolean selected = light.selected().contains(vertex.id());
         if (!selected && !light.highlighted().contains(vertex.id())) {
             return;
         }
         g.setColor((selected ? SemanticColor.ACCENT : SemanticColor.CRITICAL).get());
-        g.setStroke(THICK);
+        g.setStroke(strokes.thick());
         if (vertex.kind() == Kind.PLACE) {
             g.draw(circle(vertex, NetDrawing.PLACE_RADIUS + 3));
         } else {
@@ -215,7 +211,7 @@ final class NetPainter {
         g.fill(rectangle(vertex.box()));
     }
 
-    private static void place(Graphics2D g, Vertex vertex, boolean active) {
+    private static void place(Graphics2D g, Vertex vertex, boolean active, NetStrokes strokes) {
         SemanticColor rim = vertex.start()
                 ? SemanticColor.NET_START
                 : vertex.end()
@@ -232,10 +228,10 @@ final class NetPainter {
             g.fill(circle(vertex, NetDrawing.PLACE_RADIUS - 1));
         }
         g.setColor((active && rim == SemanticColor.NET_PLACE ? SemanticColor.NET_ACTIVE : rim).get());
-        g.setStroke(active ? THICK : RIM);
+        g.setStroke(active ? strokes.thick() : strokes.rim());
         g.draw(circle(vertex, NetDrawing.PLACE_RADIUS - 1));
         if (vertex.subMission()) {
-            g.setStroke(RIM);
+            g.setStroke(strokes.rim());
             g.draw(circle(vertex, NetDrawing.PLACE_RADIUS - 1 - RING));
         }
     }

@@ -30,7 +30,7 @@ final class NetSnapshot {
         g.fillRect(0, 0, image.getWidth(), image.getHeight());
         g.scale(bounded, bounded);
         g.translate(-all.x(), -all.y());
-        painter.paint(g, bounded, scene, marking, NetLight.NONE);
+        painter.paint(g, bounded, 1, scene, marking, NetLight.NONE);
         g.dispose();
         return image;
     }

@@ -332,7 +332,8 @@ public final class NetView extends JPanel {
     }
 
     private void paintNet(Graphics2D g, double scale) {
-        painter.paint(g, scale, scene, marking, new NetLight(selected, highlighted, pulse::of, changes));
+        painter.paint(
+                g, scale, viewport.own(), scene, marking, new NetLight(selected, highlighted, pulse::of, changes));
         BadgePainter.paint(g, scene, badges);
         tool.paint(g);
     }

@@ -20,6 +20,9 @@ final class NetViewport {
     private final VisualizationServer<String, String> viewer;
     private final Component component;
     private final Runnable changed;
+    private double own = Look.scalePercent() / 100.0;
+    private DrawingBox fitted = new DrawingBox(0, 0, 0, 0);
+    private AffineTransform afterFit = new AffineTransform();
 
     /**
      * Makes the viewport of a viewer.
@@ -41,9 +44,33 @@ final class NetViewport {
         return transformer().getScale();
     }
 
-    /** How large the net is shown, 1 at its own size in the scale of the look. */
+    /** How many it has at the net's own size. */
+    double own() {
+        return own;
+    }
+
+    /** How large the net is shown, 1 at its own size. */
     double zoom() {
-        return scale() * 100 / Look.scalePercent();
+        return scale() / own;
+    }
+
+    /**
+     * Takes the scale of the look, so that the net's letters stay as large as those around it. A box that was fitted into the view is
+     * fitted again; else what is in the middle stays there.
+     */
+    void takeScaleOfLook() {
+        double next = Look.scalePercent() / 100.0;
+        if (next == own) {
+            return;
+        }
+        double zoom = zoom();
+        boolean untouched = transformer().getTransform().equals(afterFit);
+        own = next;
+        if (untouched) {
+            fit(fitted);
+        } else {
+            setZoom(zoom);
+        }
     }
 
     void setZoom(double zoom) {
@@ -72,11 +99,12 @@ final class NetViewport {
     void fit(DrawingBox box) {
         double width = Math.max(1, component.getWidth() - 2 * MARGIN);
         double height = Math.max(1, component.getHeight() - 2 * MARGIN);
-        double own = Look.scalePercent() / 100.0;
         double scale = Math.max(
                 LEAST * own,
                 Math.min(own, Math.min(width / Math.max(1, box.width()), height / Math.max(1, box.height()))));
         show(box.x() + box.width() / 2, box.y() + box.height() / 2, scale);
+        fitted = box;
+        afterFit = new AffineTransform(transformer().getTransform());
     }
 
     /** Shows a point of the drawing in the middle. */
