@@ -8,34 +8,41 @@ import org.sami.ui.look.Look;
 
 /**
  * The arrangements that a program has for its panels: one for windows with room, one with fewer panels beside one another for small windows
- * and large letters. Immutable.
+ * and large letters, one with fewer still for the smallest. Immutable.
  *
- * @param least how large the area of the panels has to be for the roomy one, in pixels at 100 %
+ * @param leastRoomy how large the area of the panels has to be for the roomy one, in pixels at 100 %
+ * @param leastCompact how large it has to be for the compact one
  */
-public record Arrangements(Arrangement roomy, Arrangement compact, Dimension least) {
+public record Arrangements(
+        Arrangement roomy, Arrangement compact, Arrangement tight, Dimension leastRoomy, Dimension leastCompact) {
     public Arrangements {
         Objects.requireNonNull(roomy, "roomy");
         Objects.requireNonNull(compact, "compact");
-        Objects.requireNonNull(least, "least");
+        Objects.requireNonNull(tight, "tight");
+        Objects.requireNonNull(leastRoomy, "leastRoomy");
+        Objects.requireNonNull(leastCompact, "leastCompact");
     }
 
     /** The same arrangement at any size. */
     public static Arrangements of(Arrangement only) {
-        return new Arrangements(only, only, new Dimension());
+        return new Arrangements(only, only, only, new Dimension(), new Dimension());
     }
 
     /** Which of them fits an area of a size in pixels, at the scale in force. */
     public Arrangement fitting(Dimension size) {
-        boolean room = size.width >= Look.px(least.width) && size.height >= Look.px(least.height);
-        return room ? roomy : compact;
+        return hasRoom(size, leastRoomy) ? roomy : hasRoom(size, leastCompact) ? compact : tight;
+    }
+
+    private static boolean hasRoom(Dimension size, Dimension least) {
+        return size.width >= Look.px(least.width) && size.height >= Look.px(least.height);
     }
 
     /** The same where some panels are missing. */
     Arrangements of(Set<String> present) {
-        return new Arrangements(roomy.of(present), compact.of(present), least);
+        return new Arrangements(roomy.of(present), compact.of(present), tight.of(present), leastRoomy, leastCompact);
     }
 
     List<Arrangement> all() {
-        return List.of(roomy, compact);
+        return List.of(roomy, compact, tight);
     }
 }

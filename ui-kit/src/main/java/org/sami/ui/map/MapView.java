@@ -129,8 +129,8 @@ public final class MapView extends JPanel implements AutoCloseable {
     }
 
     /**
-     * Makes it part of a form, or a panel of its own. In a form there is no room for the line below the map, and the wheel scrolls the form, where that can
-     * be scrolled, until the map has the focus or Ctrl is held.
+     * Makes it part of a form, or a panel of its own. In a form there is no room for the line below the map, drawing has no end of its own to speak of, and the
+     * wheel scrolls the form, where that can be scrolled, until the map has the focus or Ctrl is held.
      */
     public void setInForm(boolean inForm) {
         status.setVisible(!inForm);
@@ -220,8 +220,8 @@ public final class MapView extends JPanel implements AutoCloseable {
     }
 
     private void sketchChanged() {
-        editing.ifPresent(tool -> canvas.say(
-                tool.sketch().problem().orElse("Enter or a double click ends, Escape leaves, Ctrl+Z undoes"), false));
+        String ended = canvas.isInForm() ? "" : "Enter or a double click ends, Escape leaves, Ctrl+Z undoes";
+        editing.ifPresent(tool -> canvas.say(tool.sketch().problem().orElse(ended), false));
         canvas.repaint();
     }
 

@@ -87,6 +87,7 @@ final class PlaceEditor extends ValueEditor {
             drawn = sketch.points();
             follow(() -> text.type(
                     PlacesText.write(drawn.stream().map(PlaceEditor::rounded).toList(), sketch.holes())));
+            bringIntoSight();
             changed();
         }
     }
@@ -100,7 +101,16 @@ final class PlaceEditor extends ValueEditor {
                 follow(sketch::clear);
             }
             drawn = sketch.points();
+            bringIntoSight();
             changed();
+        }
+    }
+
+    /** What was drawn on another map or typed is seen on this one; the map stays where it is while somebody draws on it. */
+    private void bringIntoSight() {
+        boolean outside = drawn.stream().anyMatch(point -> !map.frame().isShown(point));
+        if (outside && !map.canvas().isFocusOwner()) {
+            map.fitAll();
         }
     }
 

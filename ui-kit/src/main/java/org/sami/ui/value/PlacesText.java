@@ -196,7 +196,7 @@ enum PlacesText implements TypedText {
 
     @Override
     public int columns() {
-        return 24;
+        return this == POINT ? 24 : 0; // lines are as wide as what is written: no bar to scroll what is empty
     }
 
     @Override

@@ -161,6 +161,20 @@ class MapViewTest {
     }
 
     @Test
+    void aMapInAFormSaysWhatIsMissingAndNothingWhenAllIsThere() {
+        for (boolean form : new boolean[] {true, false}) {
+            map.setInForm(form);
+            GeoSketch sketch = new GeoSketch(GeoShape.POINT);
+            map.edit(sketch, kept -> {});
+            assertThat(((MapCanvas) map.canvas()).said()).isEqualTo("Click 1 point on the map");
+
+            sketch.add(GeoPoint.of(45.4, 10.9));
+
+            assertThat(((MapCanvas) map.canvas()).said().isEmpty()).isEqualTo(form);
+        }
+    }
+
+    @Test
     void aPointSnapsToAnArea() {
         GeoArea area = MapScenes.square(-60, 60, 70);
         GeoSketch sketch = new GeoSketch(GeoShape.POINT);

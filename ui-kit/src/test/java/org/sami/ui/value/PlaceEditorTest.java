@@ -6,13 +6,16 @@ import java.awt.Container;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ValueType;
 import org.sami.ui.check.Layout;
+import org.sami.ui.geo.GeoSketch;
 import org.sami.ui.map.MapView;
 
 class PlaceEditorTest {
@@ -43,6 +46,24 @@ class PlaceEditorTest {
         click(map().canvas(), 40, 30);
 
         assertThat(text().getText().lines()).hasSize(1);
+    }
+
+    @Test
+    void whatIsDrawnOnAnotherMapIsSeenOnThisOne() {
+        laidOut(620);
+        GeoSketch sketch = area.sketch().orElseThrow();
+        List<GeoPoint> far = List.of(GeoPoint.of(25.36, 51.53), GeoPoint.of(25.36, 51.54), GeoPoint.of(25.35, 51.54));
+
+        far.forEach(sketch::add);
+
+        assertThat(far).allMatch(point -> map().frame().isShown(point));
+        assertThat(map().frame()
+                        .distancePx(
+                                far.get(0),
+                                map().frame().px(far.get(1)),
+                                map().frame().py(far.get(1))))
+                .as("pixels of the first line")
+                .isGreaterThan(40);
     }
 
     @Test

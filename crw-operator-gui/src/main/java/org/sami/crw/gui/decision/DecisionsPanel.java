@@ -10,7 +10,6 @@ import java.util.concurrent.CompletionStage;
 import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.Timer;
@@ -39,8 +38,6 @@ public final class DecisionsPanel extends JPanel {
     private static final String ONE = "one";
     private static final int BLINK_MS = 500;
     private static final int LOW = 230;
-    private static final int NARROW = 440;
-    private static final int WIDE = 600;
 
     private final DecisionActions actions;
     private final DecisionMap map;
@@ -53,14 +50,9 @@ public final class DecisionsPanel extends JPanel {
     private final JPanel deck = new JPanel(cards);
     private final JPanel body = new JPanel(new BorderLayout());
     private final DecisionHeader header;
-    private final WrappedText problem = new WrappedText("");
-    private final JLabel problemLine = new JLabel(); // the same in a low panel; its tooltip has all of it
-    private final JLabel position = new JLabel(" ");
+    private final AnswerBar bar;
     private final WaitingList waiting;
     private final DecisionCommands commands;
-    private final CommandButton refuse;
-    private final CommandButton draw;
-    private final CommandButton answer;
     private final Timer settle = new Timer((int) ShownDecision.REST_MILLIS + 10, event -> settle());
     private Optional<DecisionView> current = Optional.empty();
     private boolean underWay;
@@ -81,9 +73,7 @@ public final class DecisionsPanel extends JPanel {
         this.editors = editors;
         shown = new ShownDecision(() -> System.nanoTime() / 1_000_000);
         commands = new DecisionCommands(registry, this);
-        refuse = new CommandButton(commands.refuse());
-        draw = new CommandButton(commands.draw());
-        answer = new CommandButton(commands.answer());
+        bar = new AnswerBar(commands);
         header = new DecisionHeader(new CommandButton(commands.stopTimer()));
         waiting = new WaitingList(this::select);
         settle.setRepeats(false);
@@ -121,12 +111,9 @@ public final class DecisionsPanel extends JPanel {
         scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.setName("decision-scroll");
         scroll.getVerticalScrollBar().setUnitIncrement(Look.px(16));
-        problem.setName("decision-problem");
-        problem.setColor(SemanticColor.MUTED);
-        problemLine.setName("decision-problem-line");
         column.add(header);
         column.add(scroll, "hmin 0");
-        column.add(buttons());
+        column.add(bar, "wmin 0");
         return column;
     }
 
@@ -146,30 +133,9 @@ public final class DecisionsPanel extends JPanel {
     @Override
     public void doLayout() {
         boolean low = getHeight() < Look.px(LOW);
-        boolean narrow = getWidth() < Look.px(NARROW);
         header.setLow(low);
-        problem.setVisible(!low);
-        problemLine.setVisible(low);
-        position.setVisible(!narrow);
-        draw.setHideActionText(getWidth() < Look.px(WIDE));
+        bar.fit(getWidth(), low);
         super.doLayout();
-    }
-
-    private JComponent buttons() {
-        JPanel buttons = new JPanel(new MigLayout(
-                "novisualpadding, insets 0, gap 8, fillx, hidemode 3", "[][][][grow,fill][][][]", "[center]"));
-        buttons.setOpaque(false);
-        position.setName("decision-position");
-        answer.putClientProperty("JButton.buttonType", "default");
-        buttons.add(answer);
-        buttons.add(refuse);
-        buttons.add(draw);
-        buttons.add(problem, "split 2, wmin 80");
-        buttons.add(problemLine, "wmin 0");
-        buttons.add(position);
-        buttons.add(CommandButton.iconOnly(commands.earlier()));
-        buttons.add(CommandButton.iconOnly(commands.later()));
-        return buttons;
     }
 
     /** What waits has changed. */
@@ -200,10 +166,11 @@ public final class DecisionsPanel extends JPanel {
         });
         waiting.show(shown.others(), actions.nowMillis());
         tellProblem();
-        position.setText(shown.waiting() < 2 || shown.isOver() ? " " : shown.position() + 1 + " of " + shown.waiting());
+        bar.showPosition(shown.waiting() < 2 || shown.isOver() ? " " : shown.position() + 1 + " of " + shown.waiting());
         commands.refresh();
-        refuse.setVisible(whyNotRefuse().isEmpty());
-        draw.setVisible(current.flatMap(view -> view.editor().sketch()).isPresent());
+        bar.offer(
+                whyNotRefuse().isEmpty(),
+                current.flatMap(view -> view.editor().sketch()).isPresent());
     }
 
     private void turnTo(Optional<PendingDecision> pending) {
@@ -246,13 +213,7 @@ public final class DecisionsPanel extends JPanel {
         if (text.isEmpty()) {
             text = whyNot().orElse("");
         }
-        problem.setColor(refusal.isEmpty() ? SemanticColor.MUTED : SemanticColor.CRITICAL);
-        if (!problem.getText().equals(text)) {
-            problem.setText(text);
-            problemLine.setText(text);
-            problemLine.setToolTipText(text.isEmpty() ? null : text);
-        }
-        problemLine.setForeground((refusal.isEmpty() ? SemanticColor.MUTED : SemanticColor.CRITICAL).get());
+        bar.tell(text, !refusal.isEmpty());
     }
 
     private void drawAttention(PendingDecision pending) {
@@ -314,7 +275,7 @@ public final class DecisionsPanel extends JPanel {
             attend();
             map.draw(sketch, () -> {
                 edited(current.orElseThrow());
-                (answer.isEnabled() ? answer : draw).requestFocusInWindow();
+                bar.focus();
             });
         });
     }

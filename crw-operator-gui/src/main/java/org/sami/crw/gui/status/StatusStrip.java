@@ -6,6 +6,7 @@ import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongSupplier;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -39,7 +40,8 @@ public final class StatusStrip extends JPanel {
     private final JLabel notice = new JLabel();
     private final JLabel clock = new JLabel();
     private final JButton alarms = new JButton();
-    private Optional<Notice> last = Optional.empty();
+    private final ShownNotice shown;
+    private Optional<Notice> displayed = Optional.empty();
     private boolean narrow;
     private final CommandButton stop;
     private final CommandButton release;
@@ -49,14 +51,16 @@ public final class StatusStrip extends JPanel {
      * The strip of a window.
      *
      * @param showAlarms brings the alarms to the front
+     * @param nanos a clock that only goes on, in ns, for how long a notice has been shown
      */
-    public StatusStrip(OperatorContext context, FleetStopCommands fleetStop, Command showAlarms) {
+    public StatusStrip(OperatorContext context, FleetStopCommands fleetStop, Command showAlarms, LongSupplier nanos) {
         super(new MigLayout(
                 "insets 6 12 6 8, gap 20, hidemode 3",
                 "[][][][]8:push[grow 0, shrinkprio 300]push[shrinkprio 200][][shrink 0]",
                 "[]"));
         this.context = context;
         this.fleetStop = fleetStop;
+        shown = new ShownNotice(nanos);
         setName("status-strip");
         stop = new CommandButton(fleetStop.stop());
         release = new CommandButton(fleetStop.release());
@@ -82,18 +86,26 @@ public final class StatusStrip extends JPanel {
         stops.add(stop, "h 44!");
         add(stops, "shrink 0"); // it is never cut
         fleetStop.onChange(this::refresh);
-        context.notices().addListener(this::show);
+        context.notices().addListener(told -> {
+            shown.tell(told);
+            showNotice(shown.now());
+        });
         style();
         refresh();
     }
 
-    private void show(Notice told) {
-        last = Optional.of(told);
-        notice.setText(told.text());
-        notice.setToolTipText(told.text());
-        notice.setIcon(Icons.of(
-                told.refused() ? "alarm" : "check", 16, told.refused() ? SemanticColor.WARNING : SemanticColor.OK));
-        notice.setForeground((told.refused() ? SemanticColor.WARNING : SemanticColor.MUTED).get());
+    private void showNotice(Optional<Notice> now) {
+        displayed = now;
+        String text = now.map(Notice::text).orElse("");
+        boolean refused = now.filter(Notice::refused).isPresent();
+        notice.setText(text);
+        notice.setToolTipText(now.isPresent() ? text : null);
+        notice.setIcon(
+                now.isEmpty()
+                        ? null
+                        : Icons.of(
+                                refused ? "alarm" : "check", 16, refused ? SemanticColor.WARNING : SemanticColor.OK));
+        notice.setForeground((refused ? SemanticColor.WARNING : SemanticColor.MUTED).get());
     }
 
     @Override
@@ -121,8 +133,7 @@ public final class StatusStrip extends JPanel {
         setBackground(SemanticColor.SURFACE.get());
         setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
         List.of(missions, decisions, boats, links).forEach(label -> label.setFont(Fonts.strong()));
-        clock.setFont(Fonts.heading());
-        last.ifPresent(this::show);
+        showNotice(shown.now());
         missions.setIcon(Icons.small("net"));
         decisions.setIcon(Icons.small("decision"));
         boats.setIcon(Icons.small("boat"));
@@ -131,7 +142,6 @@ public final class StatusStrip extends JPanel {
         stop.setForeground(SemanticColor.ON_CRITICAL.get());
         stop.setIcon(Icons.of("stop", 20, SemanticColor.ON_CRITICAL));
         stop.setFont(Fonts.heading());
-        stop.setMargin(new Insets(Look.px(4), Look.px(20), Look.px(4), Look.px(20)));
     }
 
     /** Shows what is so now; to be called a few times a second. */
@@ -140,6 +150,11 @@ public final class StatusStrip extends JPanel {
                 .filter(mission -> mission.parent() == Ids.NONE)
                 .count();
         narrow = isNarrow();
+        int beside = Look.px(narrow ? 8 : 20);
+        stop.setMargin(new Insets(Look.px(4), beside, Look.px(4), beside));
+        if (!shown.now().equals(displayed)) {
+            showNotice(shown.now());
+        }
         say(missions, count(running, "mission"), narrow ? String.valueOf(running) : "");
         int waiting = context.models().decisions().snapshot().size();
         say(
@@ -152,7 +167,7 @@ public final class StatusStrip extends JPanel {
                 fleet.stream().filter(boat -> boat.link() == LinkState.LINKED).count();
         say(boats, linked + " of " + count(fleet.size(), "boat"), narrow ? linked + " / " + fleet.size() : "");
         showLinks(fleet);
-        clock.setVisible(!narrow);
+        clock.setFont(narrow ? Fonts.strong() : Fonts.heading());
         clock.setText(LocalTime.now(ZoneId.systemDefault()).format(CLOCK));
         showAlarms(context.models().alarms().snapshot());
         release.setVisible(fleetStop.isStopped() && !fleetStop.isReleasing());
@@ -183,7 +198,9 @@ public final class StatusStrip extends JPanel {
 
     private void showAlarms(List<Alarm> all) {
         long open = all.stream().filter(alarm -> !alarm.acknowledged()).count();
-        alarms.setText(open == 0 ? "no alarms" : "▲ " + count(open, "alarm"));
+        String words = open == 0 ? "no alarms" : count(open, "alarm");
+        alarms.setText(narrow ? "▲ " + open : open == 0 ? words : "▲ " + words);
+        alarms.getAccessibleContext().setAccessibleName(words);
         alarms.setForeground((open == 0 ? SemanticColor.MUTED : SemanticColor.ON_WARNING).get());
         alarms.setBackground((open == 0 ? SemanticColor.SURFACE : SemanticColor.WARNING_FILL).get());
     }

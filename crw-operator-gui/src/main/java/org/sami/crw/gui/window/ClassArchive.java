@@ -91,7 +91,7 @@ final class ClassArchive {
             }
             panels.refresh();
             paint(new StatusStrip(
-                    context, fleetStop, context.commands().all().iterator().next()));
+                    context, fleetStop, context.commands().all().iterator().next(), System::nanoTime));
             new WindowMenus(context.commands(), panels.all()).bar();
         }
     }

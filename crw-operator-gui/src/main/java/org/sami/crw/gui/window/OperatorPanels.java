@@ -56,7 +56,19 @@ public final class OperatorPanels implements AutoCloseable {
                     .behind("messages", "decisions")
                     .behind("allocation", "decisions")
                     .behind("log", "decisions"),
-            new Dimension(1280, 780));
+            Arrangement.of("map")
+                    .right("decisions", "map", 0.5)
+                    .behind("missions", "map")
+                    .behind("boats", "map")
+                    .behind("boat", "map")
+                    .behind("communication", "map")
+                    .behind("interrupts", "decisions")
+                    .behind("messages", "decisions")
+                    .behind("alarms", "decisions")
+                    .behind("allocation", "decisions")
+                    .behind("log", "decisions"),
+            new Dimension(1280, 780),
+            new Dimension(720, 380));
 
     private final BoatsPanel boats;
     private final BoatPanel boat;

@@ -163,4 +163,38 @@ class DecisionsPanelTest {
             });
         }
     }
+
+    /** As it is in a window of 1280 by 800 pixels with letters of 200 %. */
+    @Test
+    void inANarrowPanelAtTheLargestScaleNothingIsCutAndTheReasonStandsAboveTheButtons() throws Exception {
+        try (PanelWorld world = new PanelWorld("explore-area", "anna", "bert")) {
+            world.until(
+                    "the area is asked for",
+                    () -> world.find("value-area-text", JTextArea.class).isPresent());
+
+            onEventThread(() -> {
+                Look.apply(Theme.LIGHT, 200);
+                SwingUtilities.updateComponentTreeUI(world.panel);
+                Layout.layOut(world.panel, 620, 485);
+
+                for (String name : List.of("decision-answer", "decision-draw", "decision-problem", "decision-age")) {
+                    Component part =
+                            Layout.find(world.panel, name, Component.class).orElseThrow();
+                    Rectangle seen = SwingUtilities.convertRectangle(part.getParent(), part.getBounds(), world.panel);
+                    assertThat(new Rectangle(620, 485).contains(seen))
+                            .as("%s at %s is in sight", name, seen)
+                            .isTrue();
+                }
+                Component reason = Layout.find(world.panel, "decision-problem", Component.class)
+                        .orElseThrow();
+                assertThat(reason.getWidth()).isGreaterThan(500);
+                return world.panel;
+            });
+        } finally {
+            onEventThread(() -> {
+                Look.apply(Theme.LIGHT, 100);
+                return null;
+            });
+        }
+    }
 }

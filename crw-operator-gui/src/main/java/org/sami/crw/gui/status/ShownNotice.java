@@ -1,0 +1,36 @@
+package org.sami.crw.gui.status;
+
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
+import org.sami.ui.window.Notices.Notice;
+
+/** The last notice, for as long as it is news: what was done for 10 s, why something was not done for 30 s. On one thread. */
+final class ShownNotice {
+    private static final long DONE_NS = TimeUnit.SECONDS.toNanos(10);
+    private static final long REFUSED_NS = TimeUnit.SECONDS.toNanos(30);
+
+    private final LongSupplier nanos;
+    private Optional<Notice> last = Optional.empty();
+    private long toldAt;
+
+    /**
+     * Nothing was told yet.
+     *
+     * @param nanos a clock that only goes on, in ns
+     */
+    ShownNotice(LongSupplier nanos) {
+        this.nanos = nanos;
+    }
+
+    void tell(Notice notice) {
+        last = Optional.of(notice);
+        toldAt = nanos.getAsLong();
+    }
+
+    /** What is to be shown now; empty where nothing was told, or it has been shown long enough. */
+    Optional<Notice> now() {
+        long age = nanos.getAsLong() - toldAt;
+        return last.filter(notice -> age < (notice.refused() ? REFUSED_NS : DONE_NS));
+    }
+}

@@ -1,0 +1,99 @@
+package org.sami.crw.gui.status;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.concurrent.TimeUnit;
+import javax.swing.JLabel;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sami.crw.gui.SessionWorld;
+import org.sami.crw.gui.context.OperatorContext;
+import org.sami.ui.check.Layout;
+import org.sami.ui.check.TextFit;
+import org.sami.ui.command.Command;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.Theme;
+
+@Isolated("the look is one for all windows of a process")
+class StatusStripTest {
+    private SessionWorld world;
+    private OperatorContext context;
+    private long nanos;
+
+    @BeforeEach
+    void open() throws Exception {
+        world = new SessionWorld(SessionWorld.library("clv"), "anna", "bert", "carl");
+        context = world.context;
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        Look.apply(Theme.LIGHT, 100);
+        world.close();
+    }
+
+    private StatusStrip strip() {
+        return new StatusStrip(
+                context, new FleetStopCommands(context), new Command("panel-alarms", "Alarms", () -> {}), () -> nanos);
+    }
+
+    private static String notice(StatusStrip strip) {
+        return label(strip, "notice").getText();
+    }
+
+    private static JLabel label(StatusStrip strip, String name) {
+        return Layout.find(strip, name, JLabel.class).orElseThrow();
+    }
+
+    @Test
+    void aNoticeLeavesWhenItIsNewsNoLonger() throws Exception {
+        SwingUtilities.invokeAndWait(() -> {
+            StatusStrip strip = strip();
+            context.notices().told("anna holds her place");
+            nanos = TimeUnit.SECONDS.toNanos(9);
+            strip.refresh();
+            assertThat(notice(strip)).isEqualTo("anna holds her place");
+
+            nanos = TimeUnit.SECONDS.toNanos(11);
+            strip.refresh();
+            assertThat(notice(strip)).isEmpty();
+            assertThat(label(strip, "notice").getIcon()).isNull();
+        });
+    }
+
+    @Test
+    void whyNothingWasDoneStaysLonger() throws Exception {
+        SwingUtilities.invokeAndWait(() -> {
+            StatusStrip strip = strip();
+            context.notices().refused("no boat is selected");
+            nanos = TimeUnit.SECONDS.toNanos(25);
+            strip.refresh();
+            assertThat(notice(strip)).isEqualTo("no boat is selected");
+
+            nanos = TimeUnit.SECONDS.toNanos(31);
+            strip.refresh();
+            assertThat(notice(strip)).isEmpty();
+        });
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {100, 150, 200})
+    void theClockIsSeenWholeAtEveryScaleInAWindowOf1280Pixels(int percent) throws Exception {
+        SwingUtilities.invokeAndWait(() -> {
+            Look.apply(Theme.LIGHT, percent);
+            StatusStrip strip = strip();
+            Layout.layOut(strip, 1280, Look.px(58));
+
+            JLabel clock = label(strip, "clock");
+            assertThat(clock.isVisible()).isTrue();
+            assertThat(clock.getText()).matches("\\d\\d:\\d\\d:\\d\\d");
+            assertThat(clock.getWidth()).isGreaterThanOrEqualTo(clock.getPreferredSize().width);
+            assertThat(TextFit.faults(strip)).isEmpty();
+        });
+    }
+}
