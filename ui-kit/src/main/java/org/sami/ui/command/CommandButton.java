@@ -1,12 +1,17 @@
 package org.sami.ui.command;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Dimension;
 import javax.swing.JButton;
+import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
 /** A button for a command: named by its id, as large as a wet finger needs. */
 public final class CommandButton extends JButton {
+    private static final int ICON = 20;
+
     /** A button with icon and title. */
     public CommandButton(Command command) {
         super(command);
@@ -21,6 +26,25 @@ public final class CommandButton extends JButton {
         button.setHideActionText(true);
         button.getAccessibleContext().setAccessibleName(command.title());
         button.putClientProperty("JButton.buttonType", "toolBarButton");
+        return button;
+    }
+
+    /**
+     * The button of a panel that is pressed most: in the theme's strongest colours, which a line inside the ring shows to have the focus.
+     *
+     * @param icon a name of {@link Icons}
+     */
+    public static CommandButton primary(Command command, String icon) {
+        CommandButton button = new CommandButton(command);
+        button.putClientProperty(
+                FlatClientProperties.STYLE,
+                "background: $Button.default.background; foreground: $Button.default.foreground; font: bold;"
+                        + " focusedBackground: $Button.default.focusedBackground;"
+                        + " focusedBorderColor: $Button.default.focusedBorderColor;"
+                        + " hoverBackground: $Button.default.hoverBackground;"
+                        + " pressedBackground: $Button.default.pressedBackground");
+        button.setIcon(Icons.of(icon, ICON, SemanticColor.ON_ACCENT));
+        button.setDisabledIcon(Icons.of(icon, ICON, SemanticColor.DISABLED));
         return button;
     }
 

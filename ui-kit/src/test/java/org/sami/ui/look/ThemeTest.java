@@ -161,6 +161,16 @@ class ThemeTest {
     }
 
     @ParameterizedTest
+    @EnumSource(Theme.class)
+    void theFocusOnTheDefaultButtonIsSeenBetweenItsGroundAndTheRing(Theme theme) {
+        Look.apply(theme, 100);
+
+        Color line = UIManager.getColor("Button.default.focusedBorderColor");
+        assertThat(Contrast.of(line, UIManager.getColor("Button.default.background")))
+                .isGreaterThanOrEqualTo(theme == Theme.SUN ? 4.5 : 3);
+    }
+
+    @ParameterizedTest
     @ValueSource(ints = {80, 100, 150, 200})
     void textGrowsWithTheScale(int percent) {
         Look.apply(Theme.LIGHT, percent);

@@ -33,7 +33,7 @@ final class AnswerBar extends JPanel {
 
     AnswerBar(DecisionCommands commands) {
         setLayout(layout);
-        answer = new CommandButton(commands.answer());
+        answer = CommandButton.primary(commands.answer(), "check");
         refuse = new CommandButton(commands.refuse());
         draw = new CommandButton(commands.draw());
         earlier = CommandButton.iconOnly(commands.earlier());
@@ -43,7 +43,6 @@ final class AnswerBar extends JPanel {
         problem.setColor(SemanticColor.MUTED);
         problemLine.setName("decision-problem-line");
         position.setName("decision-position");
-        answer.putClientProperty("JButton.buttonType", "default");
         add(answer);
         add(refuse);
         add(draw);

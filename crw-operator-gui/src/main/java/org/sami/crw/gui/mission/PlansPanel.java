@@ -18,7 +18,6 @@ import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
-import org.sami.ui.look.Icons;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
@@ -63,14 +62,7 @@ public final class PlansPanel extends JPanel {
         });
         table.table().getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke("ENTER"), "start");
         table.table().getActionMap().put("start", start);
-        CommandButton startButton = new CommandButton(start);
-        startButton.putClientProperty(
-                "FlatLaf.style",
-                "background: $Button.default.background; foreground: $Button.default.foreground; font: bold;"
-                        + " focusedBackground: $Button.default.focusedBackground;"
-                        + " hoverBackground: $Button.default.hoverBackground;"
-                        + " pressedBackground: $Button.default.pressedBackground");
-        startButton.setIcon(Icons.of("play", 20, SemanticColor.ON_ACCENT));
+        CommandButton startButton = CommandButton.primary(start, "play");
         CommandRow head = new CommandRow();
         head.left(title).right(startButton).right(new CommandButton(startWith));
         head.setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
