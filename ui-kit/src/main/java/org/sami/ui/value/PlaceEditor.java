@@ -101,12 +101,11 @@ final class PlaceEditor extends ValueEditor {
                 follow(sketch::clear);
             }
             drawn = sketch.points();
-            bringIntoSight();
             changed();
         }
     }
 
-    /** What was drawn on another map or typed is seen on this one; the map stays where it is while somebody draws on it. */
+    /** What was drawn on another map is seen on this one, which stays where it is while somebody draws on it or types. */
     private void bringIntoSight() {
         boolean outside = drawn.stream().anyMatch(point -> !map.frame().isShown(point));
         if (outside && !map.canvas().isFocusOwner()) {

@@ -3,6 +3,7 @@ package org.sami.crw.gui.map;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Supplier;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.gui.context.SessionWays;
 import org.sami.crw.gui.decision.DecisionMap;
@@ -15,12 +16,13 @@ import org.sami.ui.map.MapView;
 import org.sami.ui.value.PlacesOnMap;
 
 /**
- * What the shown decision speaks of, on the main map: its boats stand out, what is chosen or filled in is drawn above
+ * What the shown decision speaks of, on the main map: its boats and those that the question names stand out, what is chosen or filled in is drawn above
  * all else, and the places that the question names are marked.
  */
 final class DecisionOverlay implements DecisionMap {
     private final MapView view;
     private final SessionWays ways;
+    private final Supplier<List<String>> fleet;
     private final PlacesOnMap places;
     private final NamedPlaces named;
     private long drawnFor;
@@ -30,8 +32,10 @@ final class DecisionOverlay implements DecisionMap {
      * Adds its layers to a map.
      *
      * @param ways of boats: the paths of an option are drawn as they would be driven
+     * @param fleet the names of all boats
      */
-    DecisionOverlay(MapView view, IdentityMarks marks, SessionWays ways) {
+    DecisionOverlay(MapView view, IdentityMarks marks, SessionWays ways, Supplier<List<String>> fleet) {
+        this.fleet = fleet;
         this.view = view;
         this.ways = ways;
         places = new PlacesOnMap(view, "decision", marks::of);
@@ -47,12 +51,17 @@ final class DecisionOverlay implements DecisionMap {
         places.show(
                 drawnFor == decision.id() ? List.of() : values,
                 ways.of(decision.decision().mission()));
-        named.show(PlacesInText.of(decision.decision().prompt()));
+        String prompt = decision.decision().prompt();
+        Set<String> here = named.show(PlacesInText.of(prompt));
         Set<String> lit = new HashSet<>(places.ids());
+        lit.addAll(BoatsInText.of(prompt, fleet.get()));
         if (decision.question() instanceof Question.ChooseProxies asked) {
             lit.addAll(asked.proxies());
         }
         decision.map().boats().ifPresent(boats -> lit.addAll(boats.boats()));
+        if (!lit.isEmpty()) {
+            lit.addAll(here); // a place alone dims nothing
+        }
         view.highlight(lit);
     }
 
