@@ -128,7 +128,7 @@ public final class ComponentBuilders {
         }
         Optional<PlacesText> form = PlacesText.of(request.field().type());
         if (form.isEmpty()) {
-            return new SolutionView(request.field());
+            return new SolutionView(request.field(), context.names()::ways);
         }
         return form.get()
                 .shape()
@@ -153,14 +153,18 @@ public final class ComponentBuilders {
     private static ValueEditor solutions(
             ComponentRequest request, ValueContext context, SolutionDetails.Format format) {
         if (request.offer().isEmpty()) {
-            return new RepeatedEditor(request.field(), SolutionView::new);
+            return new RepeatedEditor(request.field(), part -> new SolutionView(part, context.names()::ways));
         }
         Offer offer = request.offer().get();
         return new SolutionChooser(
                 request.field(),
                 offer,
                 new SolutionDetails(
-                        request.field(), format, offer.values(), solution -> preview(request, context, solution)));
+                        request.field(),
+                        format,
+                        offer.values(),
+                        solution -> preview(request, context, solution),
+                        context.names()::ways));
     }
 
     private static ValueEditor allocation(ComponentRequest request, ValueContext context) {
@@ -172,6 +176,6 @@ public final class ComponentBuilders {
                         request.field(),
                         context.names().tasks(),
                         context.names().proxies())
-                : new SolutionView(request.field());
+                : new SolutionView(request.field(), context.names()::ways);
     }
 }

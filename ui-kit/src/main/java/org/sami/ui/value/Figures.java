@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.sami.spn.value.DurationValue;
 import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.MapValue;
@@ -39,27 +40,42 @@ record Figures(Map<String, String> figures, Map<String, String> lines) {
         lines = Collections.unmodifiableMap(new LinkedHashMap<>(lines));
     }
 
+    /** The figures of a solution of which no ways are known. */
     static Figures of(Value solution) {
+        return of(solution, Map.of());
+    }
+
+    /**
+     * The figures of a solution.
+     *
+     * @param ways on which robots would go along their paths, from where they are, as far as they are known
+     */
+    static Figures of(Value solution, Map<RobotPath, List<GeoPoint>> ways) {
         Map<String, String> figures = new LinkedHashMap<>();
         Map<String, String> lines = new LinkedHashMap<>();
         if (solution instanceof RecordValue fields) {
-            fields.fields().forEach((name, value) -> field(name, value, figures, lines));
+            fields.fields().forEach((name, value) -> field(name, value, ways, figures, lines));
         } else if (solution instanceof MapValue map) {
-            field("entries", map, figures, lines);
+            field("entries", map, ways, figures, lines);
         } else {
             figures.put("Value", ValueSummary.of(solution));
         }
         return new Figures(figures, lines);
     }
 
-    private static void field(String name, Value value, Map<String, String> figures, Map<String, String> lines) {
+    private static void field(
+            String name,
+            Value value,
+            Map<RobotPath, List<GeoPoint>> ways,
+            Map<String, String> figures,
+            Map<String, String> lines) {
         if (value instanceof MapValue map) {
             if (!map.entries().isEmpty()) {
                 figures.put(ValueField.words(name), String.valueOf(map.entries().size()));
                 keys(map)
                         .forEach(key -> lines.merge(
                                 ValueSummary.of(key),
-                                inWords(map.entries().get(key)),
+                                inWords(key, map.entries().get(key), ways),
                                 (a, b) -> a.equals(b) ? a : a + ", " + b));
             }
         } else if (value instanceof ListValue list) {
@@ -95,11 +111,35 @@ record Figures(Map<String, String> figures, Map<String, String> lines) {
         return value instanceof TextValue text && !text.value().isBlank();
     }
 
-    private static String inWords(Value value) {
-        if (value instanceof GeoPath path) {
-            return Places.lengthInWords(path.points());
+    private static String inWords(Value key, Value value, Map<RobotPath, List<GeoPoint>> ways) {
+        if (!(value instanceof GeoPath path)) {
+            return ValueSummary.of(value);
         }
-        return ValueSummary.of(value);
+        Optional<List<GeoPoint>> way = key instanceof ProxyValue robot
+                ? Optional.ofNullable(ways.get(new RobotPath(robot.proxy(), path)))
+                : Optional.empty();
+        return Places.pathInWords(path, way);
+    }
+
+    /** The paths that a solution has for robots. */
+    static List<RobotPath> paths(Value solution) {
+        List<MapValue> maps = solution instanceof MapValue map
+                ? List.of(map)
+                : solution instanceof RecordValue fields
+                        ? fields.fields().values().stream()
+                                .filter(MapValue.class::isInstance)
+                                .map(MapValue.class::cast)
+                                .toList()
+                        : List.of();
+        List<RobotPath> paths = new ArrayList<>();
+        for (MapValue map : maps) {
+            map.entries().forEach((key, value) -> {
+                if (key instanceof ProxyValue robot && value instanceof GeoPath path) {
+                    paths.add(new RobotPath(robot.proxy(), path));
+                }
+            });
+        }
+        return paths;
     }
 
     /** The labels that stand in a table of several solutions: those whose text is short in all, in the order in which they come first. */

@@ -27,6 +27,7 @@ final class SolutionDetails {
     private final ValueField field;
     private final Format format;
     private final List<Value> options;
+    private final Function<Value, RobotWays> ways;
     private final JTabbedPane tabs = new JTabbedPane();
     private final CardLayout cards = new CardLayout();
     private final JPanel deck = new JPanel(cards);
@@ -38,26 +39,33 @@ final class SolutionDetails {
      * The details of some solutions, the first one shown.
      *
      * @param preview makes the picture of a solution, such as its paths on a map; empty where there is none
+     * @param ways on which the robots of a solution would go
      */
     SolutionDetails(
-            ValueField field, Format format, List<Value> options, Function<Value, Optional<JComponent>> preview) {
+            ValueField field,
+            Format format,
+            List<Value> options,
+            Function<Value, Optional<JComponent>> preview,
+            Function<Value, RobotWays> ways) {
         this.field = field;
         this.format = format;
         this.options = options;
+        this.ways = ways;
         component = switch (format) {
             case TABS -> tabs;
             case SEQUENTIAL ->
-                new JPanel(new MigLayout(
-                        "novisualpadding, insets 0, gap 8 4, fillx", "[][grow,center][]", "[32:pref][grow,fill]"));
+                new JPanel(new MigLayout("novisualpadding, insets 0, gap 8 4, fillx", "[][grow,center][]", "[]"));
             case STACKED ->
                 new JPanel(new MigLayout("novisualpadding, insets 0, gap 4 8, fillx, wrap 1", "[grow,fill]"));
         };
         component.setName(field.componentName("details"));
         if (format == Format.SEQUENTIAL) {
-            component.add(button("‹ Back", "back", -1));
-            component.add(position);
-            component.add(button("Next ›", "next", 1), "wrap");
-            component.add(deck, "span 3, grow");
+            if (options.size() > 1) { // one option leaves its room to what it is
+                component.add(button("‹ Back", "back", -1));
+                component.add(position);
+                component.add(button("Next ›", "next", 1), "wrap");
+            }
+            component.add(deck, "span 3, grow, pushy");
             position.setName(field.componentName("position"));
             component.setOpaque(false);
             deck.setOpaque(false);
@@ -97,16 +105,11 @@ final class SolutionDetails {
         preview.apply(options.get(option)).ifPresent(picture -> detail.add(picture, "span 2, grow, hmin 140"));
         figures.figures().forEach((label, text) -> {
             if (!compared.contains(label)) {
-                line(detail, label, text);
+                SolutionLines.line(detail, label, text);
             }
         });
-        figures.lines().forEach((label, text) -> line(detail, label, text));
+        SolutionLines.add(detail, options.get(option), ways.apply(options.get(option)));
         return detail;
-    }
-
-    private static void line(JPanel detail, String label, String text) {
-        detail.add(new NoteLabel(label), "aligny top");
-        detail.add(new WrappedText(text), "wmin 60");
     }
 
     JComponent component() {

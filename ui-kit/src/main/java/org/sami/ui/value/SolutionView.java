@@ -1,7 +1,7 @@
 package org.sami.ui.value;
 
-import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -12,10 +12,17 @@ import org.sami.spn.value.Value;
 final class SolutionView extends ValueEditor {
     private final JPanel panel =
             new JPanel(new MigLayout("novisualpadding, insets 0, gap 8 2, fillx, wrap 2", "[][grow,fill]"));
+    private final Function<Value, RobotWays> ways;
     private Optional<Value> shown = Optional.empty();
 
-    SolutionView(ValueField field) {
+    /**
+     * A view that shows nothing yet.
+     *
+     * @param ways on which the robots of a solution would go
+     */
+    SolutionView(ValueField field, Function<Value, RobotWays> ways) {
         super(field);
+        this.ways = ways;
         panel.setOpaque(false);
         panel.setName(field.componentName(""));
         displayNothing();
@@ -40,12 +47,8 @@ final class SolutionView extends ValueEditor {
     protected void display(Value value) {
         shown = Optional.of(value);
         panel.removeAll();
-        Figures figures = Figures.of(value);
-        List.of(figures.figures(), figures.lines())
-                .forEach(part -> part.forEach((label, text) -> {
-                    panel.add(new NoteLabel(label), "aligny top");
-                    panel.add(new WrappedText(text), "wmin 60");
-                }));
+        Figures.of(value).figures().forEach((label, text) -> SolutionLines.line(panel, label, text));
+        SolutionLines.add(panel, value, ways.apply(value));
         panel.revalidate();
     }
 
