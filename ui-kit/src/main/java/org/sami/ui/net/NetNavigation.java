@@ -87,8 +87,16 @@ final class NetNavigation {
                 && !(overview.isVisible() && pixels.intersects(overview.getBounds()));
     }
 
+    /** Shows the first of some vertices in the middle where it is not seen. */
+    void centreFirst(Set<String> ids) {
+        view.drawing().vertices().stream()
+                .filter(vertex -> ids.contains(vertex.id()))
+                .findFirst()
+                .ifPresent(this::centre);
+    }
+
     /** Shows a vertex in the middle where it is not seen. */
-    void centre(Vertex vertex) {
+    private void centre(Vertex vertex) {
         if (!viewport.shown().contains(vertex.centre().x(), vertex.centre().y())) {
             viewport.centre(vertex.centre().x(), vertex.centre().y());
         }

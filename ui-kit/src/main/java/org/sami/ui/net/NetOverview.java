@@ -22,6 +22,7 @@ final class NetOverview extends JComponent {
 
     private final transient NetView view;
     private final transient NetViewport viewport;
+    private boolean wanted = true;
 
     NetOverview(NetView view, NetViewport viewport) {
         this.view = view;
@@ -46,6 +47,31 @@ final class NetOverview extends JComponent {
     @Override
     public Dimension getPreferredSize() {
         return new Dimension(Look.px(WIDTH), Look.px(HEIGHT));
+    }
+
+    /** Shows it while not all of the net is seen, or never. */
+    void setWanted(boolean wanted) {
+        this.wanted = wanted;
+        refresh();
+    }
+
+    boolean isWanted() {
+        return wanted;
+    }
+
+    /** Another part of the net is shown, or the view has another size. */
+    void refresh() {
+        setVisible(wanted && !isNeedless());
+        repaint();
+    }
+
+    /** Whether all of the net is seen, so that an overview would only hide some of it; a small view has none either. */
+    private boolean isNeedless() {
+        DrawingBox all = view.scene().shownBounds();
+        boolean small = view.getWidth() < 3 * getWidth() || view.getHeight() < 3 * getHeight();
+        return small
+                || viewport.shown()
+                        .contains(all.x(), all.y(), Math.max(1e-9, all.width()), Math.max(1e-9, all.height()));
     }
 
     private double scale(DrawingBox all) {

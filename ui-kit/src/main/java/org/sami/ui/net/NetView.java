@@ -4,9 +4,7 @@ import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
-import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
-import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -18,9 +16,7 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
-import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing;
-import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.drawing.NetLayout;
 import org.sami.spn.drawing.TextStyle;
 import org.sami.spn.model.LayoutPoint;
@@ -56,9 +52,7 @@ public final class NetView extends JPanel {
     private transient Map<String, NetChange> changes = Map.of();
     private transient NetScene scene = content.scene(mode, selected);
     private transient NetTool tool = new NetSelectTool(this);
-    private transient Function<String, Optional<String>> explanation = id -> Optional.empty();
-    private transient Function<Token, String> tokenName = NetTips::name;
-    private boolean withOverview = true;
+    private final transient NetTooltip tooltip = new NetTooltip();
 
     /**
      * Makes a view that shows nothing yet.
@@ -201,21 +195,18 @@ public final class NetView extends JPanel {
     /** Marks what somebody speaks of, such as a finding, and shows it. */
     public void highlight(Set<String> ids) {
         highlighted = Set.copyOf(ids);
-        content.drawing().vertices().stream()
-                .filter(vertex -> ids.contains(vertex.id()))
-                .findFirst()
-                .ifPresent(navigation::centre);
+        navigation.centreFirst(ids);
         viewer.repaint();
     }
 
     /** Asks somebody for one more line in tooltips: why a transition does not fire, by its id. */
     public void setExplanation(Function<String, Optional<String>> explanation) {
-        this.explanation = explanation;
+        tooltip.setExplanation(explanation);
     }
 
     /** Asks somebody for what people call a token. */
     public void setTokenName(Function<Token, String> tokenName) {
-        this.tokenName = tokenName;
+        tooltip.setTokenName(tokenName);
     }
 
     /** Gives the pointer another meaning. */
@@ -287,12 +278,11 @@ public final class NetView extends JPanel {
 
     /** Shows the overview in the lower right corner while not all of the net is seen, or never. */
     public void setOverview(boolean shown) {
-        withOverview = shown;
-        viewChanged();
+        overview.setWanted(shown);
     }
 
     void toggleOverview() {
-        setOverview(!withOverview);
+        setOverview(!overview.isWanted());
     }
 
     /** Where a point of the drawing is, in pixels of {@link #canvas}. */
@@ -302,8 +292,7 @@ public final class NetView extends JPanel {
 
     /** The point of the drawing in the middle of the view. */
     public LayoutPoint centre() {
-        Point2D middle = viewport.point(viewer.getWidth() / 2.0, viewer.getHeight() / 2.0);
-        return new LayoutPoint(middle.getX(), middle.getY());
+        return point(viewer.getWidth() / 2.0, viewer.getHeight() / 2.0);
     }
 
     /** The point of the drawing at a pixel of {@link #canvas}. */
@@ -331,6 +320,10 @@ public final class NetView extends JPanel {
         return NetSnapshot.of(painter, content.drawing().bounds(), scene, marking, scale);
     }
 
+    private void viewChanged() {
+        overview.refresh();
+    }
+
     private void paintNet(Graphics2D g, double scale) {
         painter.paint(
                 g, scale, viewport.own(), scene, marking, new NetLight(selected, highlighted, pulse::of, changes));
@@ -339,30 +332,8 @@ public final class NetView extends JPanel {
     }
 
     private String tip(MouseEvent e) {
-        Point2D at = viewport.point(e.getX(), e.getY());
-        String id = scene.vertexAt(at.getX(), at.getY(), 0)
-                .map(Vertex::id)
-                .or(() -> scene.edgeAt(at.getX(), at.getY(), 4).map(NetDrawing.Edge::id))
-                .orElse("");
-        List<String> lines = new ArrayList<>(NetTips.of(content.plan(), content.vocabulary(), marking, id, tokenName));
-        if (lines.isEmpty()) {
-            return null;
-        }
-        explanation.apply(id).ifPresent(lines::add);
-        return NetTips.html(lines);
-    }
-
-    private void viewChanged() {
-        overview.setVisible(withOverview && !shownWhole());
-        overview.repaint();
-    }
-
-    /** Whether all of the net is seen, so that an overview would only hide some of it; a small view has none either. */
-    private boolean shownWhole() {
-        DrawingBox all = scene.shownBounds();
-        Rectangle2D shown = viewport.shown();
-        boolean small = getWidth() < 3 * overview.getWidth() || getHeight() < 3 * overview.getHeight();
-        return small || shown.contains(all.x(), all.y(), Math.max(1e-9, all.width()), Math.max(1e-9, all.height()));
+        return tooltip.at(viewport.point(e.getX(), e.getY()), scene, content, marking)
+                .orElse(null);
     }
 
     @Override
@@ -372,7 +343,7 @@ public final class NetView extends JPanel {
         overview.setBounds(
                 getWidth() - size.width - CORNER_PX, getHeight() - size.height - CORNER_PX, size.width, size.height);
         navigation.laidOut();
-        viewChanged();
+        overview.refresh();
     }
 
     @Override

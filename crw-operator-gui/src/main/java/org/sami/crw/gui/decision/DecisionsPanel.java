@@ -14,7 +14,6 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
-import org.sami.crw.markup.Attention;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.session.RefusedException;
 import org.sami.spn.component.ComponentChoice;
@@ -36,7 +35,6 @@ import org.sami.ui.value.WrappedText;
 public final class DecisionsPanel extends JPanel {
     private static final String NONE = "none";
     private static final String ONE = "one";
-    private static final int BLINK_MS = 500;
     private static final int LOW = 230;
 
     private final DecisionActions actions;
@@ -51,6 +49,7 @@ public final class DecisionsPanel extends JPanel {
     private final JPanel body = new JPanel(new BorderLayout());
     private final DecisionHeader header;
     private final AnswerBar bar;
+    private final AttentionFrame frame = new AttentionFrame(this);
     private final WaitingList waiting;
     private final DecisionCommands commands;
     private final Timer settle = new Timer((int) ShownDecision.REST_MILLIS + 10, event -> settle());
@@ -162,7 +161,7 @@ public final class DecisionsPanel extends JPanel {
         }
         pending.ifPresent(one -> {
             header.show(one, actions.nowMillis());
-            drawAttention(one);
+            frame.show(one.attention());
         });
         waiting.show(shown.others(), actions.nowMillis());
         tellProblem();
@@ -214,18 +213,6 @@ public final class DecisionsPanel extends JPanel {
             text = whyNot().orElse("");
         }
         bar.tell(text, !refusal.isEmpty());
-    }
-
-    private void drawAttention(PendingDecision pending) {
-        Optional<Attention> attention = pending.attention().filter(one -> one.target() == Attention.Target.COMPONENT);
-        boolean lit = attention.isPresent()
-                && (attention.get().type() == Attention.Type.HIGHLIGHT
-                        || System.nanoTime() / 1_000_000 / BLINK_MS % 2 == 0);
-        int width = Look.px(4);
-        setBorder(
-                lit
-                        ? BorderFactory.createLineBorder(SemanticColor.WARNING_FILL.get(), width)
-                        : BorderFactory.createEmptyBorder(width, width, width, width));
     }
 
     private void attend() {
