@@ -1,6 +1,8 @@
 package org.sami.crw.operator;
 
-import java.util.LinkedHashMap;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -30,13 +32,20 @@ final class FleetSampler {
     private final LongSupplier nowMillis;
     private final long periodMillis;
     private final BiConsumer<String, Optional<BoatSnapshot>> taken;
-    private final Map<String, Seen> seen = new LinkedHashMap<>();
+    private final Map<String, Seen> seen = new HashMap<>();
+    private final List<Seen> inOrder =
+            new ArrayList<>(); // of the registry: all are looked at ten times a second, without being looked up
 
     private static final class Seen {
+        private final BoatProxy boat;
         private long sampledAtMillis = Long.MIN_VALUE / 2;
         private long poseAtMillis;
         private boolean changed = true;
         private Optional<BoatSnapshot> last = Optional.empty();
+
+        Seen(BoatProxy boat) {
+            this.boat = boat;
+        }
     }
 
     /**
@@ -67,24 +76,48 @@ final class FleetSampler {
             gone(event.boat());
             return;
         }
-        Optional<BoatProxy> boat = boats.find(event.boat());
-        if (boat.isPresent()) {
-            Seen known = seen.computeIfAbsent(event.boat(), id -> new Seen());
+        Seen known = seen.get(event.boat());
+        if (known == null) {
+            known = boats.find(event.boat()).map(this::begin).orElse(null);
+        }
+        if (known != null) {
+            long now = nowMillis.getAsLong();
             known.changed = true;
             if (event instanceof FleetEvent.StatusReported) {
-                known.poseAtMillis = nowMillis.getAsLong();
+                known.poseAtMillis = now;
             }
-            sampleIfDue(boat.get(), known);
+            sampleIfDue(known, now);
         }
+    }
+
+    private Seen begin(BoatProxy boat) {
+        Seen known = new Seen(boat);
+        seen.put(boat.boatId(), known);
+        return known;
     }
 
     /** Time has passed: takes snapshots that are due. To be called once a period. */
     void look() {
-        boats.all().forEach(boat -> {
-            Seen known = seen.computeIfAbsent(boat.boatId(), id -> new Seen());
-            known.changed |= nowMillis.getAsLong() - known.sampledAtMillis >= 10 * periodMillis; // words count seconds
-            sampleIfDue(boat, known);
-        });
+        long now = nowMillis.getAsLong();
+        int at = 0;
+        for (BoatProxy boat : boats.all()) {
+            Seen known = inOrder(at++, boat);
+            known.changed |= now - known.sampledAtMillis >= 10 * periodMillis; // words count seconds
+            sampleIfDue(known, now);
+        }
+    }
+
+    private Seen inOrder(int at, BoatProxy boat) {
+        if (at < inOrder.size() && inOrder.get(at).boat == boat) {
+            return inOrder.get(at);
+        }
+        inOrder.subList(at, inOrder.size()).clear(); // boats have come or gone
+        Seen known = seen.get(boat.boatId());
+        if (known == null || known.boat != boat) {
+            known = begin(boat);
+        }
+        inOrder.add(known);
+        return known;
     }
 
     private void gone(String boat) {
@@ -93,27 +126,27 @@ final class FleetSampler {
         }
     }
 
-    private void sampleIfDue(BoatProxy boat, Seen known) {
-        long now = nowMillis.getAsLong();
+    private void sampleIfDue(Seen known, long now) {
         if (!known.changed || now - known.sampledAtMillis < periodMillis) {
             return;
         }
         known.changed = false;
         known.sampledAtMillis = now;
-        BoatSnapshot next = snapshot(boat, known, now);
+        BoatSnapshot next = snapshot(known, now);
         if (!known.last.equals(Optional.of(next))) {
             known.last = Optional.of(next);
-            taken.accept(boat.boatId(), known.last);
+            taken.accept(known.boat.boatId(), known.last);
         }
     }
 
-    private BoatSnapshot snapshot(BoatProxy boat, Seen known, long now) {
+    private BoatSnapshot snapshot(Seen known, long now) {
+        BoatProxy boat = known.boat;
         Optional<CommandQueueSnapshot.Entry> current = boat.queue().current();
         BoatExplanation why = boat.explain(titles);
         return new BoatSnapshot(
                 boat.boatId(),
                 boat.status().link(),
-                heard(boat, known, now),
+                heard(known, now),
                 boat.status().pose(),
                 known.poseAtMillis,
                 boat.status().battery(),
@@ -126,8 +159,8 @@ final class FleetSampler {
                 boat.wayHome());
     }
 
-    private static OptionalLong heard(BoatProxy boat, Seen known, long now) {
-        OptionalLong silence = boat.silentMs();
+    private static OptionalLong heard(Seen known, long now) {
+        OptionalLong silence = known.boat.silentMs();
         if (silence.isEmpty()) {
             return silence;
         }

@@ -186,8 +186,7 @@ final class BoatMessages {
     }
 
     private boolean canMove(Telemetry telemetry) {
-        return telemetry.batteryPercent() > 0
-                && settings.inForce().map(BoatTuning::velocityMultiplier).orElse(1.0) > 0;
+        return telemetry.batteryPercent() > 0 && settings.letMove();
     }
 
     /** Has the boat say again what it holds; until then it is told nothing. */

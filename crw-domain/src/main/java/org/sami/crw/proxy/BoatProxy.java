@@ -334,7 +334,9 @@ public final class BoatProxy {
         }
         if (link.isCommanding()) {
             driver.tick(condition.nowMs);
-            fleetRequests.tick(condition.nowMs).forEach(request -> fleetRequests.send(request, condition.nowMs));
+            if (fleetRequests.areWaiting()) {
+                fleetRequests.tick(condition.nowMs).forEach(request -> fleetRequests.send(request, condition.nowMs));
+            }
             settings.tick(condition.nowMs);
             if (condition.awaitingProgress) {
                 link.helloIfDue(condition.nowMs);

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.crw.operator.DecisionQueue;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.crw.session.Session;
@@ -85,7 +86,7 @@ final class StallDetector {
         for (BoatState boat : boats) {
             BoatState before = places.putIfAbsent(boat.id(), boat);
             if (before != null
-                    && Math.hypot(boat.eastM() - before.eastM(), boat.northM() - before.northM()) > SOMEWHERE_M) {
+                    && PlaneMath.length(boat.eastM() - before.eastM(), boat.northM() - before.northM()) > SOMEWHERE_M) {
                 places.put(boat.id(), boat);
                 if (isWanted.test(boat.id()) && boat.batteryPercent() > 0) {
                     lastSomewhereMillis = nowMillis;
