@@ -78,6 +78,9 @@ public final class GivingWay {
     private double besideM; // that line
     private boolean isOnLine; // or nothing bounds where it may go
     private NoGoBorder border = NoGoBorder.NONE;
+    private double fullMps; // this and the next two: for the choice that is being made
+    private double impatience;
+    private double besidePerM;
     private double chosenRad = Double.NaN; // while it gives way
     private double waitedS; // for others, LONGEST_WAIT_S at most
     private double stoodS; // the same, however long it lasts
@@ -269,10 +272,12 @@ public final class GivingWay {
 
     /** The cheapest safe motion; to stop where none is safe. */
     private CourseAndSpeed best() {
+        fullMps = Math.max(courseMps, ASIDE_MPS);
+        impatience = IMPATIENCE_PER_S * waitedS;
+        besidePerM = 1 / (1 + impatience) * BESIDE_PER_M;
         Course best = Math.abs(speedMps) > 0.3 ? heading : course;
         double bestMps = 0;
         double least = new CourseCost(best).of(bestMps, Double.MAX_VALUE);
-        double fullMps = Math.max(courseMps, ASIDE_MPS);
         boolean turnsFirst = !border.isEmpty() && Math.abs(speedMps) < SLOW_MPS;
         for (Course offset : OFFSETS) {
             Course other = course.turned(offset);
@@ -320,17 +325,16 @@ public final class GivingWay {
 
         /** The cost at a speed; exact only where it is less than {@code leastCost}. */
         double of(double mps, double leastCost) {
-            double onward = mps * onCourse / Math.max(courseMps, ASIDE_MPS);
+            double onward = mps * onCourse / fullMps;
             if (onward > 0 && waitedS > HELD_UP_S && neighbours.isBlocked(direction)) {
                 onward = 0;
             }
             double thenM = Math.abs(besideM + mps * toStarboard * SOON_S);
-            double patience = 1 / (1 + IMPATIENCE_PER_S * waitedS);
-            double beside = patience * BESIDE_PER_M * Math.max(0, thenM - 0.5);
+            double beside = besidePerM * Math.max(0, thenM - 0.5);
             double tooFar = thenM > FARTHEST_M && thenM > Math.abs(besideM) ? thenM - FARTHEST_M : 0;
             boolean waits =
                     Math.abs(mps) < ASIDE_MPS / 4 || (mps < 0 && waitedS > HELD_UP_S); // to and fro is no way on
-            double waiting = waits ? IMPATIENCE_PER_S * waitedS : 0;
+            double waiting = waits ? impatience : 0;
             double withoutRisk = 1 - onward + beside + tooFar + waiting + (mps > 0 ? turning : 0);
             return withoutRisk < leastCost
                     ? withoutRisk + neighbours.risk(direction, mps, leastCost - withoutRisk)
