@@ -51,8 +51,7 @@ public final class ByHand {
     private final Replies replies;
     private final Executor computing;
     private final AtomicLong wishes = new AtomicLong();
-    private final Map<String, Long> latest = new ConcurrentHashMap<>(); // by boat
-    private final String process = Long.toString(System.currentTimeMillis(), Character.MAX_RADIX);
+    private final Map<String, String> latest = new ConcurrentHashMap<>(); // the command of the latest wish, by boat
 
     /**
      * Sends boats of a fleet.
@@ -80,19 +79,19 @@ public final class ByHand {
      * be feared on the way, if anything is.
      */
     public CompletionStage<WayByHand> goTo(String boat, GeoPoint point) {
-        long wish = wish(boat);
+        String command = wish(boat);
         return onBoat(boat, this::start)
                 .thenCombine(
                         replies.of(host.query(view -> limits(boat, view))),
                         (start, limits) -> replies.on(computing, () -> {
-                            FollowPath command = WayByHand.command(id(boat, wish), start, point, limits.way());
+                            FollowPath path = WayByHand.command(command, start, point, limits.way());
                             return new Found(
-                                    command,
-                                    WayByHand.of(start, command, limits.area().fence()));
+                                    path,
+                                    WayByHand.of(start, path, limits.area().fence()));
                         }))
                 .thenCompose(Function.identity())
                 .thenCompose(found -> tell(boat, words(boat, point), proxy -> {
-                            if (latest.get(boat) == wish) {
+                            if (command.equals(latest.get(boat))) {
                                 proxy.withdraw(Ids.NONE);
                                 proxy.submit(found.command());
                                 found.way().doubts().forEach(doubt -> tellOf(boat, doubt));
@@ -103,11 +102,11 @@ public final class ByHand {
 
     /** Has a boat keep the place where it is, until it is given back. */
     public CompletionStage<Void> hold(String boat) {
-        long wish = wish(boat);
+        String command = wish(boat);
         return tell(boat, "has " + boat + " hold its place", proxy -> {
             GeoPoint here = start(proxy).at().at();
             proxy.withdraw(Ids.NONE);
-            proxy.submit(new KeepStation(id(boat, wish), Ids.NONE, Ids.NONE, here, RADIUS_M, Priority.CRITICAL, false));
+            proxy.submit(new KeepStation(command, Ids.NONE, Ids.NONE, here, RADIUS_M, Priority.CRITICAL, false));
         });
     }
 
@@ -117,14 +116,11 @@ public final class ByHand {
         return tell(boat, "let " + boat + " go on with its missions", proxy -> proxy.withdraw(Ids.NONE));
     }
 
-    private long wish(String boat) {
-        long wish = wishes.incrementAndGet();
-        latest.put(boat, wish);
-        return wish;
-    }
-
-    private String id(String boat, long wish) {
-        return "guided-" + process + "-" + wish + "-" + boat;
+    /** Notes that there is a later wish for a boat. Gives the id of its command: the session's time goes on where an earlier process ended. */
+    private String wish(String boat) {
+        String command = "guided-" + nowMillis.getAsLong() + "-" + wishes.incrementAndGet() + "-" + boat;
+        latest.put(boat, command);
+        return command;
     }
 
     private WayByHand.Start start(BoatProxy boat) {
