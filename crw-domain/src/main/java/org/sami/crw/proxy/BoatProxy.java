@@ -8,6 +8,7 @@ import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
+import org.sami.boat.link.Motion;
 import org.sami.boat.link.Teleoperate;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
@@ -311,7 +312,11 @@ public final class BoatProxy {
         if (!condition.disconnected) {
             link.received(condition.nowMs);
             messages.take(frame);
-            settle();
+            if (!(frame.message()
+                    instanceof
+                    Motion)) { // which comes several times a second, and changes nothing that a command waits for
+                settle();
+            }
         }
     }
 
