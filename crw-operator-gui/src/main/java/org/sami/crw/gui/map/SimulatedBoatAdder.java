@@ -1,9 +1,13 @@
 package org.sami.crw.gui.map;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletionStage;
 import java.util.function.Supplier;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.command.Command;
@@ -14,7 +18,8 @@ final class SimulatedBoatAdder {
 
     private final OperatorContext context;
     private final Supplier<GeoPoint> where;
-    private final List<GeoPoint> taken = new ArrayList<>(); // boats that were added say where they are a little later
+    private final Map<String, GeoPoint> awaited =
+            new HashMap<>(); // boats that were added say where they are a little later
     private int last;
 
     /**
@@ -25,6 +30,11 @@ final class SimulatedBoatAdder {
     SimulatedBoatAdder(OperatorContext context, Supplier<GeoPoint> where) {
         this.context = context;
         this.where = where;
+        context.models().fleet().addListener(this::seen);
+    }
+
+    private void seen(List<BoatSnapshot> boats) {
+        boats.stream().filter(boat -> boat.pose().isPresent()).forEach(boat -> awaited.remove(boat.boat()));
     }
 
     /** The command that adds one. */
@@ -37,13 +47,21 @@ final class SimulatedBoatAdder {
     private void add() {
         String name = nextName();
         GeoPoint at = free(where.get());
-        taken.add(at);
-        context.tell(context.session().fleet().addSimulated(name, at, 1), name + " is added in the middle of the map");
+        awaited.put(name, at);
+        CompletionStage<List<String>> added = context.session()
+                .fleet()
+                .addSimulated(name, at, 1)
+                .whenComplete((done, fault) -> {
+                    if (fault != null) {
+                        awaited.remove(name);
+                    }
+                });
+        context.tell(added, name + " is added in the middle of the map");
     }
 
     /** The place that is wanted, or east of it the first at which no boat lies or was added: boats on one spot are in each other's way. */
     private GeoPoint free(GeoPoint wanted) {
-        List<GeoPoint> lying = new ArrayList<>(taken);
+        List<GeoPoint> lying = new ArrayList<>(awaited.values());
         context.models().fleet().snapshot().stream()
                 .flatMap(boat -> boat.pose().stream())
                 .forEach(pose -> lying.add(pose.position()));

@@ -57,6 +57,33 @@ class SimulatedBoatAdderTest {
         }
     }
 
+    @Test
+    void aPlaceThatABoatHasLeftIsFreeAgain() throws Exception {
+        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
+            MapPanel panel = laidOut(() -> new MapPanel(world.context));
+            MapView map = SessionWorld.find(panel, "map", MapView.class);
+            onEventThread(() -> {
+                map.centre(GeoPoint.of(45.5, 10.8));
+                return null;
+            });
+            world.run("boat-add-simulated");
+            until("the first has joined", () -> position(world, "sim-1").isPresent());
+            GeoPoint middle = position(world, "sim-1").orElseThrow();
+            SessionWorld.get(world.session.fleet().disconnect("sim-1"));
+            until("it is gone", () -> position(world, "sim-1").isEmpty());
+
+            world.run("boat-add-simulated");
+
+            until("the second has joined", () -> position(world, "sim-2").isPresent());
+            assertThat(Geodesy.distanceM(position(world, "sim-2").orElseThrow(), middle))
+                    .isLessThan(APART_M);
+            onEventThread(() -> {
+                panel.close();
+                return null;
+            });
+        }
+    }
+
     private static Optional<GeoPoint> position(SessionWorld world, String boat) {
         return world.context
                 .models()
