@@ -33,8 +33,8 @@ final class FleetSampler {
     private final long periodMillis;
     private final BiConsumer<String, Optional<BoatSnapshot>> taken;
     private final Map<String, Seen> seen = new HashMap<>();
-    private final List<Seen> inOrder =
-            new ArrayList<>(); // of the registry: all are looked at ten times a second, without being looked up
+    // of the registry: so that all can be looked at ten times a second without being looked up
+    private final List<Seen> inOrder = new ArrayList<>();
 
     private static final class Seen {
         private final BoatProxy boat;

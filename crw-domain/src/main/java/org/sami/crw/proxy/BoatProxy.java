@@ -312,9 +312,8 @@ public final class BoatProxy {
         if (!condition.disconnected) {
             link.received(condition.nowMs);
             messages.take(frame);
-            if (!(frame.message()
-                    instanceof
-                    Motion)) { // which comes several times a second, and changes nothing that a command waits for
+            boolean mayConcernCommands = !(frame.message() instanceof Motion); // that comes several times a second
+            if (mayConcernCommands) {
                 settle();
             }
         }
