@@ -141,7 +141,7 @@ final class FleetSampler {
 
     private BoatSnapshot snapshot(Seen known, long now) {
         BoatProxy boat = known.boat;
-        Optional<CommandQueueSnapshot.Entry> current = boat.queue().current();
+        Optional<CommandQueueSnapshot.Entry> current = boat.commands().queue().current();
         BoatExplanation why = boat.explain(titles);
         return new BoatSnapshot(
                 boat.boatId(),

@@ -10,11 +10,6 @@ import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.Motion;
 import org.sami.boat.link.Teleoperate;
-import org.sami.crw.proxy.command.BoatCommand;
-import org.sami.crw.proxy.command.FollowPath;
-import org.sami.crw.proxy.command.KeepStation;
-import org.sami.crw.proxy.command.Upload;
-import org.sami.crw.proxy.command.UploadCount;
 import org.sami.crw.proxy.execution.CommandDriver;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.explanation.MissionTitles;
@@ -25,8 +20,6 @@ import org.sami.crw.proxy.link.ProxyLink;
 import org.sami.crw.proxy.listener.BoatListener;
 import org.sami.crw.proxy.listener.DeferredNotifications;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot;
-import org.sami.crw.proxy.queue.QueuedCommand;
-import org.sami.crw.proxy.queue.Withdrawal;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.LinkState;
@@ -56,6 +49,7 @@ public final class BoatProxy {
     private final BoatCondition condition;
     private final BoatMessages messages;
     private final ProxyTraffic traffic;
+    private final ProxyCommands commands;
     private long announcedChanges; // of the queue
 
     /** A proxy that says hello at its first tick. */
@@ -71,6 +65,7 @@ public final class BoatProxy {
         settings = new ProxySettings(boatId, link, config, announcements, condition, driver::wireId, this::settle);
         messages = new BoatMessages(boatId, condition, link, handOver, settings, fleetRequests, driver, announcements);
         traffic = new ProxyTraffic(condition, driver, link);
+        commands = new ProxyCommands(driver, condition, this::settle);
     }
 
     private Optional<GeoPoint> position() {
@@ -122,41 +117,6 @@ public final class BoatProxy {
         return condition.status;
     }
 
-    /** The command that the boat is to carry out now. */
-    public Optional<BoatCommand> currentCommand() {
-        return driver.queue().current().map(QueuedCommand::command);
-    }
-
-    /** The commands that wait for their turn, in the order in which they would have it. */
-    public List<BoatCommand> waitingCommands() {
-        return driver.queue().waiting().stream().map(QueuedCommand::command).toList();
-    }
-
-    /** The commands that missions have for the boat, and why each that waits does. */
-    public CommandQueueSnapshot queue() {
-        return CommandQueueSnapshot.of(driver.queue());
-    }
-
-    /** How many points of the path of a queued command are behind the boat; empty if it is not queued. */
-    public Optional<Integer> visitedCount(String commandId) {
-        return driver.queue().find(commandId).map(QueuedCommand::visited);
-    }
-
-    /** The list that the boat said last that it holds; the name is empty if it said that it holds none. */
-    public Optional<String> heldListId() {
-        return condition.heldListId;
-    }
-
-    /** How far the path that went to the boat last has come on its way; empty if none ever went. */
-    public Optional<Upload> upload() {
-        return driver.uploads().latest();
-    }
-
-    /** How many paths have gone to the boat, and how far they came. */
-    public UploadCount uploads() {
-        return driver.uploads().count();
-    }
-
     /** Whether the boat takes commands from this base. */
     public boolean isCommanding() {
         return link.isCommanding();
@@ -173,77 +133,6 @@ public final class BoatProxy {
     /** How many frames could not be read. */
     public long unreadableFrames() {
         return link.unreadable();
-    }
-
-    /**
-     * Takes a command for the boat. One whose id is queued already is ignored. A newer command of a mission takes the place of
-     * its older one; see {@link Withdrawal} for what is displaced.
-     */
-    public void submit(BoatCommand command) {
-        driver.submit(Objects.requireNonNull(command, "command"));
-        settle();
-    }
-
-    /**
-     * Takes back all that a mission has for this boat, and its block; the boat goes on with the next command of another
-     * mission, or stops. Not reported to the listener.
-     *
-     * @return what was taken back
-     */
-    public List<BoatCommand> withdraw(long mission) {
-        List<BoatCommand> withdrawn = driver.withdraw(mission);
-        settle();
-        return withdrawn;
-    }
-
-    /**
-     * Sends the path of the current command to the boat once more, whole and under a new list id, and starts it at its first
-     * unvisited point; where the boat cannot be reached, as soon as it can.
-     *
-     * @return the command; empty if there is none that moves the boat
-     */
-    public Optional<BoatCommand> sendPathAgain() {
-        Optional<BoatCommand> path =
-                currentCommand().filter(command -> command instanceof FollowPath || command instanceof KeepStation);
-        if (path.isPresent()) {
-            driver.abandon("its waypoints are sent to the boat again");
-            settle();
-        }
-        return path;
-    }
-
-    /**
-     * Takes back one command, whose mission may have others; the boat goes on with the next one, or stops. Not reported to the
-     * listener.
-     *
-     * @return whether the boat had it
-     */
-    public boolean withdrawCommand(String commandId) {
-        boolean withdrawn = driver.withdraw(commandId).isPresent();
-        settle();
-        return withdrawn;
-    }
-
-    /**
-     * Takes back one command, which for its mission has failed, for a reason in words; the boat goes on with the next one, or stops.
-     *
-     * @return whether the boat had it
-     */
-    public boolean cancelCommand(String commandId, String reason) {
-        boolean cancelled = driver.fail(commandId, reason);
-        settle();
-        return cancelled;
-    }
-
-    /**
-     * Ends all blocks by which missions keep the boat for themselves; their commands stay, and others have their turn again.
-     *
-     * @return the missions that kept it
-     */
-    public List<Long> clearBlocks() {
-        List<Long> kept = driver.queue().unblock();
-        settle();
-        return kept;
     }
 
     /**
@@ -388,14 +277,6 @@ public final class BoatProxy {
     }
 
     /**
-     * Names the waypoint list that an earlier process of this base, in the same session, sent to the boat last. Where the boat still
-     * holds it when its command comes again, the boat goes on with it; what it has visited meanwhile is behind it.
-     */
-    public void knownList(String listId) {
-        driver.earlierList(listId);
-    }
-
-    /**
      * Drives by hand; to be called again within two seconds, or the boat stops its motors. From the first call until
      * {@link #release} the commands wait.
      *
@@ -423,6 +304,11 @@ public final class BoatProxy {
             driver.stopUnlessWanted();
             settle();
         }
+    }
+
+    /** What missions want of the boat, and how that stands. */
+    public ProxyCommands commands() {
+        return commands;
     }
 
     /** What can be set on the boat, and what it said is in force. */
@@ -495,7 +381,7 @@ public final class BoatProxy {
         driver.settle(obstacle.isEmpty(), condition.nowMs);
         if (driver.queue().changes() != announcedChanges) {
             announcedChanges = driver.queue().changes();
-            CommandQueueSnapshot queue = queue();
+            CommandQueueSnapshot queue = commands.queue();
             announcements.add(l -> l.onQueueChanged(boatId, queue));
         }
         announcements.deliver();

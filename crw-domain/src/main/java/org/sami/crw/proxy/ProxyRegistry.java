@@ -48,7 +48,7 @@ public final class ProxyRegistry {
     public List<BoatCommand> withdraw(long mission) {
         List<BoatCommand> withdrawn = new ArrayList<>();
         for (BoatProxy proxy : all()) {
-            withdrawn.addAll(proxy.withdraw(mission));
+            withdrawn.addAll(proxy.commands().withdraw(mission));
         }
         return withdrawn;
     }

@@ -59,7 +59,8 @@ public final class TakenWaypoints {
                 waiting.put(boat.boatId(), new Waits(target.get(), looks));
             }
             if (by.isPresent() && looks == PATIENCE) {
-                long mission = boat.currentCommand().map(BoatCommand::mission).orElse(0L);
+                long mission =
+                        boat.commands().current().map(BoatCommand::mission).orElse(0L);
                 taken.add(new Taken(boat.boatId(), by.get(), mission));
             }
         }

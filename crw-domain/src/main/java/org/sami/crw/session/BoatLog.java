@@ -128,7 +128,7 @@ final class BoatLog {
         boolean isNew = !upload.listId().equals(lists.put(boat, upload.listId()));
         boolean isPath = boats.get()
                 .find(boat)
-                .flatMap(BoatProxy::currentCommand)
+                .flatMap(proxy -> proxy.commands().current())
                 .filter(command -> command.commandId().equals(upload.commandId())
                         && command.points().equals(upload.way()))
                 .isPresent();

@@ -69,7 +69,7 @@ final class BoatMonitor {
     }
 
     private void look(BoatProxy boat) {
-        UploadCount uploads = boat.uploads();
+        UploadCount uploads = boat.commands().uploads();
         if (history.uploaded(boat.boatId(), uploads)) {
             telemetry.uploads(boat.boatId(), uploads);
         }

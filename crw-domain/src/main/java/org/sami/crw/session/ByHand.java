@@ -92,8 +92,8 @@ public final class ByHand {
                 .thenCompose(Function.identity())
                 .thenCompose(found -> tell(boat, words(boat, point), proxy -> {
                             if (command.equals(latest.get(boat))) {
-                                proxy.withdraw(Ids.NONE);
-                                proxy.submit(found.command());
+                                proxy.commands().withdraw(Ids.NONE);
+                                proxy.commands().submit(found.command());
                                 found.way().doubts().forEach(doubt -> tellOf(boat, doubt));
                             }
                         })
@@ -105,15 +105,19 @@ public final class ByHand {
         String command = wish(boat);
         return tell(boat, "has " + boat + " hold its place", proxy -> {
             GeoPoint here = start(proxy).at().at();
-            proxy.withdraw(Ids.NONE);
-            proxy.submit(new KeepStation(command, Ids.NONE, Ids.NONE, here, RADIUS_M, Priority.CRITICAL, false));
+            proxy.commands().withdraw(Ids.NONE);
+            proxy.commands()
+                    .submit(new KeepStation(command, Ids.NONE, Ids.NONE, here, RADIUS_M, Priority.CRITICAL, false));
         });
     }
 
     /** Takes back what the operator wanted of a boat: it goes on with what missions want. */
     public CompletionStage<Void> giveBack(String boat) {
         wish(boat);
-        return tell(boat, "let " + boat + " go on with its missions", proxy -> proxy.withdraw(Ids.NONE));
+        return tell(
+                boat,
+                "let " + boat + " go on with its missions",
+                proxy -> proxy.commands().withdraw(Ids.NONE));
     }
 
     /** Notes that there is a later wish for a boat. Gives the id of its command: the session's time goes on where an earlier process ended. */

@@ -269,7 +269,7 @@ public final class Fleet {
      */
     public CompletionStage<List<Long>> clearBlock(String boat) {
         return onBoat(boat, proxy -> {
-            List<Long> kept = proxy.clearBlocks();
+            List<Long> kept = proxy.commands().clearBlocks();
             if (kept.isEmpty()) {
                 throw new RefusedException("no mission keeps " + boat + " for itself");
             }
@@ -285,7 +285,7 @@ public final class Fleet {
     /** Takes one command back from a boat's queue: for its mission it has failed. Refused where the boat does not have it any longer. */
     public CompletionStage<Void> cancel(String boat, String commandId) {
         return onBoat(boat, proxy -> {
-            if (!proxy.cancelCommand(commandId, "the operator cancelled it")) {
+            if (!proxy.commands().cancel(commandId, "the operator cancelled it")) {
                 throw new RefusedException(boat + " does not have the command " + commandId + " any longer");
             }
             log.add(Kind.BOAT, "cancelled " + commandId + " of " + boat, boat);

@@ -429,9 +429,9 @@ public final class Session implements AutoCloseable {
 
     private static void takeBack(ProxyRegistry boats) {
         for (BoatProxy boat : boats.all()) {
-            List<BoatCommand> queued = new ArrayList<>(boat.waitingCommands());
-            boat.currentCommand().ifPresent(queued::add);
-            queued.forEach(command -> boat.withdraw(command.mission()));
+            List<BoatCommand> queued = new ArrayList<>(boat.commands().waiting());
+            boat.commands().current().ifPresent(queued::add);
+            queued.forEach(command -> boat.commands().withdraw(command.mission()));
         }
     }
 

@@ -46,11 +46,11 @@ class FleetEventsTest {
     @Test
     void whoHasUnsubscribedHearsNothingMore() {
         Registration registration = events.subscribe(heard::add);
-        boat.submit(path("c1", 1));
+        boat.commands().submit(path("c1", 1));
         int before = heard.size();
 
         registration.close();
-        boat.submit(path("c2", 2));
+        boat.commands().submit(path("c2", 2));
 
         assertThat(before).isPositive();
         assertThat(heard).hasSize(before);
@@ -98,7 +98,7 @@ class FleetEventsTest {
             events.subscribe(own, event -> awaitQuietly(never));
             events.subscribe(heard::add);
             for (int mission = 1; mission <= 1000; mission++) {
-                boat.submit(path("c" + mission, mission));
+                boat.commands().submit(path("c" + mission, mission));
             }
 
             assertThat(heard)
@@ -108,14 +108,14 @@ class FleetEventsTest {
             own.shutdownNow();
             assertThat(own.awaitTermination(10, TimeUnit.SECONDS)).isTrue();
         }
-        boat.submit(path("after", 2000)); // whose executor has ended is told nothing
+        boat.commands().submit(path("after", 2000)); // whose executor has ended is told nothing
     }
 
     @Test
     void aQueueIsToldWithWhoHasItsTurnAndWhyTheOthersWait() {
         events.subscribe(heard::add);
-        boat.submit(path("c1", 1).blocking());
-        boat.submit(path("c2", 2));
+        boat.commands().submit(path("c1", 1).blocking());
+        boat.commands().submit(path("c2", 2));
 
         CommandQueueSnapshot queue = lastQueue();
         assertThat(queue.current()).map(entry -> entry.command().commandId()).contains("c1");
@@ -128,13 +128,13 @@ class FleetEventsTest {
                     .isEqualTo("mission 1, Survey keeps the boat");
         });
 
-        boat.withdraw(1);
+        boat.commands().withdraw(1);
 
         assertThat(lastQueue().current())
                 .map(entry -> entry.command().commandId())
                 .contains("c2");
         assertThat(lastQueue().blockedBy()).isEmpty();
-        assertThat(lastQueue()).isEqualTo(boat.queue());
+        assertThat(lastQueue()).isEqualTo(boat.commands().queue());
     }
 
     private CommandQueueSnapshot lastQueue() {

@@ -93,7 +93,9 @@ final class AbortEventCases {
                         .on("go", "TimerExpired", "ask", "any-token")
                         .asks("ask", event),
                 1);
-        boat(scene).submit(FollowPath.goTo("other", OTHER_MISSION, 1, PlanScene.at(900, 0), Priority.MEDIUM));
+        boat(scene)
+                .commands()
+                .submit(FollowPath.goTo("other", OTHER_MISSION, 1, PlanScene.at(900, 0), Priority.MEDIUM));
         scene.run(5);
         assertThat(queue(scene)).containsExactly(PlanScene.MISSION, OTHER_MISSION);
         assertThat(scene.world.hull("boat-1").isAtRest()).isFalse();
@@ -109,8 +111,8 @@ final class AbortEventCases {
     /** The missions that want something of the boat, in the order of their turn. */
     private static List<Long> queue(PlanScene scene) {
         List<Long> missions = new ArrayList<>();
-        boat(scene).currentCommand().ifPresent(command -> missions.add(command.mission()));
-        boat(scene).waitingCommands().forEach(command -> missions.add(command.mission()));
+        boat(scene).commands().current().ifPresent(command -> missions.add(command.mission()));
+        boat(scene).commands().waiting().forEach(command -> missions.add(command.mission()));
         return missions;
     }
 }

@@ -184,7 +184,7 @@ class AbortTest {
         }
         world.run(3);
 
-        assertThat(boat("b").currentCommand().map(BoatCommand::mission)).contains(4L);
+        assertThat(boat("b").commands().current().map(BoatCommand::mission)).contains(4L);
         assertThat(world.hull("b").isAtRest()).isFalse();
         assertThat(signals()).noneMatch(signal -> signal.toList().contains(List.of("b")));
     }
@@ -200,8 +200,8 @@ class AbortTest {
     /** The missions that have a command for boat a, in the order of their turn. */
     private List<Long> wanted() {
         List<Long> missions = new ArrayList<>();
-        boat("a").currentCommand().ifPresent(command -> missions.add(command.mission()));
-        boat("a").waitingCommands().forEach(command -> missions.add(command.mission()));
+        boat("a").commands().current().ifPresent(command -> missions.add(command.mission()));
+        boat("a").commands().waiting().forEach(command -> missions.add(command.mission()));
         return missions;
     }
 

@@ -36,7 +36,7 @@ class BoatQuestionsTest {
     void aBoatUnderWay() {
         world.addBoat("a", 0, 0);
         world.run(1);
-        boat().submit(path());
+        boat().commands().submit(path());
         world.run(3);
     }
 
@@ -99,7 +99,7 @@ class BoatQuestionsTest {
         world = new TestWorld(engine);
         world.addBoat("a", 0, 0);
         world.startServer("a", "a-boot2");
-        boat().submit(path());
+        boat().commands().submit(path());
         world.run(5);
 
         assertThat(world.hull("a").isAtRest()).isTrue();
@@ -112,7 +112,7 @@ class BoatQuestionsTest {
     void aBoatThatRanOnWhileTheBaseWasDownIsMovedAtOnce() {
         world = new TestWorld(engine);
         world.addBoat("a", 0, 0);
-        boat().submit(path());
+        boat().commands().submit(path());
         world.run(5);
 
         assertThat(world.hull("a").isAtRest()).isFalse();

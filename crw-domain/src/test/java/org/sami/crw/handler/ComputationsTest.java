@@ -97,7 +97,7 @@ class ComputationsTest {
     }
 
     private boolean isCommanded(String boat) {
-        return world.boats.find(boat).orElseThrow().currentCommand().isPresent();
+        return world.boats.find(boat).orElseThrow().commands().current().isPresent();
     }
 
     @Test
@@ -138,7 +138,8 @@ class ComputationsTest {
         assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
         world.run(5);
         assertThat(engine.inputs).noneMatch(Input.HandlerFailed.class::isInstance);
-        assertThat(world.boats.all()).noneMatch(boat -> boat.currentCommand().isPresent());
+        assertThat(world.boats.all())
+                .noneMatch(boat -> boat.commands().current().isPresent());
     }
 
     @Test

@@ -151,6 +151,7 @@ final class FleetEventCases {
                             .boats
                             .find("boat-1")
                             .orElseThrow()
+                            .commands()
                             .uploads()
                             .sent();
                     scene.untilBoat("boat-1", "there");
@@ -158,6 +159,7 @@ final class FleetEventCases {
                                     .boats
                                     .find("boat-1")
                                     .orElseThrow()
+                                    .commands()
                                     .uploads()
                                     .sent())
                             .isEqualTo(before + 1);
@@ -183,6 +185,7 @@ final class FleetEventCases {
                 .boats
                 .find("boat-1")
                 .orElseThrow()
+                .commands()
                 .submit(FollowPath.goTo("another mission's", 99, 1, EAST, Priority.MEDIUM));
         scene.run(20);
         assertThat(distance(scene, "boat-1", NORTH)).isLessThan(NEAR_M);

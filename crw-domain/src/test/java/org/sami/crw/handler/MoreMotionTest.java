@@ -188,14 +188,14 @@ class MoreMotionTest {
         happens(gotoFar(8).mission(1));
         world.run(10);
         BoatProxy boat = world.boats.find("a").orElseThrow();
-        UploadCount before = boat.uploads();
-        String held = boat.heldListId().orElseThrow();
+        UploadCount before = boat.commands().uploads();
+        String held = boat.commands().heldListId().orElseThrow();
 
         world.happens(engine, new Effect.Activated(resend));
         world.run(90);
 
-        assertThat(boat.uploads().readBackEqual()).isEqualTo(before.readBackEqual() + 1);
-        assertThat(boat.heldListId()).isPresent().get().isNotEqualTo(held);
+        assertThat(boat.commands().uploads().readBackEqual()).isEqualTo(before.readBackEqual() + 1);
+        assertThat(boat.commands().heldListId()).isPresent().get().isNotEqualTo(held);
         assertThat(distance("a", FAR)).isLessThan(6);
         assertThat(engine.received("ProxyPathCompleted"))
                 .extracting(Occurrence::mission, Occurrence::activation)

@@ -96,6 +96,7 @@ final class MotionEventCases {
                 .boats
                 .find("boat-1")
                 .orElseThrow()
+                .commands()
                 .submit(FollowPath.goTo("another mission's", 99, 1, EAST, Priority.MEDIUM));
         scene.run(5);
         assertThat(scene.world.hull("boat-1").isAtRest()).isTrue();
@@ -121,6 +122,7 @@ final class MotionEventCases {
                 .boats
                 .find("boat-1")
                 .orElseThrow()
+                .commands()
                 .submit(FollowPath.goTo("another mission's", 99, 1, EAST, Priority.HIGH));
         scene.untilBoat("boat-1", "stuck");
         assertThat(((TextValue) scene.variable("@why")).value()).contains("higher priority");

@@ -75,7 +75,8 @@ class MotionTest {
         assertThat(world.hull("a").isAtRest()).isTrue();
 
         world.happens(engine, executePath(Map.of("a", NORTH)).id(8).of("a").effect());
-        assertThat(world.boats.find("a").orElseThrow().visitedCount("m1-a8-a")).contains(1);
+        assertThat(world.boats.find("a").orElseThrow().commands().visitedCount("m1-a8-a"))
+                .contains(1);
         world.run(150);
 
         assertThat(engine.received("ProxyPathCompleted"))
@@ -106,8 +107,10 @@ class MotionTest {
                 executePath(Map.of("a", EAST)).id(9).of("a").effect());
 
         assertThat(engine.received("ProxyPathCompleted")).hasSize(before);
-        assertThat(world.boats.find("b").orElseThrow().visitedCount("m2-a8-b")).contains(0);
-        assertThat(world.boats.find("a").orElseThrow().visitedCount("m1-a9-a")).contains(0);
+        assertThat(world.boats.find("b").orElseThrow().commands().visitedCount("m2-a8-b"))
+                .contains(0);
+        assertThat(world.boats.find("a").orElseThrow().commands().visitedCount("m1-a9-a"))
+                .contains(0);
     }
 
     @Test
@@ -171,7 +174,7 @@ class MotionTest {
         world.run(5);
 
         assertThat(world.hull("a").isAtRest()).isTrue();
-        assertThat(world.boats.find("a").orElseThrow().currentCommand()).isEmpty();
+        assertThat(world.boats.find("a").orElseThrow().commands().current()).isEmpty();
         assertThat(engine.received("ProxyPathCompleted")).isEmpty();
         assertThat(engine.received("ProxyPathFailed")).isEmpty();
     }
@@ -186,7 +189,7 @@ class MotionTest {
                 new Effect.CommandsWithdrawn(1, List.of("a")),
                 executePath(Map.of("a", EAST)).id(8).of("a").effect());
 
-        assertThat(world.boats.find("a").orElseThrow().currentCommand().map(BoatCommand::activation))
+        assertThat(world.boats.find("a").orElseThrow().commands().current().map(BoatCommand::activation))
                 .contains(8L);
     }
 
@@ -200,10 +203,10 @@ class MotionTest {
                 executePath(Map.of("a", NORTH)).id(9).mission(3).of("a").effect(),
                 new Effect.CommandsWithdrawn(3, List.of()));
 
-        assertThat(world.boats.find("a").orElseThrow().currentCommand().map(BoatCommand::activation))
+        assertThat(world.boats.find("a").orElseThrow().commands().current().map(BoatCommand::activation))
                 .contains(8L);
-        assertThat(world.boats.find("a").orElseThrow().waitingCommands()).isEmpty();
-        assertThat(world.boats.find("b").orElseThrow().currentCommand().map(BoatCommand::activation))
+        assertThat(world.boats.find("a").orElseThrow().commands().waiting()).isEmpty();
+        assertThat(world.boats.find("b").orElseThrow().commands().current().map(BoatCommand::activation))
                 .contains(7L);
     }
 
@@ -219,9 +222,9 @@ class MotionTest {
         world.host.resume();
         world.run(2);
 
-        assertThat(world.boats.find("a").orElseThrow().currentCommand().map(BoatCommand::commandId))
+        assertThat(world.boats.find("a").orElseThrow().commands().current().map(BoatCommand::commandId))
                 .contains("m1-a7-a");
-        assertThat(world.boats.find("b").orElseThrow().currentCommand()).isEmpty();
+        assertThat(world.boats.find("b").orElseThrow().commands().current()).isEmpty();
         assertThat(engine.received("ProxyPathCompleted")).isEmpty();
     }
 

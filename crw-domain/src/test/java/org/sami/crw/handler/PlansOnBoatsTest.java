@@ -98,7 +98,8 @@ class PlansOnBoatsTest {
         assertThat(outcome()).contains(Outcome.ABORTED);
         for (String boat : world.boats.boatIds()) {
             assertThat(world.hull(boat).isAtRest()).as(boat).isTrue();
-            assertThat(world.boats.find(boat).orElseThrow().currentCommand()).isEmpty();
+            assertThat(world.boats.find(boat).orElseThrow().commands().current())
+                    .isEmpty();
         }
     }
 

@@ -164,18 +164,20 @@ class FleetModelsTest {
             if (random.nextInt(3) > 0) {
                 Priority priority = PRIORITIES.get(random.nextInt(4));
                 FollowPath path = FollowPath.of("c" + i, 1L + random.nextInt(4), 1, List.of(HOME, HOME), priority);
-                boat.submit(random.nextInt(4) == 0 ? path.blocking() : path);
+                boat.commands().submit(random.nextInt(4) == 0 ? path.blocking() : path);
             } else if (random.nextBoolean()) {
-                boat.withdraw(1L + random.nextInt(4)).forEach(gone -> ends.put(gone.commandId(), End.WITHDRAWN));
+                boat.commands()
+                        .withdraw(1L + random.nextInt(4))
+                        .forEach(gone -> ends.put(gone.commandId(), End.WITHDRAWN));
             } else {
-                boat.currentCommand().ifPresent(current -> {
-                    boat.withdrawCommand(current.commandId());
+                boat.commands().current().ifPresent(current -> {
+                    boat.commands().withdraw(current.commandId());
                     ends.put(current.commandId(), End.WITHDRAWN);
                 });
             }
             world.settle();
             BoatCommands shown = models.commands().snapshot().get(0);
-            assertThat(shown.queue()).isEqualTo(boat.queue());
+            assertThat(shown.queue()).isEqualTo(boat.commands().queue());
             assertThat(shown.concluded())
                     .allSatisfy(gone -> assertThat(gone.end())
                             .as(gone.command().commandId())
@@ -201,7 +203,9 @@ class FleetModelsTest {
                 List.of());
         Water water = Water.of(HOME, List.of(rock), Optional.empty());
         GeoPoint behindTheRock = GeoPoint.of(45.0024, 10);
-        boat.submit(FollowPath.goTo("c", 1, 1, behindTheRock, Priority.MEDIUM).in(water));
+        boat.commands()
+                .submit(FollowPath.goTo("c", 1, 1, behindTheRock, Priority.MEDIUM)
+                        .in(water));
         world.settle();
 
         ShownPath shown = models.map().snapshot().paths().get(0);

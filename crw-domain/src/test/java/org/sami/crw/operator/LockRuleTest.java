@@ -57,10 +57,11 @@ class LockRuleTest {
 
         BoatProxy boat = world.boat("anna"); // this thread is the fleet's
         for (int mission = 1; mission <= 1000; mission++) {
-            boat.submit(FollowPath.of("c" + mission, mission, 1, List.of(GeoPoint.of(45, 10)), Priority.MEDIUM));
+            boat.commands()
+                    .submit(FollowPath.of("c" + mission, mission, 1, List.of(GeoPoint.of(45, 10)), Priority.MEDIUM));
             world.models.look();
         }
-        assertThat(boat.waitingCommands()).as("the fleet has worked on").hasSize(999);
+        assertThat(boat.commands().waiting()).as("the fleet has worked on").hasSize(999);
 
         world.models.tell(message("a message"));
         world.models.messages().acknowledge(1);

@@ -55,11 +55,11 @@ class AdoptedListTest {
                 .doesNotStartWith(LIST);
         boat.acknowledges(StartWaypoints.class);
         assertThat(boat.proxy.explain().shouldMove()).isTrue();
-        assertThat(boat.proxy.upload()).hasValueSatisfying(upload -> {
+        assertThat(boat.proxy.commands().upload()).hasValueSatisfying(upload -> {
             assertThat(upload.state()).isEqualTo(Upload.State.TAKEN_OVER);
             assertThat(upload.way()).isEqualTo(POINTS);
         });
-        assertThat(boat.proxy.uploads()).isEqualTo(UploadCount.NONE);
+        assertThat(boat.proxy.commands().uploads()).isEqualTo(UploadCount.NONE);
         boat.says(new Progress(LIST, 3, true));
         assertThat(heard).containsExactly("progress 2", "progress 3", "completed");
     }
@@ -104,7 +104,7 @@ class AdoptedListTest {
     void itIsAskedAboutOnceOnly() {
         comesBack(LIST, new Progress(LIST, 2, false));
         holds(LIST, 1.5);
-        boat.proxy.submit(FollowPath.goTo("now", 2, 2, POINTS.get(0), Priority.CRITICAL));
+        boat.proxy.commands().submit(FollowPath.goTo("now", 2, 2, POINTS.get(0), Priority.CRITICAL));
         boat.setsOut();
         boat.says(new Progress(boat.last(UploadWaypoints.class).listId(), 1, true));
 
@@ -115,8 +115,8 @@ class AdoptedListTest {
 
     private void comesBack(String known, Progress held) {
         boat.says(new Welcome("boat1", "b1", Role.COMMANDER, ""));
-        boat.proxy.knownList(known);
-        boat.proxy.submit(FollowPath.of("c", 1, 1, POINTS, Priority.MEDIUM));
+        boat.proxy.commands().knownList(known);
+        boat.proxy.commands().submit(FollowPath.of("c", 1, 1, POINTS, Priority.MEDIUM));
         boat.says(held);
     }
 

@@ -114,7 +114,7 @@ class BoatProxyTest {
     }
 
     private void drive(FollowPath path) {
-        proxy.submit(path);
+        proxy.commands().submit(path);
         acknowledge(UploadWaypoints.class);
         readBackEqual();
         acknowledge(StartWaypoints.class);
@@ -135,7 +135,7 @@ class BoatProxyTest {
     @Test
     void uploadsReadsBackStartsAndFollowsAPath() {
         link("b1");
-        proxy.submit(new FollowPath("c", 1, 1, POINTS, OptionalDouble.of(2.5), 1, Priority.HIGH, false));
+        proxy.commands().submit(new FollowPath("c", 1, 1, POINTS, OptionalDouble.of(2.5), 1, Priority.HIGH, false));
 
         UploadWaypoints upload = last(UploadWaypoints.class);
         assertThat(upload.waypoints()).hasSize(2).allMatch(waypoint -> waypoint.speedMps() == 2.5);
@@ -158,7 +158,7 @@ class BoatProxyTest {
 
     @Test
     void commandsWaitUntilTheBoatIsLinked() {
-        proxy.submit(path("c", 1));
+        proxy.commands().submit(path("c", 1));
         tick(2);
         assertThat(count(UploadWaypoints.class)).isZero();
         assertThat(proxy.explain().text())
@@ -171,7 +171,7 @@ class BoatProxyTest {
     @Test
     void sendsAgainUnderTheSameIdWhatStaysUnanswered() {
         link("b1");
-        proxy.submit(path("c", 1));
+        proxy.commands().submit(path("c", 1));
         tickAlive(3.5);
 
         List<String> ids = said.stream()
@@ -188,19 +188,19 @@ class BoatProxyTest {
     @Test
     void givesUpACommandThatABoatNeverAnswersAndStopsTheBoat() {
         link("b1");
-        proxy.submit(path("c", 1));
+        proxy.commands().submit(path("c", 1));
         tickAlive(25);
 
         assertThat(heard).endsWith("failed c: the boat did not answer 20 requests");
         assertThat(count(UploadWaypoints.class)).isEqualTo(20);
         assertThat(count(StopMotors.class)).isGreaterThan(1);
-        assertThat(proxy.currentCommand()).isEmpty();
+        assertThat(proxy.commands().current()).isEmpty();
     }
 
     @Test
     void doesNotStartAPathThatIsNotReadBackEqual() {
         link("b1");
-        proxy.submit(path("c", 1));
+        proxy.commands().submit(path("c", 1));
         for (int i = 0; i < 3; i++) {
             UploadWaypoints upload = last(UploadWaypoints.class);
             acknowledge(UploadWaypoints.class);
@@ -218,8 +218,8 @@ class BoatProxyTest {
     @Test
     void refusalThatNoRetryCanHelpFailsTheCommand() {
         link("b1");
-        proxy.submit(path("c", 1));
-        proxy.submit(path("next", 2));
+        proxy.commands().submit(path("c", 1));
+        proxy.commands().submit(path("next", 2));
         boatSays(new Nack(last(UploadWaypoints.class).commandId(), NackReason.TOO_LONG, "too long"));
 
         assertThat(heard).endsWith("failed c: the boat refused it: TOO_LONG, too long");
@@ -229,7 +229,7 @@ class BoatProxyTest {
     @Test
     void boatThatLostTheListGetsItAgain() {
         link("b1");
-        proxy.submit(path("c", 1));
+        proxy.commands().submit(path("c", 1));
         acknowledge(UploadWaypoints.class);
         readBackEqual();
         String first = last(UploadWaypoints.class).listId();
@@ -243,7 +243,7 @@ class BoatProxyTest {
     void withdrawnCommandStopsTheBoatUntilItAnswers() {
         link("b1");
         drive(path("c", 1));
-        assertThat(proxy.withdraw(1)).containsExactly(path("c", 1));
+        assertThat(proxy.commands().withdraw(1)).containsExactly(path("c", 1));
         tickAlive(5);
         assertThat(count(StopMotors.class)).isEqualTo(6);
         acknowledge(StopMotors.class);
@@ -259,7 +259,7 @@ class BoatProxyTest {
         drive(path("c", 1));
         boatSays(new Progress(last(UploadWaypoints.class).listId(), 1, false));
         drive(FollowPath.goTo("now", 2, 2, POINTS.get(0), Priority.CRITICAL));
-        assertThat(proxy.waitingCommands()).containsExactly(path("c", 1));
+        assertThat(proxy.commands().waiting()).containsExactly(path("c", 1));
         boatSays(new Progress(last(UploadWaypoints.class).listId(), 1, true));
         acknowledge(UploadWaypoints.class);
         readBackEqual();
@@ -267,7 +267,7 @@ class BoatProxyTest {
         assertThat(heard).containsExactly("link LINKED", "progress c 1", "progress now 1", "completed now");
         assertThat(last(StartWaypoints.class).index()).isEqualTo(1);
         assertThat(last(StartWaypoints.class).listId()).startsWith("c#");
-        assertThat(proxy.visitedCount("c")).contains(1);
+        assertThat(proxy.commands().visitedCount("c")).contains(1);
     }
 
     @Test
@@ -330,7 +330,7 @@ class BoatProxyTest {
     void observerWaitsForTheCommand() {
         boatSays(new Welcome("boat1", "b1", Role.OBSERVER, ""));
         boatSays(new Progress("", 0, false));
-        proxy.submit(path("c", 1));
+        proxy.commands().submit(path("c", 1));
         assertThat(proxy.explain().text()).contains("another client commands the boat");
         assertThat(count(UploadWaypoints.class)).isZero();
 
@@ -388,8 +388,8 @@ class BoatProxyTest {
                     public void onCompleted(String boatId, BoatCommand command) {
                         super.onCompleted(boatId, command);
                         if (command.commandId().equals("c")) {
-                            proxy.submit(path("next", 1).startingAt(2));
-                            proxy.submit(path("last", 1));
+                            proxy.commands().submit(path("next", 1).startingAt(2));
+                            proxy.commands().submit(path("last", 1));
                         }
                     }
                 },
@@ -405,11 +405,11 @@ class BoatProxyTest {
     @Test
     void laterStartOfTheBaseUsesOtherWireIds() {
         link("b1");
-        proxy.submit(path("c", 1));
+        proxy.commands().submit(path("c", 1));
         String before = last(UploadWaypoints.class).commandId();
         proxy = new BoatProxy("boat1", this::keep, new Recorder(), ProxyConfig.DEFAULT.withEpoch(1));
         link("b1");
-        proxy.submit(path("c", 1));
+        proxy.commands().submit(path("c", 1));
 
         assertThat(last(UploadWaypoints.class).commandId()).isNotEqualTo(before);
     }
@@ -423,11 +423,11 @@ class BoatProxyTest {
                         BoatExplanation.Cause.NO_COMMAND,
                         "boat1 does not move: no mission wants anything of it"));
 
-        proxy.submit(new Stop("s", 4, 1, Priority.LOW, true));
-        proxy.submit(path("c", 1));
+        proxy.commands().submit(new Stop("s", 4, 1, Priority.LOW, true));
+        proxy.commands().submit(path("c", 1));
         acknowledge(StopMotors.class);
         assertThat(proxy.explain().text()).contains("mission 4 keeps it where it is; one command waits");
-        proxy.withdraw(4);
+        proxy.commands().withdraw(4);
         acknowledge(UploadWaypoints.class);
         readBackEqual();
         acknowledge(StartWaypoints.class);

@@ -108,7 +108,7 @@ class ExplainTest {
         boat.says(new Progress("", 0, false));
         assertWhy(Cause.NO_COMMAND, "no mission wants anything");
 
-        boat.proxy.submit(path("c", 1, Priority.MEDIUM));
+        boat.proxy.commands().submit(path("c", 1, Priority.MEDIUM));
         assertWhy(Cause.UPLOADING, "boat1 waits to follow its path for mission 1: the path is being uploaded");
         boat.setsOut();
         assertWhy(Cause.UNDER_WAY, "0 of 2 points visited");
@@ -131,28 +131,28 @@ class ExplainTest {
         assertWhy(Cause.FLEET_STOPPED, "the fleet stop is latched");
         boat.says(new Telemetry(45, 10, 0, 0, 90, BoatMode.STOPPED, 1));
 
-        boat.proxy.withdraw(1);
+        boat.proxy.commands().withdraw(1);
         assertWhy(Cause.STOPPING, "being stopped");
         boat.acknowledges(StopMotors.class);
         assertWhy(Cause.WITHDRAWN, "; following its path for mission 1 was withdrawn");
-        boat.proxy.submit(path("d", 1, Priority.MEDIUM));
+        boat.proxy.commands().submit(path("d", 1, Priority.MEDIUM));
         boat.setsOut();
         boat.says(new Progress(boat.last(UploadWaypoints.class).listId(), 2, true));
         assertWhy(Cause.ARRIVED, "it has arrived at the end of its path for mission 1");
-        boat.proxy.submit(path("e", 1, Priority.MEDIUM));
+        boat.proxy.commands().submit(path("e", 1, Priority.MEDIUM));
         boat.says(new Nack(boat.last(UploadWaypoints.class).commandId(), NackReason.TOO_LONG, "at most 1 point"));
         boat.acknowledges(StopMotors.class);
         assertWhy(
                 Cause.FAILED,
                 "; following its path for mission 1 failed: the boat refused it: TOO_LONG, at most 1 point");
-        boat.proxy.submit(new KeepStation("k", 4, 1, HERE, 10, Priority.MEDIUM, true));
+        boat.proxy.commands().submit(new KeepStation("k", 4, 1, HERE, 10, Priority.MEDIUM, true));
         boat.setsOut();
         boat.says(new Progress(boat.last(UploadWaypoints.class).listId(), 1, true));
         assertWhy(Cause.KEEPS_STATION, "boat1 keeps its station for mission 4");
-        boat.proxy.submit(new Panorama("v", 4, 1, 8, Priority.MEDIUM));
+        boat.proxy.commands().submit(new Panorama("v", 4, 1, 8, Priority.MEDIUM));
         boat.acknowledges(TakePanorama.class);
         assertWhy(Cause.TAKES_PICTURES, "boat1 takes pictures all round for mission 4: turning all round");
-        boat.proxy.submit(new Stop("s", 4, 1, Priority.LOW, true));
+        boat.proxy.commands().submit(new Stop("s", 4, 1, Priority.LOW, true));
         boat.acknowledges(StopMotors.class);
         assertWhy(Cause.BLOCKED, "mission 4 keeps it where it is");
 
@@ -162,10 +162,10 @@ class ExplainTest {
     @Test
     void itSaysForWhomTheOtherMissionsWait() {
         boat.linked("b1");
-        boat.proxy.submit(path("c", 1, Priority.MEDIUM));
-        boat.proxy.submit(path("later", 2, Priority.MEDIUM));
-        boat.proxy.submit(path("lesser", 3, Priority.LOW));
-        boat.proxy.submit(path("now", 4, Priority.CRITICAL));
+        boat.proxy.commands().submit(path("c", 1, Priority.MEDIUM));
+        boat.proxy.commands().submit(path("later", 2, Priority.MEDIUM));
+        boat.proxy.commands().submit(path("lesser", 3, Priority.LOW));
+        boat.proxy.commands().submit(path("now", 4, Priority.CRITICAL));
         boat.setsOut();
 
         assertThat(boat.proxy.explain().text())
@@ -182,8 +182,8 @@ class ExplainTest {
     @Test
     void itSaysWhichMissionKeepsTheBoatFromTheOthers() {
         boat.linked("b1");
-        boat.proxy.submit(path("c", 1, Priority.MEDIUM).blocking());
-        boat.proxy.submit(path("other", 2, Priority.HIGH));
+        boat.proxy.commands().submit(path("c", 1, Priority.MEDIUM).blocking());
+        boat.proxy.commands().submit(path("other", 2, Priority.HIGH));
         boat.setsOut();
 
         assertThat(boat.proxy.explain().text())
@@ -198,21 +198,21 @@ class ExplainTest {
     void missionsAreToldByTheirPlansAndTheOperatorByNone() {
         MissionTitles titles = mission -> Optional.of(mission == 1 ? "Explore Area" : "Return");
         boat.linked("b1");
-        boat.proxy.submit(path("m1-a3-anna", 1, Priority.MEDIUM));
-        boat.proxy.submit(path("m2-a1-anna", 2, Priority.LOW));
+        boat.proxy.commands().submit(path("m1-a3-anna", 1, Priority.MEDIUM));
+        boat.proxy.commands().submit(path("m2-a1-anna", 2, Priority.LOW));
         boat.setsOut();
         assertThat(boat.proxy.explain(titles).text())
                 .startsWith("boat1 follows its path for mission 1, Explore Area: under way, 0 of 2 points visited")
                 .contains("; following its path for mission 2, Return waits: ")
                 .doesNotContain("m1-a3-anna", "m2-a1-anna");
 
-        boat.proxy.withdraw(1);
-        boat.proxy.withdraw(2);
+        boat.proxy.commands().withdraw(1);
+        boat.proxy.commands().withdraw(2);
         boat.acknowledges(StopMotors.class);
         assertThat(boat.proxy.explain(titles).text())
                 .endsWith("; following its path for mission 2, Return was withdrawn");
 
-        boat.proxy.submit(path("go", Ids.NONE, Priority.MEDIUM));
+        boat.proxy.commands().submit(path("go", Ids.NONE, Priority.MEDIUM));
         boat.setsOut();
         assertThat(boat.proxy.explain(titles).text()).startsWith("boat1 follows its path for the operator: under way");
     }

@@ -54,7 +54,7 @@ class PlaceHoldTest {
     }
 
     private void giveUp(FollowPath path) {
-        boat.proxy.submit(path);
+        boat.proxy.commands().submit(path);
         boat.setsOut();
         boat.onPathAt(HERE, 80, UNTIL_GIVEN_UP_S);
         assertThat(heard).startsWith("failed " + path.commandId());
@@ -130,7 +130,7 @@ class PlaceHoldTest {
         giveUp(path("c", 1));
         holds();
 
-        boat.proxy.submit(path("d", 2));
+        boat.proxy.commands().submit(path("d", 2));
         boat.setsOut();
         long sent = uploads();
         boat.says(new Progress(boat.last(UploadWaypoints.class).listId(), 2, true));
@@ -145,9 +145,9 @@ class PlaceHoldTest {
         giveUp(path("c", 1));
         holds();
 
-        boat.proxy.withdraw(2);
+        boat.proxy.commands().withdraw(2);
         assertThat(stops()).as("another mission").isZero();
-        boat.proxy.withdraw(1);
+        boat.proxy.commands().withdraw(1);
         assertThat(stops()).isEqualTo(1);
         boat.says(new Ack(boat.last(StopMotors.class).commandId()));
 

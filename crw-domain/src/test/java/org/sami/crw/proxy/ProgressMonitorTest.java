@@ -31,7 +31,7 @@ class ProgressMonitorTest {
     void setOut() {
         boat.linked("b1");
         List<GeoPoint> points = List.of(north(100), north(110), north(500));
-        boat.proxy.submit(FollowPath.of("c", 1, 1, points, Priority.MEDIUM));
+        boat.proxy.commands().submit(FollowPath.of("c", 1, 1, points, Priority.MEDIUM));
         boat.setsOut();
     }
 

@@ -33,7 +33,7 @@ class UploadTest {
     @BeforeEach
     void link() {
         boat.linked("b1");
-        boat.proxy.submit(FollowPath.of("c", 1, 1, POINTS, Priority.MEDIUM));
+        boat.proxy.commands().submit(FollowPath.of("c", 1, 1, POINTS, Priority.MEDIUM));
     }
 
     @Test
@@ -42,8 +42,8 @@ class UploadTest {
         boat.setsOut();
 
         assertThat(heard).containsExactly("c SENT", "c ACKNOWLEDGED", "c READ_BACK_EQUAL");
-        assertThat(boat.proxy.uploads()).isEqualTo(new UploadCount(1, 1, 1, 0));
-        assertThat(boat.proxy.upload().orElseThrow().way()).isEqualTo(POINTS);
+        assertThat(boat.proxy.commands().uploads()).isEqualTo(new UploadCount(1, 1, 1, 0));
+        assertThat(boat.proxy.commands().upload().orElseThrow().way()).isEqualTo(POINTS);
     }
 
     @Test
@@ -61,7 +61,7 @@ class UploadTest {
                 .hasSize(9)
                 .startsWith("c SENT", "c ACKNOWLEDGED", "c FAILED: the boat does not hold the path that was sent")
                 .endsWith("c FAILED: the boat does not hold the path that was sent");
-        assertThat(boat.proxy.uploads()).isEqualTo(new UploadCount(3, 3, 0, 3));
+        assertThat(boat.proxy.commands().uploads()).isEqualTo(new UploadCount(3, 3, 0, 3));
     }
 
     @Test
@@ -80,7 +80,7 @@ class UploadTest {
 
     @Test
     void anUploadThatIsNoLongerWantedHasFailed() {
-        boat.proxy.withdraw(1);
+        boat.proxy.commands().withdraw(1);
 
         assertThat(heard).containsExactly("c SENT", "c FAILED: its command is no longer wanted");
     }

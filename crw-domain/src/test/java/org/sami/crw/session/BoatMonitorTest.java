@@ -44,7 +44,7 @@ class BoatMonitorTest {
 
     @Test
     void whyABoatStandsStillIsSaidOnceWhenItLasts() {
-        anna.submit(FollowPath.of("m1-a1-anna", 1, 1, List.of(GeoPoint.of(45, 10)), Priority.MEDIUM));
+        anna.commands().submit(FollowPath.of("m1-a1-anna", 1, 1, List.of(GeoPoint.of(45, 10)), Priority.MEDIUM));
 
         look(2);
         assertThat(notices).isEmpty();

@@ -28,7 +28,8 @@ public final class SentLists implements BoatListener {
         if (status.link() == LinkState.LINKED && met.add(status.boatId())) {
             SessionMemory.LIST
                     .of(status.boatId(), host)
-                    .ifPresent(listId -> boats.find(status.boatId()).ifPresent(proxy -> proxy.knownList(listId)));
+                    .ifPresent(listId -> boats.find(status.boatId())
+                            .ifPresent(proxy -> proxy.commands().knownList(listId)));
         }
     }
 

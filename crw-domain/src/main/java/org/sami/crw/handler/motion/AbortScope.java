@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.ProxyCommands;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
@@ -36,8 +37,9 @@ public enum AbortScope {
             missions.add(activation.mission());
             return missions;
         }
-        Optional<Long> current = proxy.flatMap(BoatProxy::currentCommand).map(BoatCommand::mission);
-        proxy.map(BoatProxy::waitingCommands).orElse(List.of()).forEach(command -> missions.add(command.mission()));
+        Optional<ProxyCommands> commands = proxy.map(BoatProxy::commands);
+        Optional<Long> current = commands.flatMap(ProxyCommands::current).map(BoatCommand::mission);
+        commands.map(ProxyCommands::waiting).orElse(List.of()).forEach(command -> missions.add(command.mission()));
         if (this == FUTURE) {
             current.ifPresent(missions::remove);
         } else {

@@ -85,7 +85,7 @@ public final class MotionCommands implements BoatListener {
                 settled.addAll(failed(one, UNKNOWN_BOAT));
             } else {
                 sent.put(move.command().commandId(), one);
-                boat.get().submit(SpeedChoice.of(activation, move.command(), boat.get()));
+                boat.get().commands().submit(SpeedChoice.of(activation, move.command(), boat.get()));
             }
         }
         SpeedChoice.words(activation)
@@ -104,7 +104,8 @@ public final class MotionCommands implements BoatListener {
         List<Input> settled = new ArrayList<>();
         for (Addressee addressee : addressees) {
             Optional<BoatProxy> boat = boats.find(addressee.boat());
-            Optional<BoatCommand> command = boat.flatMap(BoatProxy::sendPathAgain);
+            Optional<BoatCommand> command =
+                    boat.flatMap(proxy -> proxy.commands().sendPathAgain());
             SentCommand one = new SentCommand(activation, context, addressee, Reply.WAY_IF_AWAITED);
             if (boat.isEmpty()) {
                 settled.addAll(failed(one, UNKNOWN_BOAT));
@@ -144,7 +145,7 @@ public final class MotionCommands implements BoatListener {
                         one -> one.mission() == mission && (named.isEmpty() || named.contains(one.boat()))));
         for (String boat : named.isEmpty() ? boats.boatIds() : named) {
             boats.find(boat)
-                    .ifPresent(proxy -> proxy.withdraw(mission).forEach(command -> {
+                    .ifPresent(proxy -> proxy.commands().withdraw(mission).forEach(command -> {
                         sent.remove(command.commandId());
                         tellAgain(command, one -> failed(one, "the mission that wanted it took it back"));
                     }));
@@ -159,7 +160,7 @@ public final class MotionCommands implements BoatListener {
         for (Map.Entry<String, SentCommand> one : List.copyOf(sent.entrySet())) {
             if (one.getValue().boat().equals(boat) && one.getValue().release(names)) {
                 sent.remove(one.getKey());
-                boats.find(boat).ifPresent(proxy -> proxy.withdrawCommand(one.getKey()));
+                boats.find(boat).ifPresent(proxy -> proxy.commands().withdraw(one.getKey()));
             }
         }
     }
@@ -168,7 +169,8 @@ public final class MotionCommands implements BoatListener {
     void abort(long mission, String boat, String reason) {
         questions.withdraw(mission, List.of(boat));
         boats.find(boat)
-                .ifPresent(proxy -> proxy.withdraw(mission).forEach(command -> onFailed(boat, command, reason)));
+                .ifPresent(proxy ->
+                        proxy.commands().withdraw(mission).forEach(command -> onFailed(boat, command, reason)));
     }
 
     @Override

@@ -46,7 +46,7 @@ final class BoatControl {
 
     private static CompletionStage<Void> resend(Fleet fleet, String boat) {
         return fleet.ask(boats -> {
-            boats.find(boat).ifPresent(proxy -> proxy.sendPathAgain());
+            boats.find(boat).ifPresent(proxy -> proxy.commands().sendPathAgain());
             return null;
         });
     }

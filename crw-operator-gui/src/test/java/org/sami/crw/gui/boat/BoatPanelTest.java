@@ -66,7 +66,7 @@ class BoatPanelTest {
         try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
             BoatPanel panel = panel(world, "anna");
             SessionWorld.get(world.session.fleet().ask(boats -> {
-                boats.find("anna").orElseThrow().submit(new Stop("keep", 7, 7, Priority.LOW, true));
+                boats.find("anna").orElseThrow().commands().submit(new Stop("keep", 7, 7, Priority.LOW, true));
                 return null;
             }));
             until(
@@ -74,7 +74,7 @@ class BoatPanelTest {
                     "mission 7 keeps it",
                     () -> rows(panel, "boat-queue").contains("block|mission 7 keeps the boat for itself"));
             SessionWorld.get(world.session.fleet().ask(boats -> {
-                boats.find("anna").orElseThrow().submit(FollowPath.goTo("go", 8, 8, FAR, Priority.MEDIUM));
+                boats.find("anna").orElseThrow().commands().submit(FollowPath.goTo("go", 8, 8, FAR, Priority.MEDIUM));
                 return null;
             }));
             until(

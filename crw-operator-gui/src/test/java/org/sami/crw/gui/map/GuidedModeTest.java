@@ -106,7 +106,7 @@ class GuidedModeTest {
     private Optional<BoatCommand> command() throws Exception {
         return SessionWorld.get(world.session
                 .fleet()
-                .ask(boats -> boats.find("anna").orElseThrow().currentCommand()));
+                .ask(boats -> boats.find("anna").orElseThrow().commands().current()));
     }
 
     @Test

@@ -45,8 +45,8 @@ class MapFeedTest {
             MapFeed feed = onEventThread(() -> new MapFeed(world.context, view.layers()));
             SessionWorld.get(world.session.fleet().ask(boats -> {
                 boats.find("anna").ifPresent(anna -> {
-                    anna.submit(FollowPath.goTo("now", 1, 1, NOW, Priority.HIGH));
-                    anna.submit(FollowPath.goTo("later", 2, 2, LATER, Priority.LOW));
+                    anna.commands().submit(FollowPath.goTo("now", 1, 1, NOW, Priority.HIGH));
+                    anna.commands().submit(FollowPath.goTo("later", 2, 2, LATER, Priority.LOW));
                 });
                 return true;
             }));

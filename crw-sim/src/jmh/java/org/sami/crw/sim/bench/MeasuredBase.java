@@ -8,7 +8,6 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import org.sami.boat.link.SteadyClock;
-import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.Upload;
 import org.sami.crw.proxy.link.ProxyConfig;
@@ -55,7 +54,7 @@ final class MeasuredBase implements BaseListener, BoatListener, AutoCloseable {
     /** Has the base's thread give a boat a path. */
     void submit(String boat, FollowPath path) {
         base.query(boats -> {
-                    boats.find(boat).orElseThrow().submit(path);
+                    boats.find(boat).orElseThrow().commands().submit(path);
                     return true;
                 })
                 .join();
@@ -84,7 +83,7 @@ final class MeasuredBase implements BaseListener, BoatListener, AutoCloseable {
     /** Whether what a boat was sent last has been read back equal. */
     boolean isReadBack(String boat, String commandId) {
         return base.query(boats -> boats.find(boat)
-                        .flatMap(BoatProxy::upload)
+                        .flatMap(proxy -> proxy.commands().upload())
                         .filter(upload -> upload.listId().startsWith(commandId + "#"))
                         .filter(upload -> upload.state() == Upload.State.READ_BACK_EQUAL)
                         .isPresent())

@@ -25,7 +25,7 @@ import org.sami.crw.sim.hull.SimulatedHull;
  * VirtualClock clock = new VirtualClock();
  * SimulatedFleet fleet = new SimulatedFleet(clock, 42, 5, 45.4, 10.9, id -> listener);
  * fleet.start();
- * fleet.boat("boat1").orElseThrow().proxy().submit(FollowPath.of("m1-a1-boat1", 1, 1, points, Priority.MEDIUM));
+ * fleet.boat("boat1").orElseThrow().proxy().commands().submit(FollowPath.of("m1-a1-boat1", 1, 1, points, Priority.MEDIUM));
  * clock.runUntil(600_000);
  * }</pre>
  *

@@ -170,7 +170,7 @@ public final class InProcessRun {
                 proxy.status().bootId(),
                 0,
                 0,
-                Uploads.of(proxy.uploads()),
+                Uploads.of(proxy.commands().uploads()),
                 proxy.explain().text());
     }
 

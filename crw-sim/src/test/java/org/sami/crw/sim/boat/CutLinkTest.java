@@ -76,12 +76,15 @@ class CutLinkTest {
                         10,
                         () -> base.ask(
                                 "anna",
-                                proxy -> proxy.heldListId().orElseThrow().equals(lastUploaded(fleet, oldList))));
+                                proxy -> proxy.commands()
+                                        .heldListId()
+                                        .orElseThrow()
+                                        .equals(lastUploaded(fleet, oldList))));
             }
             Await.until("the new list is started", 30, () -> isStarted(base, fleet));
             assertThat(base.heldListId("anna")).contains(lastUploaded(fleet, oldList));
 
-            base.ask("anna", proxy -> proxy.withdraw(1));
+            base.ask("anna", proxy -> proxy.commands().withdraw(1));
             Await.until("it is cancelled", 30, () -> isCancelled(base, fleet, message == StopMotors.class));
 
             assertThat(relay.isArmed()).isFalse();

@@ -97,7 +97,7 @@ class TcpBaseTest {
             Await.until("the loss of the link is told", 15, () -> link(base) == LinkState.LOST);
             relay.setSwallows(false);
             base.query(boats -> {
-                        boats.find("anna").orElseThrow().submit(TcpTestFleet.path("m1-anna", 1, 2));
+                        boats.find("anna").orElseThrow().commands().submit(TcpTestFleet.path("m1-anna", 1, 2));
                         return true;
                     })
                     .join();

@@ -188,7 +188,7 @@ final class TcpTestFleet implements AutoCloseable {
 
         void submit(String boatId, BoatCommand command) {
             ask(boatId, proxy -> {
-                proxy.submit(command);
+                proxy.commands().submit(command);
                 return true;
             });
         }
@@ -198,11 +198,11 @@ final class TcpTestFleet implements AutoCloseable {
         }
 
         Optional<Upload> upload(String boatId) {
-            return ask(boatId, BoatProxy::upload);
+            return ask(boatId, proxy -> proxy.commands().upload());
         }
 
         Optional<String> heldListId(String boatId) {
-            return ask(boatId, BoatProxy::heldListId);
+            return ask(boatId, proxy -> proxy.commands().heldListId());
         }
 
         List<LinkReport> links() {

@@ -128,7 +128,7 @@ class BoatProcessTest {
         Boat boat = boat(0, "--log", folder.toString());
         try (TcpBase base = base(boat.port)) {
             until("linked", () -> status.get().link() == LinkState.LINKED);
-            tell(base, proxy -> proxy.submit(farAway(50)));
+            tell(base, proxy -> proxy.commands().submit(farAway(50)));
             until("under way", () -> is(BoatMode.PATH));
             boat.process.kill();
             until("lost", () -> status.get().link() == LinkState.LOST);
@@ -150,7 +150,7 @@ class BoatProcessTest {
         Boat boat = boat(0, "--log", folder.toString());
         try (TcpBase base = base(boat.port)) {
             until("linked", () -> status.get().link() == LinkState.LINKED);
-            tell(base, proxy -> proxy.submit(farAway(5_000)));
+            tell(base, proxy -> proxy.commands().submit(farAway(5_000)));
             LockSupport.parkNanos(afterMs * 1_000_000);
             boat.process.kill();
             List<String> before = executed();
@@ -167,7 +167,8 @@ class BoatProcessTest {
     }
 
     private static Optional<String> held(TcpBase base) {
-        return base.query(proxies -> proxies.find("anna").orElseThrow().heldListId())
+        return base.query(
+                        proxies -> proxies.find("anna").orElseThrow().commands().heldListId())
                 .join();
     }
 
@@ -176,7 +177,7 @@ class BoatProcessTest {
         Boat boat = boat(0, "--log", folder.toString());
         try (TcpBase base = base(boat.port)) {
             until("linked", () -> status.get().link() == LinkState.LINKED);
-            tell(base, proxy -> proxy.submit(farAway(50)));
+            tell(base, proxy -> proxy.commands().submit(farAway(50)));
             until("under way", () -> is(BoatMode.PATH));
             signal(boat, "STOP"); // its socket stays open, and what is sent to it waits
             long stopped = System.nanoTime();
@@ -201,7 +202,7 @@ class BoatProcessTest {
         Boat boat = boat(0, "--log", folder.toString());
         try (TcpBase base = base(boat.port)) {
             until("linked", () -> status.get().link() == LinkState.LINKED);
-            tell(base, proxy -> proxy.submit(farAway(50)));
+            tell(base, proxy -> proxy.commands().submit(farAway(50)));
             until("under way", () -> is(BoatMode.PATH));
             tell(base, BoatProxy::fleetStop);
             until("stopped", () -> is(BoatMode.FLEET_STOP));
@@ -225,7 +226,7 @@ class BoatProcessTest {
         Boat boat = boat(0, "--lost-link", action);
         try (TcpBase base = base(boat.port)) {
             until("linked", () -> status.get().link() == LinkState.LINKED);
-            tell(base, proxy -> proxy.submit(farAway(50)));
+            tell(base, proxy -> proxy.commands().submit(farAway(50)));
             until("under way", () -> is(BoatMode.PATH));
             until("some 8 m from home", () -> northOf(45.4) > 8 / 111_000.0);
         }

@@ -44,8 +44,8 @@ class FleetChaosTest {
 
             calm(boat);
             clock.runUntil(clock.nowMs() + 600_000);
-            assertThat(boat.proxy().currentCommand()).as("seed %d", seed).isEmpty();
-            assertThat(boat.proxy().waitingCommands()).isEmpty();
+            assertThat(boat.proxy().commands().current()).as("seed %d", seed).isEmpty();
+            assertThat(boat.proxy().commands().waiting()).isEmpty();
             assertThat(fates).as("seed %d", seed).isNotEmpty().doesNotContainValue("open");
             assertThat(boat.hull().speedMps()).as("seed %d", seed).isZero();
             assertThat(boat.server().mode()).isIn(BoatMode.STOPPED, BoatMode.HOLD);
@@ -67,7 +67,7 @@ class FleetChaosTest {
         BoatProxy proxy = boat.proxy();
         switch (random.nextInt(12)) {
             case 0, 1, 2, 3 -> submit(proxy, random, "c" + number);
-            case 4 -> proxy.withdraw(random.nextLong(1, 5)).forEach(command -> end(command, "taken back"));
+            case 4 -> proxy.commands().withdraw(random.nextLong(1, 5)).forEach(command -> end(command, "taken back"));
             case 5, 6 -> cut(boat, random.nextBoolean(), random.nextBoolean());
             case 7 -> cut(boat, false, false);
             case 8 -> proxy.teleoperate(random.nextDouble(-1, 1), random.nextDouble(-1, 1));
@@ -83,13 +83,13 @@ class FleetChaosTest {
         boolean block = random.nextInt(5) == 0;
         fates.put(id, "open");
         if (random.nextInt(6) == 0) {
-            proxy.submit(new Stop(id, mission, 1, priority, block));
+            proxy.commands().submit(new Stop(id, mission, 1, priority, block));
         } else {
             List<GeoPoint> points = random.doubles(random.nextInt(4), 45.4, 45.4005)
                     .mapToObj(latDeg -> GeoPoint.of(latDeg, 10.9))
                     .toList();
             FollowPath path = FollowPath.of(id, mission, 1, points, priority);
-            proxy.submit(block ? path.blocking() : path);
+            proxy.commands().submit(block ? path.blocking() : path);
         }
     }
 
@@ -118,16 +118,16 @@ class FleetChaosTest {
                 clock.runUntil(clock.nowMs() + 60_000);
                 minutesAtRest = isAtRest(boat) ? minutesAtRest + 1 : 0;
             }
-            assertThat(boat.proxy().currentCommand())
+            assertThat(boat.proxy().commands().current())
                     .as(boat.proxy().explain().text())
                     .isEmpty();
             assertThat(boat.hull().speedMps()).isZero();
-            boat.proxy().withdraw(mission).forEach(command -> end(command, "taken back"));
+            boat.proxy().commands().withdraw(mission).forEach(command -> end(command, "taken back"));
         }
     }
 
     private static boolean isAtRest(SimulatedBoat boat) {
-        return boat.proxy().currentCommand().isEmpty() && boat.hull().speedMps() == 0;
+        return boat.proxy().commands().current().isEmpty() && boat.hull().speedMps() == 0;
     }
 
     private void end(BoatCommand command, String fate) {

@@ -25,7 +25,7 @@ class FleetDrivesTest {
     void boatVisitsItsPointsInOrderAndReportsProgressAndCompletion() {
         SimulatedTestWorld world = new SimulatedTestWorld(1);
         double[] path = {60, 0, 60, 80, -20, 80, -20, 10};
-        world.proxy().submit(world.path(7, path));
+        world.proxy().commands().submit(world.path(7, path));
 
         List<Integer> reached = new ArrayList<>();
         for (int tick = 0; tick < 4000; tick++) {
@@ -47,7 +47,7 @@ class FleetDrivesTest {
                         "visited 3 of m7-boat1",
                         "visited 4 of m7-boat1",
                         "completed m7-boat1");
-        assertThat(world.proxy().currentCommand()).isEmpty();
+        assertThat(world.proxy().commands().current()).isEmpty();
         assertThat(world.boat().server().mode()).isEqualTo(BoatMode.HOLD);
         assertThat(world.hull().speedMps()).isZero();
         assertThat(world.hull().distanceM()).isBetween(270.0, 300.0);
@@ -56,14 +56,14 @@ class FleetDrivesTest {
     @Test
     void cruisesAtOneAndAHalfMetresASecondUnlessThePathSaysOtherwise() {
         SimulatedTestWorld world = new SimulatedTestWorld(1);
-        world.proxy().submit(world.path(1, 0, 500));
+        world.proxy().commands().submit(world.path(1, 0, 500));
         world.run(60);
 
         assertThat(world.hull().speedMps()).isBetween(1.45, 1.55);
 
         FollowPath fast =
                 new FollowPath("fast", 1, 1, world.points(0, 1000), OptionalDouble.of(3.0), 0, Priority.MEDIUM, false);
-        world.proxy().submit(fast);
+        world.proxy().commands().submit(fast);
         world.run(60);
 
         assertThat(world.hull().speedMps()).isBetween(2.9, 3.1);
@@ -72,7 +72,7 @@ class FleetDrivesTest {
     @Test
     void startsAtTheFirstUnvisitedPoint() {
         SimulatedTestWorld world = new SimulatedTestWorld(1);
-        world.proxy().submit(world.path(1, 200, 0, 0, 60).startingAt(1));
+        world.proxy().commands().submit(world.path(1, 200, 0, 0, 60).startingAt(1));
         world.run(90);
 
         assertThat(world.distanceTo(0, 60)).isLessThan(5);
@@ -83,8 +83,8 @@ class FleetDrivesTest {
     @Test
     void pathWithNothingLeftCompletesAtOnceWithoutTheBoat() {
         SimulatedTestWorld world = new SimulatedTestWorld(1);
-        world.proxy().submit(world.path(1, 50, 0).startingAt(1));
-        world.proxy().submit(world.path(2));
+        world.proxy().commands().submit(world.path(1, 50, 0).startingAt(1));
+        world.proxy().commands().submit(world.path(2));
 
         assertThat(world.reports()).containsExactly("completed m1-boat1", "completed m2-boat1");
         world.run(10);
@@ -94,10 +94,10 @@ class FleetDrivesTest {
     @Test
     void newPathOfTheSameMissionReplacesTheOldOneOnTheWay() {
         SimulatedTestWorld world = new SimulatedTestWorld(1);
-        world.proxy().submit(world.path("old", 1, Priority.MEDIUM, 0, 300));
+        world.proxy().commands().submit(world.path("old", 1, Priority.MEDIUM, 0, 300));
         world.run(40);
         double northM = world.hull().northM();
-        world.proxy().submit(world.path("new", 1, Priority.MEDIUM, 60, northM, 60, 0));
+        world.proxy().commands().submit(world.path("new", 1, Priority.MEDIUM, 60, northM, 60, 0));
         world.run(150);
 
         assertThat(world.reports())
@@ -117,7 +117,7 @@ class FleetDrivesTest {
             if (random.nextBoolean()) {
                 world.run(1);
             }
-            world.proxy().submit(world.path(5, 40, 30, -30, 60, 50, 50));
+            world.proxy().commands().submit(world.path(5, 40, 30, -30, 60, 50, 50));
             world.clock.runUntil(world.clock.nowMs() + atMs);
             world.fleet.proxies().withdraw(5);
             world.run(6);
@@ -136,7 +136,7 @@ class FleetDrivesTest {
         SimulatedTestWorld world = new SimulatedTestWorld(5);
         for (SimulatedBoat boat : world.fleet.boats()) {
             String id = "m1-" + boat.id();
-            boat.proxy().submit(FollowPath.of(id, 1, 1, world.points(0, 400), Priority.MEDIUM));
+            boat.proxy().commands().submit(FollowPath.of(id, 1, 1, world.points(0, 400), Priority.MEDIUM));
         }
         world.run(30);
 
@@ -205,7 +205,7 @@ class FleetDrivesTest {
             int i = fleet.boats().indexOf(boat);
             GeoPoint there = GeoPoint.of(
                     fleet.frame().latDeg(95 - 5 * i, 60), fleet.frame().lonDeg(95 - 5 * i, 60));
-            boat.proxy().submit(FollowPath.of("m1-" + boat.id(), 1, 1, List.of(there), Priority.MEDIUM));
+            boat.proxy().commands().submit(FollowPath.of("m1-" + boat.id(), 1, 1, List.of(there), Priority.MEDIUM));
         }
         clock.runUntil(90_000);
         fleet.endHelpers();
@@ -217,7 +217,7 @@ class FleetDrivesTest {
         SplittableRandom random = new SplittableRandom(4);
         for (SimulatedBoat boat : world.fleet.boats()) {
             double[] path = random.doubles(10, -100, 100).toArray();
-            boat.proxy().submit(FollowPath.of("m1-" + boat.id(), 1, 1, world.points(path), Priority.MEDIUM));
+            boat.proxy().commands().submit(FollowPath.of("m1-" + boat.id(), 1, 1, world.points(path), Priority.MEDIUM));
         }
         world.run(300);
         return world;
@@ -235,7 +235,7 @@ class FleetDrivesTest {
     @Test
     void proxyKnowsWhatTelemetryTells() {
         SimulatedTestWorld world = new SimulatedTestWorld(1);
-        world.proxy().submit(world.path(1, 0, 100));
+        world.proxy().commands().submit(world.path(1, 0, 100));
         world.run(30.05);
 
         var status = world.proxy().status();
@@ -258,7 +258,7 @@ class FleetDrivesTest {
         world.run(0.05);
         world.fleet.stop();
         world.fleet.start();
-        world.proxy().submit(world.path(1, 0, 500));
+        world.proxy().commands().submit(world.path(1, 0, 500));
         world.run(20);
         double northM = world.hull().northM();
         world.run(10);

@@ -46,7 +46,7 @@ class FleetLinksTest {
     void pathGoesOnWhereItWasAfterALostLink(LostLinkAction action) {
         SimulatedTestWorld world =
                 new SimulatedTestWorld(1, 3, FleetConfig.DEFAULT.withServer(server -> server.lostLinkAction(action)));
-        world.proxy().submit(world.path(1, 0, 40, 0, 80, 0, 120));
+        world.proxy().commands().submit(world.path(1, 0, 40, 0, 80, 0, 120));
         world.run(40);
         cut(world, true);
         world.run(30);
@@ -69,7 +69,7 @@ class FleetLinksTest {
     @Test
     void boatHoldsWhileTheLinkIsLost() {
         SimulatedTestWorld world = new SimulatedTestWorld(1);
-        world.proxy().submit(world.path(1, 0, 400));
+        world.proxy().commands().submit(world.path(1, 0, 400));
         world.run(40);
         cut(world, true);
         world.run(10);
@@ -84,7 +84,7 @@ class FleetLinksTest {
     @Test
     void boatThatLostItsCommanderAloneIsToldToGoOn() {
         SimulatedTestWorld world = new SimulatedTestWorld(1);
-        world.proxy().submit(world.path(1, 0, 200));
+        world.proxy().commands().submit(world.path(1, 0, 200));
         world.run(40);
         world.boat().toBoat().setCut(true); // telemetry still comes
         world.run(20);
@@ -101,11 +101,11 @@ class FleetLinksTest {
     void missionWithdrawnDuringALostLinkLeavesTheBoatStoppedAfterwards() {
         SimulatedTestWorld world = new SimulatedTestWorld(
                 1, 3, FleetConfig.DEFAULT.withServer(server -> server.lostLinkAction(LostLinkAction.CONTINUE)));
-        world.proxy().submit(world.path(1, 0, 400));
+        world.proxy().commands().submit(world.path(1, 0, 400));
         world.run(30);
         cut(world, true);
         world.run(10);
-        world.proxy().withdraw(1);
+        world.proxy().commands().withdraw(1);
         world.run(10);
         assertThat(world.hull().speedMps()).isGreaterThan(1);
         int starts = starts(world);
@@ -130,7 +130,7 @@ class FleetLinksTest {
         for (long seed = 0; seed < 10; seed++) {
             SimulatedTestWorld world =
                     new SimulatedTestWorld(1, seed, FleetConfig.DEFAULT.withPipe(new PipeConfig(30, 40, loss)));
-            world.proxy().submit(world.path(1, 0, 30, 30, 30, 30, 0));
+            world.proxy().commands().submit(world.path(1, 0, 30, 30, 30, 30, 0));
             world.run(600);
 
             assertThat(world.reports()).as("seed %d", seed).contains("completed m1-boat1");
@@ -150,7 +150,7 @@ class FleetLinksTest {
         SimulatedTestWorld coded = new SimulatedTestWorld(
                 3, 4, FleetConfig.DEFAULT.withConditions(field).withPipe(lossy.coded()));
         for (SimulatedTestWorld world : List.of(plain, coded)) {
-            world.proxy().submit(world.path(1, 0, 60, 40, 60, 40, 0));
+            world.proxy().commands().submit(world.path(1, 0, 60, 40, 60, 40, 0));
             world.run(200);
             world.proxy().teleoperate(0.1, 0.3);
             world.run(5);
@@ -175,9 +175,9 @@ class FleetLinksTest {
         SplittableRandom random = new SplittableRandom(12);
         for (int trial = 0; trial < 40; trial++) {
             SimulatedTestWorld world = new SimulatedTestWorld(1, trial, FleetConfig.DEFAULT);
-            world.proxy().submit(world.path("a", 1, Priority.MEDIUM, 0, 200));
+            world.proxy().commands().submit(world.path("a", 1, Priority.MEDIUM, 0, 200));
             world.run(20);
-            world.proxy().submit(world.path("b", 1, Priority.MEDIUM, 10, 40, 20, 40));
+            world.proxy().commands().submit(world.path("b", 1, Priority.MEDIUM, 10, 40, 20, 40));
             world.clock.runUntil(world.clock.nowMs() + random.nextLong(150));
             cut(world, true);
             world.run(random.nextInt(1, 12));
@@ -192,7 +192,7 @@ class FleetLinksTest {
     @Test
     void handThatDrivesTakesTheBoatUntilItIsReleased() {
         SimulatedTestWorld world = new SimulatedTestWorld(1);
-        world.proxy().submit(world.path(1, 0, 60));
+        world.proxy().commands().submit(world.path(1, 0, 60));
         world.run(10);
         for (int i = 0; i < 100; i++) {
             world.proxy().teleoperate(0.4, 0.5);
@@ -228,7 +228,7 @@ class FleetLinksTest {
     void fleetStopHoldsEveryBoatUntilReleasedAndMissionsGoOn() {
         SimulatedTestWorld world = new SimulatedTestWorld(2);
         for (SimulatedBoat boat : world.fleet.boats()) {
-            boat.proxy().submit(world.path("m1-" + boat.id(), 1, Priority.MEDIUM, 0, 60));
+            boat.proxy().commands().submit(world.path("m1-" + boat.id(), 1, Priority.MEDIUM, 0, 60));
         }
         world.run(15);
         world.fleet.proxies().fleetStop();
@@ -239,7 +239,7 @@ class FleetLinksTest {
             assertThat(boat.server().mode()).isEqualTo(BoatMode.FLEET_STOP);
             assertThat(boat.proxy().explain().text()).contains("the fleet stop is latched; one command waits");
         });
-        world.proxy().submit(world.path("crit", 2, Priority.CRITICAL, 30, 0));
+        world.proxy().commands().submit(world.path("crit", 2, Priority.CRITICAL, 30, 0));
         world.run(20);
         assertThat(world.hull().speedMps()).isZero();
 
@@ -254,7 +254,7 @@ class FleetLinksTest {
     void fleetStopPressedWhileTheLinkIsLostReachesTheBoatLater() {
         SimulatedTestWorld world = new SimulatedTestWorld(
                 1, 1, FleetConfig.DEFAULT.withServer(server -> server.lostLinkAction(LostLinkAction.CONTINUE)));
-        world.proxy().submit(world.path(1, 0, 300));
+        world.proxy().commands().submit(world.path(1, 0, 300));
         world.run(20);
         cut(world, true);
         world.run(6);
@@ -272,7 +272,7 @@ class FleetLinksTest {
     @Test
     void batteryClassesReachTheListenerAsTheyChange() {
         SimulatedTestWorld world = new SimulatedTestWorld(1);
-        world.proxy().submit(world.path(1, 0, 400));
+        world.proxy().commands().submit(world.path(1, 0, 400));
         world.hull().setBatteryPercent(30.2);
         world.run(20);
         world.hull().setBatteryPercent(15.1);

@@ -79,6 +79,7 @@ class GivingWayAmongRocksTest {
     private void drive(String id, List<GeoPoint> points) {
         SimulatedBoat boat = world.fleet.boat(id).orElseThrow();
         boat.proxy()
+                .commands()
                 .submit(FollowPath.of(name(id), 1, 10, points, Priority.MEDIUM).in(water));
         List<GeoPoint> way = new ArrayList<>(List.of(boat.position()));
         way.addAll(Detour.along(boat.position(), points, Optional.of(water)));

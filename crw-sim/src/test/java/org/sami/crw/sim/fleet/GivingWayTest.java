@@ -34,6 +34,7 @@ class GivingWayTest {
                 .boat(boat)
                 .orElseThrow()
                 .proxy()
+                .commands()
                 .submit(FollowPath.of(name(boat), 1, 10, world.points(eastNorth), Priority.MEDIUM));
     }
 

@@ -111,7 +111,9 @@ class KeepingClearTest {
                 Water.of(world.boat().position(), rocks, Optional.empty()).drivenWith(conditions.crossTrackError());
         List<GeoPoint> points = world.points(400, 0, 30, 90, 30, -90, 400, 10);
         world.proxy().settings().setLostLinkAction(LostLinkAction.RETURN);
-        world.proxy().submit(FollowPath.of("way", 1, 1, points, Priority.MEDIUM).in(water));
+        world.proxy()
+                .commands()
+                .submit(FollowPath.of("way", 1, 1, points, Priority.MEDIUM).in(water));
 
         TrueTrack out = TrueTrack.until(world, lostAfterS, () -> false);
         world.proxy().disconnect();

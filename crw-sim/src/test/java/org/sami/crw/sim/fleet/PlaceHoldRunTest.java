@@ -23,7 +23,7 @@ class PlaceHoldRunTest {
         world.run(1);
         world.proxy().settings().setVelocityMultiplier(0.01); // weaker than the current for a while
         world.run(1);
-        world.proxy().submit(world.path(1, -500, 0));
+        world.proxy().commands().submit(world.path(1, -500, 0));
         for (int i = 0; i < 900 && world.reports().stream().noneMatch(line -> line.startsWith("failed")); i++) {
             world.run(1);
         }
@@ -57,7 +57,7 @@ class PlaceHoldRunTest {
         SimulatedTestWorld world = givenUp(water, 1);
         world.run(60);
 
-        world.proxy().submit(world.path(2, 0, 80));
+        world.proxy().commands().submit(world.path(2, 0, 80));
         world.run(300);
 
         assertThat(world.reports()).anyMatch(line -> line.startsWith("completed m2"));

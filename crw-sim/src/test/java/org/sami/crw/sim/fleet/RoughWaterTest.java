@@ -41,7 +41,7 @@ class RoughWaterTest {
         for (long seed = 1; seed <= 5; seed++) {
             SimulatedTestWorld world = new SimulatedTestWorld(1, seed, on(gpsM, compassDeg, current, wind));
             world.run(1);
-            world.proxy().submit(world.path(1, 60, 40, -50, 80, -50, -60, 30, 0));
+            world.proxy().commands().submit(world.path(1, 60, 40, -50, 80, -50, -60, 30, 0));
             List<Double> nearestM = new ArrayList<>(List.of(1e9, 1e9, 1e9, 1e9));
             double[][] points = {{60, 40}, {-50, 80}, {-50, -60}, {30, 0}};
             for (int i = 0; i < 6000 && !world.reports().contains("completed m1-boat1"); i++) {
@@ -68,7 +68,7 @@ class RoughWaterTest {
         List<BoatTuning> told = new ArrayList<>();
         SimulatedTestWorld world = new SimulatedTestWorld(1);
         world.run(1);
-        world.proxy().submit(world.path(1, 0, 400));
+        world.proxy().commands().submit(world.path(1, 0, 400));
         world.run(30);
         double before = world.hull().speedMps();
         world.proxy().settings().setVelocityMultiplier(0.5);
@@ -114,7 +114,7 @@ class RoughWaterTest {
         for (long seed : new long[] {4, 4, 5}) {
             SimulatedTestWorld world = new SimulatedTestWorld(1, seed, on(1.5, 5, "0.4@45", "6@200", "temperature"));
             world.run(1);
-            world.proxy().submit(world.path(1, 60, 40, -50, 80));
+            world.proxy().commands().submit(world.path(1, 60, 40, -50, 80));
             world.run(200);
             tracks.add(world.boat().track());
         }

@@ -60,7 +60,7 @@ class SilentOperatorTest {
     void boatRestsForAsLongAsNobodyAnswers(BoatCommand wanted, LostLinkAction action, boolean withLog) {
         start("boot1", action, false);
         open();
-        proxy.submit(wanted);
+        proxy.commands().submit(wanted);
         run(20);
         assertThat(vehicle.wasDriven).isTrue();
         close();

@@ -17,10 +17,12 @@ class StoppingWayTest {
     void boatStopsWithinTheWayThatOthersReckonWith(double mps, double turnDeg) {
         world.run(2);
         world.proxy().settings().setVelocityMultiplier(mps / CRUISE_MPS);
-        world.proxy().submit(world.path(1, 0, 200));
+        world.proxy().commands().submit(world.path(1, 0, 200));
         world.run(20);
         double turn = Math.toRadians(turnDeg);
-        world.proxy().submit(world.path(2, 200 * Math.sin(turn), world.hull().northM() + 200 * Math.cos(turn)));
+        world.proxy()
+                .commands()
+                .submit(world.path(2, 200 * Math.sin(turn), world.hull().northM() + 200 * Math.cos(turn)));
         world.run(0.8); // in the middle of the turn
         SimulatedHull hull = world.hull();
         double speedMps = hull.speedMps();

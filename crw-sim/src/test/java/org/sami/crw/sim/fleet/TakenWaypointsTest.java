@@ -31,6 +31,7 @@ class TakenWaypointsTest {
 
     private void drive(String boat, long mission, double... eastNorth) {
         proxy(boat)
+                .commands()
                 .submit(FollowPath.of(
                         "m" + mission + "-" + boat, mission, 1, world.points(eastNorth), Priority.MEDIUM));
     }
@@ -58,7 +59,7 @@ class TakenWaypointsTest {
         proxy("boat2").abort("for a test");
         drive("boat1", 1, 0, 20);
         look(60);
-        proxy("boat1").withdraw(1);
+        proxy("boat1").commands().withdraw(1);
         look(3);
         drive("boat1", 4, 0, 20);
 

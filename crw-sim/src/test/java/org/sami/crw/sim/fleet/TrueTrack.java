@@ -43,14 +43,14 @@ final class TrueTrack {
 
     private static TrueTrack of(
             SimulatedTestWorld world, FollowPath path, double seconds, double afterSeconds, List<BoatCommand> others) {
-        world.proxy().submit(path);
+        world.proxy().commands().submit(path);
         String completed = "completed " + path.commandId();
         List<Coordinate> places = new ArrayList<>();
         boolean given = false;
         for (double t = 0; t < seconds && !world.reports().contains(completed); t += STEP_S) {
             if (!given && t >= afterSeconds) {
                 given = true;
-                others.forEach(world.proxy()::submit);
+                others.forEach(world.proxy().commands()::submit);
             }
             places.add(new Coordinate(world.hull().eastM(), world.hull().northM()));
             world.run(STEP_S);

@@ -23,13 +23,13 @@ class WayHomeTest {
             world.run(1);
             world.hull().setBatteryPercent(percent);
             double bearing = seed * 2 * Math.PI / SEEDS;
-            world.proxy().submit(world.path(1, 5000 * Math.sin(bearing), 5000 * Math.cos(bearing)));
+            world.proxy().commands().submit(world.path(1, 5000 * Math.sin(bearing), 5000 * Math.cos(bearing)));
             for (int i = 0; i < 4000 && !isCritical(world); i++) {
                 world.run(1);
             }
             double turnedM = world.distanceTo(0, 0);
-            world.proxy().withdraw(1);
-            world.proxy().submit(world.path(2, 0, 0));
+            world.proxy().commands().withdraw(1);
+            world.proxy().commands().submit(world.path(2, 0, 0));
             for (int i = 0; i < 4000 && !isHome(world); i++) {
                 world.run(1);
                 assertThat(isCritical(world)).as("seed %d", seed).isTrue();

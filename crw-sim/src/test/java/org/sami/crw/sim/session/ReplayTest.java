@@ -131,7 +131,8 @@ class ReplayTest {
                                 .equals(TestSession.get(session.fleet()
                                         .ask(boats -> boats.find(boat.boat())
                                                 .orElseThrow()
-                                                .currentCommand()))));
+                                                .commands()
+                                                .current()))));
     }
 
     private void answer(String type, Answer answer) {
@@ -201,8 +202,9 @@ class ReplayTest {
         Water water = Water.of(TestSession.PIER, List.of(rock()), Optional.empty());
         TestSession.get(session.fleet()
                 .ask(boats -> boats.find("anna").map(anna -> {
-                    anna.submit(FollowPath.goTo("around", 1, 1, behind, Priority.MEDIUM)
-                            .in(water));
+                    anna.commands()
+                            .submit(FollowPath.goTo("around", 1, 1, behind, Priority.MEDIUM)
+                                    .in(water));
                     return anna;
                 })));
         Await.until("she is under way", TestSession.WITHIN_S, () -> anna().why().shouldMove());
