@@ -29,8 +29,12 @@ import org.sami.ui.window.Notices.Notice;
 /** The strip at the top of the window: what there is, what waits, what is wrong, and the fleet stop. */
 public final class StatusStrip extends JPanel {
     private static final int ROOMY = 1100;
+    private static final int TIGHT = 720;
+    private static final String LAYOUT = "insets 6 12 6 8, hidemode 3, gap ";
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
 
+    private final transient MigLayout layout =
+            new MigLayout(LAYOUT + 20, "[][][][]8:push[grow 0, shrinkprio 300]push[shrinkprio 200][][shrink 0]", "[]");
     private final OperatorContext context;
     private final FleetStopCommands fleetStop;
     private final JLabel missions = new JLabel();
@@ -54,10 +58,7 @@ public final class StatusStrip extends JPanel {
      * @param nanos a clock that only goes on, in ns, for how long a notice has been shown
      */
     public StatusStrip(OperatorContext context, FleetStopCommands fleetStop, Command showAlarms, LongSupplier nanos) {
-        super(new MigLayout(
-                "insets 6 12 6 8, gap 20, hidemode 3",
-                "[][][][]8:push[grow 0, shrinkprio 300]push[shrinkprio 200][][shrink 0]",
-                "[]"));
+        setLayout(layout);
         this.context = context;
         this.fleetStop = fleetStop;
         shown = new ShownNotice(nanos);
@@ -113,6 +114,9 @@ public final class StatusStrip extends JPanel {
         if (isNarrow() != narrow) {
             refresh();
         }
+        layout.setLayoutConstraints(LAYOUT + (narrow ? 8 : 20));
+        release.setHideActionText(
+                getWidth() < Look.px(TIGHT)); // its tooltip says it; the step that releases has its words
         super.doLayout();
     }
 

@@ -2,7 +2,10 @@ package org.sami.crw.gui.status;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Component;
 import java.util.concurrent.TimeUnit;
+import javax.swing.AbstractButton;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
@@ -95,5 +98,45 @@ class StatusStripTest {
             assertThat(clock.getWidth()).isGreaterThanOrEqualTo(clock.getPreferredSize().width);
             assertThat(TextFit.faults(strip)).isEmpty();
         });
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {100, 150, 200})
+    void fleetStopAndClockAreSeenWholeWhileTheFleetIsStopped(int percent) throws Exception {
+        StatusStrip[] strip = new StatusStrip[1];
+        SwingUtilities.invokeAndWait(() -> {
+            Look.apply(Theme.LIGHT, percent);
+            strip[0] = strip();
+            Layout.find(strip[0], "fleet-stop", AbstractButton.class)
+                    .orElseThrow()
+                    .doClick();
+        });
+        SessionWorld.until("the fleet is stopped", () -> {
+            strip[0].refresh();
+            return Layout.find(strip[0], "fleet-release", AbstractButton.class)
+                    .filter(Component::isVisible)
+                    .isPresent();
+        });
+        SwingUtilities.invokeAndWait(() -> {
+            Layout.layOut(strip[0], 1280, Look.px(58));
+
+            assertIsSeenWhole(strip[0], "fleet-stop", "fleet-release", "clock", "boats-count", "links-count");
+
+            Layout.find(strip[0], "fleet-release", AbstractButton.class)
+                    .orElseThrow()
+                    .doClick();
+            Layout.layOut(strip[0], 1280, Look.px(58));
+            assertIsSeenWhole(strip[0], "fleet-stop", "fleet-release-confirm");
+        });
+    }
+
+    private static void assertIsSeenWhole(StatusStrip strip, String... names) {
+        for (String name : names) {
+            Component part = Layout.find(strip, name, JComponent.class).orElseThrow();
+            assertThat(part.isVisible()).as(name).isTrue();
+            assertThat(part.getWidth()).as(name).isGreaterThanOrEqualTo(part.getPreferredSize().width);
+            int right = SwingUtilities.convertPoint(part, part.getWidth(), 0, strip).x;
+            assertThat(right).as(name).isLessThanOrEqualTo(1280);
+        }
     }
 }
