@@ -8,7 +8,6 @@ import org.sami.dreamm.document.EditorListener;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
-import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.net.NetMode;
@@ -30,7 +29,6 @@ final class ModelTools {
             button.setName("net-mode-" + mode.name().toLowerCase(Locale.ROOT));
             Command command = context.commands().get(button.getName());
             button.setToolTipText(command.title() + " (" + command.keyText() + ")");
-            button.setFont(Fonts.text());
             button.setVisible(!command.isHidden());
             button.setMinimumSize(null);
             button.setSelected(context.editor().mode() == mode);

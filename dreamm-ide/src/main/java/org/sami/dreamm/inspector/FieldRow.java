@@ -25,9 +25,9 @@ import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.FieldType;
-import org.sami.ui.look.Fonts;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
+import org.sami.ui.look.StrongLabel;
 import org.sami.ui.value.ValueField;
 import org.sami.ui.value.WrappedText;
 
@@ -89,9 +89,8 @@ final class FieldRow extends Form implements Explained {
         setName(name);
         below.setOpaque(false);
         ProfileGuard.mark(this, "event-field");
-        JLabel title =
-                new JLabel(ValueField.words(field.name()) + (field.unit().isEmpty() ? "" : " (" + field.unit() + ")"));
-        title.setFont(Fonts.strong());
+        JLabel title = new StrongLabel(
+                ValueField.words(field.name()) + (field.unit().isEmpty() ? "" : " (" + field.unit() + ")"));
         title.setToolTipText(field.help() + " Type: " + TypeNames.of(field.type()));
         add(title, "span 2, growx, wmin 0, gaptop 4");
     }

@@ -17,9 +17,9 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
-import org.sami.ui.look.Fonts;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
+import org.sami.ui.look.StrongLabel;
 import org.sami.ui.value.WrappedText;
 
 /** Rows of labelled fields. A field gives what it holds when it is left or Enter is pressed; a choice at once. */
@@ -31,8 +31,7 @@ class Form extends JPanel {
     }
 
     final void heading(String text) {
-        JLabel label = new JLabel(text);
-        label.setFont(Fonts.strong());
+        JLabel label = new StrongLabel(text);
         add(label, "span 2, growx, gaptop 6, wmin 0");
     }
 

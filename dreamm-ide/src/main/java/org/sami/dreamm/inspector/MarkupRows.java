@@ -20,8 +20,8 @@ import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.FieldType;
 import org.sami.spn.vocabulary.MarkupType;
-import org.sami.ui.look.Fonts;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.StrongLabel;
 import org.sami.ui.value.ValueEditor;
 import org.sami.ui.value.ValueField;
 
@@ -68,8 +68,7 @@ final class MarkupRows extends Form {
             setName(MarkupRows.name(type.name()));
             JPanel head = new JPanel(new MigLayout("insets 4 0 0 0, gap 2, fillx", "[grow, fill][]"));
             head.setOpaque(false);
-            JLabel title = new JLabel("◆ " + type.label());
-            title.setFont(Fonts.strong());
+            JLabel title = new StrongLabel("◆ " + type.label());
             title.setToolTipText(type.help());
             head.add(title, "wmin 0");
             head.add(ProfileGuard.mark(

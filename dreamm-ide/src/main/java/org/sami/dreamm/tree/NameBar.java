@@ -15,8 +15,8 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
-import org.sami.ui.look.Fonts;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.StrongLabel;
 
 /** The bar below the mission tree in which names are given: Enter takes them, Escape leaves. It is gone while nothing is asked. */
 final class NameBar extends JPanel {
@@ -51,9 +51,8 @@ final class NameBar extends JPanel {
     void ask(String title, String button, Map<String, String> asked, Predicate<List<String>> take) {
         removeAll();
         fields.clear();
-        JLabel head = new JLabel(title);
+        JLabel head = new StrongLabel(title);
         head.setName("name-bar-title");
-        head.setFont(Fonts.strong());
         head.setToolTipText(title);
         add(head, "span, wmin 0");
         asked.forEach((label, value) -> {

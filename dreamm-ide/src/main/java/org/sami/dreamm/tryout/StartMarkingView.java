@@ -22,9 +22,9 @@ import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TaskSpec;
 import org.sami.spn.vocabulary.FieldType;
 import org.sami.ui.command.CommandButton;
-import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.StrongLabel;
 import org.sami.ui.value.ValueEditor;
 import org.sami.ui.value.ValueField;
 
@@ -99,7 +99,6 @@ final class StartMarkingView extends JPanel {
             return;
         }
         Optional<Place> place = place();
-        title.setFont(Fonts.text());
         title.setForeground((place.isPresent() ? SemanticColor.TEXT : SemanticColor.MUTED).get());
         title.setText(place.map(p -> p.end()
                         ? "A mission that stands in the end place " + p.id() + " is over"
@@ -122,8 +121,7 @@ final class StartMarkingView extends JPanel {
         List<AskedAtStart> all =
                 plan.map(p -> AskedAtStart.of(p, context.vocabulary())).orElse(List.of());
         if (!all.isEmpty()) {
-            JLabel heading = new JLabel("What the plan asks at its start");
-            heading.setFont(Fonts.strong());
+            JLabel heading = new StrongLabel("What the plan asks at its start");
             asked.add(heading);
         }
         all.forEach(this::ask);

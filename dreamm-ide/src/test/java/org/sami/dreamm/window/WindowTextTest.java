@@ -2,14 +2,22 @@ package org.sami.dreamm.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dimension;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
+import javax.swing.AbstractButton;
+import javax.swing.JLabel;
+import javax.swing.SwingUtilities;
+import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -83,5 +91,48 @@ class WindowTextTest {
         }
 
         assertThat(faults).isEmpty();
+    }
+
+    @Test
+    void allLettersGrowWithTheScaleWhileTheWindowIsOpen() {
+        Look.apply(Theme.LIGHT, 100);
+        context = new DreammContext(
+                LIBRARY,
+                new ProjectDocument(LIBRARY.vocabulary(), LibraryProject.of(LIBRARY), Optional.empty()),
+                Profile.ALL);
+        context.editor().open("station-keep");
+        EditCommands.addTo(context);
+        run = new RunParts(context);
+        List<DockPanel> panels = new DreammPanels(context, run).all();
+        context.editor().select(Set.of("assemble"));
+        Map<Component, Float> before = new LinkedHashMap<>();
+        panels.forEach(panel -> collectSizes(panel, before));
+
+        Look.apply(Theme.LIGHT, 150);
+        panels.forEach(SwingUtilities::updateComponentTreeUI);
+
+        assertThat(before).hasSizeGreaterThan(20);
+        assertThat(before.entrySet())
+                .filteredOn(one -> one.getKey().getFont().getSize2D() < 1.4 * one.getValue())
+                .extracting(one -> one.getKey().getClass().getSimpleName() + " "
+                        + one.getKey().getName() + " "
+                        + one.getKey().getAccessibleContext().getAccessibleName())
+                .isEmpty();
+    }
+
+    private static void collectSizes(Container root, Map<Component, Float> sizes) {
+        for (Component part : root.getComponents()) {
+            boolean says = part instanceof JLabel label
+                    ? label.getText() != null && !label.getText().isBlank()
+                    : part instanceof AbstractButton button
+                            ? button.getText() != null && !button.getText().isBlank()
+                            : part instanceof JTextComponent;
+            if (says) {
+                sizes.put(part, part.getFont().getSize2D());
+            }
+            if (part instanceof Container container) {
+                collectSizes(container, sizes);
+            }
+        }
     }
 }
