@@ -112,8 +112,9 @@ public final class FleetHistory {
 
     /** Where a boat's server listens. Returns whether that is news. */
     public synchronized boolean isAt(String boat, String address) {
-        boolean news = !of(boat).address.equals(address);
-        of(boat).address = address;
+        Known known = of(boat);
+        boolean news = !known.address.equals(address);
+        known.address = address;
         return news;
     }
 
@@ -143,8 +144,9 @@ public final class FleetHistory {
 
     /** How many waypoint lists this process has sent to a boat. Returns whether that is news. */
     public synchronized boolean uploaded(String boat, UploadCount uploads) {
-        boolean news = !of(boat).uploads.equals(uploads);
-        of(boat).uploads = uploads;
+        Known known = of(boat);
+        boolean news = !known.uploads.equals(uploads);
+        known.uploads = uploads;
         return news;
     }
 
