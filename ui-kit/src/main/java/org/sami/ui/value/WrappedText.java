@@ -2,14 +2,19 @@ package org.sami.ui.value;
 
 import java.awt.Dimension;
 import java.awt.Rectangle;
+import java.util.regex.Pattern;
 import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.SemanticColor;
 
-/** A text of any length that looks like a label, breaks between words, and can be copied. */
+/** A text of any length that looks like a label, breaks between words but not between a number and its unit, and can be copied. */
 public final class WrappedText extends JTextArea {
     private static final int LEAST_WIDTH = 60;
+    private static final char NO_BREAK = '\u00a0';
+    private static final Pattern BEFORE_UNIT =
+            Pattern.compile("(?<=\\d) (?=(?:%|°|mm|m|km|m²|km²|m/s|ms|s|min|h|Hz)(?![\\p{L}\\p{N}]))");
+
     private SemanticColor color = SemanticColor.TEXT;
     private boolean heading;
 
@@ -21,6 +26,23 @@ public final class WrappedText extends JTextArea {
         setWrapStyleWord(true);
         setColumns(20);
         dress();
+    }
+
+    @Override
+    public void setText(String text) {
+        super.setText(text == null ? null : BEFORE_UNIT.matcher(text).replaceAll(String.valueOf(NO_BREAK)));
+    }
+
+    /** The text as it was set. */
+    @Override
+    public String getText() {
+        return super.getText().replace(NO_BREAK, ' ');
+    }
+
+    @Override
+    public String getSelectedText() {
+        String selected = super.getSelectedText();
+        return selected == null ? null : selected.replace(NO_BREAK, ' ');
     }
 
     /** The colour of the text from now on, in any theme. */
