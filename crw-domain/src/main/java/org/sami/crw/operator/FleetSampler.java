@@ -1,8 +1,6 @@
 package org.sami.crw.operator;
 
-import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.List;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -32,20 +30,13 @@ final class FleetSampler {
     private final LongSupplier nowMillis;
     private final long periodMillis;
     private final BiConsumer<String, Optional<BoatSnapshot>> taken;
-    private final Map<String, Seen> seen = new HashMap<>();
-    // of the registry: so that all can be looked at ten times a second without being looked up
-    private final List<Seen> inOrder = new ArrayList<>();
+    private final Map<String, Seen> seen = new LinkedHashMap<>();
 
     private static final class Seen {
-        private final BoatProxy boat;
         private long sampledAtMillis = Long.MIN_VALUE / 2;
         private long poseAtMillis;
         private boolean changed = true;
         private Optional<BoatSnapshot> last = Optional.empty();
-
-        Seen(BoatProxy boat) {
-            this.boat = boat;
-        }
     }
 
     /**
@@ -76,48 +67,24 @@ final class FleetSampler {
             gone(event.boat());
             return;
         }
-        Seen known = seen.get(event.boat());
-        if (known == null) {
-            known = boats.find(event.boat()).map(this::begin).orElse(null);
-        }
-        if (known != null) {
-            long now = nowMillis.getAsLong();
+        Optional<BoatProxy> boat = boats.find(event.boat());
+        if (boat.isPresent()) {
+            Seen known = seen.computeIfAbsent(event.boat(), id -> new Seen());
             known.changed = true;
             if (event instanceof FleetEvent.StatusReported) {
-                known.poseAtMillis = now;
+                known.poseAtMillis = nowMillis.getAsLong();
             }
-            sampleIfDue(known, now);
+            sampleIfDue(boat.get(), known);
         }
-    }
-
-    private Seen begin(BoatProxy boat) {
-        Seen known = new Seen(boat);
-        seen.put(boat.boatId(), known);
-        return known;
     }
 
     /** Time has passed: takes snapshots that are due. To be called once a period. */
     void look() {
-        long now = nowMillis.getAsLong();
-        int at = 0;
-        for (BoatProxy boat : boats.all()) {
-            Seen known = inOrder(at++, boat);
-            known.changed |= now - known.sampledAtMillis >= 10 * periodMillis; // words count seconds
-            sampleIfDue(known, now);
-        }
-    }
-
-    private Seen inOrder(int at, BoatProxy boat) {
-        if (at < inOrder.size() && inOrder.get(at).boat == boat) {
-            return inOrder.get(at);
-        }
-        inOrder.subList(at, inOrder.size()).clear(); // boats have come or gone
-        Seen known = seen.get(boat.boatId());
-        if (known == null || known.boat != boat) {
-            known = begin(boat);
-        }
-        inOrder.add(known);
-        return known;
+        boats.all().forEach(boat -> {
+            Seen known = seen.computeIfAbsent(boat.boatId(), id -> new Seen());
+            known.changed |= nowMillis.getAsLong() - known.sampledAtMillis >= 10 * periodMillis; // words count seconds
+            sampleIfDue(boat, known);
+        });
     }
 
     private void gone(String boat) {
@@ -126,27 +93,27 @@ final class FleetSampler {
         }
     }
 
-    private void sampleIfDue(Seen known, long now) {
+    private void sampleIfDue(BoatProxy boat, Seen known) {
+        long now = nowMillis.getAsLong();
         if (!known.changed || now - known.sampledAtMillis < periodMillis) {
             return;
         }
         known.changed = false;
         known.sampledAtMillis = now;
-        BoatSnapshot next = snapshot(known, now);
+        BoatSnapshot next = snapshot(boat, known, now);
         if (!known.last.equals(Optional.of(next))) {
             known.last = Optional.of(next);
-            taken.accept(known.boat.boatId(), known.last);
+            taken.accept(boat.boatId(), known.last);
         }
     }
 
-    private BoatSnapshot snapshot(Seen known, long now) {
-        BoatProxy boat = known.boat;
-        Optional<CommandQueueSnapshot.Entry> current = boat.commands().queue().current();
+    private BoatSnapshot snapshot(BoatProxy boat, Seen known, long now) {
+        Optional<CommandQueueSnapshot.Entry> current = boat.queue().current();
         BoatExplanation why = boat.explain(titles);
         return new BoatSnapshot(
                 boat.boatId(),
                 boat.status().link(),
-                heard(known, now),
+                heard(boat, known, now),
                 boat.status().pose(),
                 known.poseAtMillis,
                 boat.status().battery(),
@@ -159,8 +126,8 @@ final class FleetSampler {
                 boat.wayHome());
     }
 
-    private static OptionalLong heard(Seen known, long now) {
-        OptionalLong silence = known.boat.silentMs();
+    private static OptionalLong heard(BoatProxy boat, Seen known, long now) {
+        OptionalLong silence = boat.silentMs();
         if (silence.isEmpty()) {
             return silence;
         }

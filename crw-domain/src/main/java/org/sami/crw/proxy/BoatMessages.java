@@ -186,7 +186,8 @@ final class BoatMessages {
     }
 
     private boolean canMove(Telemetry telemetry) {
-        return telemetry.batteryPercent() > 0 && settings.letMove();
+        return telemetry.batteryPercent() > 0
+                && settings.inForce().map(BoatTuning::velocityMultiplier).orElse(1.0) > 0;
     }
 
     /** Has the boat say again what it holds; until then it is told nothing. */

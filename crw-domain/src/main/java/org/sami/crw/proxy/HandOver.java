@@ -108,9 +108,6 @@ public final class HandOver {
     }
 
     void tick(long nowMs) {
-        if (!requests.areWaiting()) {
-            return; // mostly, ten times a second
-        }
         for (CommandMessage unanswered : requests.tick(nowMs)) {
             announcements.add(l -> l.onRefused(boatId, "the boat did not answer " + unanswered.type()));
         }

@@ -34,7 +34,6 @@ public final class ProxySettings {
     private final Runnable afterwards;
     private final Map<String, PendingRequests> byKind = new LinkedHashMap<>();
     private Optional<BoatTuning> inForce = Optional.empty();
-    private boolean letMove = true; // asked with each telemetry
 
     /**
      * Settings of a boat that has said nothing yet.
@@ -62,11 +61,6 @@ public final class ProxySettings {
     /** The settings that the boat said last are in force; empty before it said so. */
     public Optional<BoatTuning> inForce() {
         return inForce;
-    }
-
-    /** Whether the boat moves at all with the speed that is in force. */
-    boolean letMove() {
-        return letMove;
     }
 
     /**
@@ -117,7 +111,6 @@ public final class ProxySettings {
     void reported(SettingsReport report) {
         BoatTuning tuning = BoatTuning.of(report);
         inForce = Optional.of(tuning);
-        letMove = tuning.velocityMultiplier() > 0;
         announcements.add(l -> l.onTuning(boatId, tuning));
     }
 

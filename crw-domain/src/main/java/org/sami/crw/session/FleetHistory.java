@@ -55,27 +55,12 @@ public final class FleetHistory {
         private int lost;
         private int back;
         private boolean linkIsLost;
-        private Told last; // null until it has told something
+        private Optional<Told> last = Optional.empty();
         private int recharges;
         private double distanceM;
         private UploadCount earlierUploads = UploadCount.NONE;
         private UploadCount uploads = UploadCount.NONE;
         private String why = "";
-
-        void tell(Told now) {
-            if (last != null) {
-                long gapMs = now.boatTimeMs - last.boatTimeMs;
-                if (gapMs > 0 && gapMs <= LONGEST_GAP_MS) {
-                    distanceM += Math.abs(last.speedMps + now.speedMps) / 2 * gapMs / 1000;
-                }
-                recharges += now.batteryPercent > last.batteryPercent + RECHARGED_PERCENT ? 1 : 0;
-            }
-            last = now;
-        }
-
-        Optional<Told> last() {
-            return Optional.ofNullable(last);
-        }
     }
 
     private Known of(String boat) {
@@ -112,15 +97,24 @@ public final class FleetHistory {
 
     /** Where a boat's server listens. Returns whether that is news. */
     public synchronized boolean isAt(String boat, String address) {
-        Known known = of(boat);
-        boolean news = !known.address.equals(address);
-        known.address = address;
+        boolean news = !of(boat).address.equals(address);
+        of(boat).address = address;
         return news;
     }
 
     /** A boat has said where it is and what charge it has. Distance is its speed over its time, which noise does not lengthen. */
     synchronized void told(String boat, Told now) {
-        of(boat).tell(now);
+        Known known = of(boat);
+        known.last.ifPresent(before -> {
+            long gapMs = now.boatTimeMs - before.boatTimeMs;
+            if (gapMs > 0 && gapMs <= LONGEST_GAP_MS) {
+                known.distanceM += Math.abs(before.speedMps + now.speedMps) / 2 * gapMs / 1000;
+            }
+            if (now.batteryPercent > before.batteryPercent + RECHARGED_PERCENT) {
+                known.recharges++;
+            }
+        });
+        known.last = Optional.of(now);
     }
 
     /** Where a boat was and how far it had come when an earlier process wrote it down. */
@@ -132,21 +126,20 @@ public final class FleetHistory {
     /** Where the boats are that have said so. */
     public synchronized List<GeoPoint> positions() {
         return boats.values().stream()
-                .flatMap(known -> known.last().stream())
+                .flatMap(known -> known.last.stream())
                 .map(Told::position)
                 .toList();
     }
 
     /** What a boat told last. */
     public synchronized Optional<Told> last(String boat) {
-        return of(boat).last();
+        return of(boat).last;
     }
 
     /** How many waypoint lists this process has sent to a boat. Returns whether that is news. */
     public synchronized boolean uploaded(String boat, UploadCount uploads) {
-        Known known = of(boat);
-        boolean news = !known.uploads.equals(uploads);
-        known.uploads = uploads;
+        boolean news = !of(boat).uploads.equals(uploads);
+        of(boat).uploads = uploads;
         return news;
     }
 
@@ -177,6 +170,6 @@ public final class FleetHistory {
     /** One boat, if it has ever said where it is. */
     public synchronized Optional<Boat> boat(String boat) {
         Known known = of(boat);
-        return known.last().map(told -> new Boat(boat, told, known.distanceM, known.recharges));
+        return known.last.map(told -> new Boat(boat, told, known.distanceM, known.recharges));
     }
 }

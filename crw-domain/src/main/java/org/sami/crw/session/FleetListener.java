@@ -12,7 +12,7 @@ import org.sami.crw.fleet.FleetEvents;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.listener.BoatListener;
-import org.sami.crw.proxy.status.BoatPose;
+import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatReading;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.LinkState;
@@ -133,15 +133,15 @@ final class FleetListener implements BaseListener {
     }
 
     private void told(BoatStatus boat) {
-        if (boat.pose().isPresent()) {
-            BoatPose pose = boat.pose().get();
-            double batteryPercent =
-                    boat.battery().isPresent() ? boat.battery().get().percent() : 100;
-            history.told(
-                    boat.boatId(),
-                    new FleetHistory.Told(
-                            pose.position(), pose.headingRad(), pose.speedMps(), batteryPercent, pose.boatTimeMs()));
-        }
+        boat.pose()
+                .ifPresent(pose -> history.told(
+                        boat.boatId(),
+                        new FleetHistory.Told(
+                                pose.position(),
+                                pose.headingRad(),
+                                pose.speedMps(),
+                                boat.battery().map(BatteryState::percent).orElse(100.0),
+                                pose.boatTimeMs())));
     }
 
     private void linkChanged(BoatStatus boat) {

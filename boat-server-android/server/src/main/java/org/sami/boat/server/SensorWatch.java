@@ -17,11 +17,6 @@ final class SensorWatch {
         vehicle.sensors().forEach(sensor -> slots.add(new Slot(sensor)));
     }
 
-    /** Whether there is no sensor on board. */
-    boolean isEmpty() {
-        return slots.isEmpty();
-    }
-
     /** Reads what is due. A sensor that fails is asked again when it is due again, and keeps no other from being read. */
     void tick(long nowMs, Consumer<SensorReport> reports) {
         RuntimeException failure = null;

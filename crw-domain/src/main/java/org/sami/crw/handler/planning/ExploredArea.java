@@ -31,33 +31,13 @@ final class ExploredArea {
     private final Activation activation;
     private final HandlerContext context;
     private final AreaCoverage coverage;
-    private final double stepM; // between two points of a track
+    private final double spacingM;
     private final DoubleSupplier plannedM2; // that no path comes near
     private Map<String, GeoPath> shares;
-    private final Map<String, Track> tracks = new LinkedHashMap<>();
+    private final Map<String, List<GeoPoint>> tracks = new LinkedHashMap<>();
     private final List<List<GeoPoint>> assumed = new ArrayList<>();
     private final Set<String> done = new HashSet<>();
     private boolean isTold;
-
-    /** Where one boat reported to be. It is looked up with each report of the boat, so it holds all that is asked then. */
-    private static final class Track {
-        private List<GeoPoint> points = new ArrayList<>();
-        private boolean hasShare = true;
-        private double lastEastM; // of the last of its points
-        private double lastNorthM;
-
-        boolean isFarFrom(double eastM, double northM, double stepM) {
-            double byEastM = eastM - lastEastM;
-            double byNorthM = northM - lastNorthM;
-            return points.isEmpty() || Math.sqrt(byEastM * byEastM + byNorthM * byNorthM) >= stepM;
-        }
-
-        void add(GeoPoint at, double eastM, double northM) {
-            points.add(at);
-            lastEastM = eastM;
-            lastNorthM = northM;
-        }
-    }
 
     /**
      * An area that boats begin to explore, or go on with.
@@ -76,7 +56,7 @@ final class ExploredArea {
         this.activation = activation;
         this.context = context;
         this.coverage = coverage;
-        stepM = Math.max(LEAST_STEP_M, STEP_OF_SPACING * spacingM);
+        this.spacingM = spacingM;
         this.shares = Map.copyOf(shares);
         List<List<GeoPoint>> planned =
                 shares.values().stream().map(GeoPath::points).toList();
@@ -117,31 +97,21 @@ final class ExploredArea {
     /** The area is divided among its boats anew. */
     void divide(Map<String, GeoPath> newShares) {
         shares = Map.copyOf(newShares);
-        tracks.forEach((boat, track) -> track.hasShare = shares.containsKey(boat));
     }
 
     /** Takes where a boat reports to be, if it has a share and the operator has not been told the result yet. */
     void add(String boat, GeoPoint at) {
-        if (isTold) {
+        if (isTold || !shares.containsKey(boat)) {
             return;
         }
-        Track track = tracks.get(boat);
-        if (track == null && shares.containsKey(boat)) {
-            track = new Track();
-            tracks.put(boat, track);
-        }
-        if (track != null && track.hasShare) {
-            add(track, at);
-        }
-    }
-
-    private void add(Track track, GeoPoint at) {
-        double eastM = coverage.eastM(at);
-        double northM = coverage.northM(at);
-        if (track.isFarFrom(eastM, northM, stepM)) {
-            track.add(at, eastM, northM);
-            if (track.points.size() > MOST_POINTS) {
-                track.points = new ArrayList<>(coverage.thinned(track.points, MOST_POINTS / 2));
+        List<GeoPoint> track = tracks.computeIfAbsent(boat, id -> new ArrayList<>());
+        double stepM = Math.max(LEAST_STEP_M, STEP_OF_SPACING * spacingM);
+        if (track.isEmpty() || coverage.distanceM(track.get(track.size() - 1), at) >= stepM) {
+            track.add(at);
+            if (track.size() > MOST_POINTS) {
+                List<GeoPoint> thinned = coverage.thinned(track, MOST_POINTS / 2);
+                track.clear();
+                track.addAll(thinned);
             }
         }
     }
@@ -169,7 +139,7 @@ final class ExploredArea {
         }
         isTold = true;
         List<List<GeoPoint>> driven = new ArrayList<>(assumed);
-        tracks.values().forEach(track -> driven.add(track.points));
+        driven.addAll(tracks.values());
         return Optional.of(() -> words(driven, when) + coverage.likelyMissed(positionM));
     }
 

@@ -13,6 +13,7 @@ import org.sami.crw.operator.message.OperatorMessage;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.listener.BoatListener;
+import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.service.coverage.AreaCoverage;
 import org.sami.spn.engine.EngineView;
@@ -73,12 +74,9 @@ public final class ExploredAreas implements BoatListener, HostListener {
 
     @Override
     public void onStatus(BoatStatus status) {
-        if (areas.isEmpty() || status.pose().isEmpty()) {
-            return;
-        }
-        for (ExploredArea one : areas.values()) {
-            one.add(status.boatId(), status.pose().get().position());
-        }
+        status.pose()
+                .map(BoatPose::position)
+                .ifPresent(at -> areas.values().forEach(one -> one.add(status.boatId(), at)));
     }
 
     @Override

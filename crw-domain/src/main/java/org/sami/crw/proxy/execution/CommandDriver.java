@@ -311,9 +311,6 @@ public final class CommandDriver {
 
     /** Sends again what is due; gives up a command that stays unanswered, but never a stop. */
     public void tick(long nowMs) {
-        if (!requests.areWaiting()) {
-            return; // mostly, ten times a second
-        }
         for (CommandMessage unanswered : requests.tick(nowMs)) {
             if (run.isPresent()) {
                 String why = "the boat did not answer " + config.maxSends() + " requests";

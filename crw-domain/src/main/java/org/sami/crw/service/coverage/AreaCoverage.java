@@ -88,14 +88,9 @@ public final class AreaCoverage {
         return MissedBetweenLanes.words(positionM, widthM / Math.ceil(widthM / spacingM), spacingM);
     }
 
-    /** Metres to the east of the area's first point, on the plane on which it is measured. */
-    public double eastM(GeoPoint point) {
-        return plane.x(point);
-    }
-
-    /** Metres to the north of the area's first point, on that plane. */
-    public double northM(GeoPoint point) {
-        return plane.y(point);
+    /** Metres between two points of the area, on the plane on which it is measured. */
+    public double distanceM(GeoPoint one, GeoPoint other) {
+        return plane.distanceM(one, other);
     }
 
     /** A track with fewer points, of which it covers nearly the same. */

@@ -18,8 +18,8 @@ final class SimulatedBoatAdder {
 
     private final OperatorContext context;
     private final Supplier<GeoPoint> where;
-    private final Map<String, GeoPoint> awaited =
-            new HashMap<>(); // boats that were added say where they are a little later
+    // boats that were added say where they are a little later
+    private final Map<String, GeoPoint> awaited = new HashMap<>();
     private int last;
 
     /**

@@ -61,6 +61,9 @@ class SimulatedBoatAdderTest {
     void aPlaceThatABoatHasLeftIsFreeAgain() throws Exception {
         try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
             MapPanel panel = laidOut(() -> new MapPanel(world.context));
+            until(
+                    "anna is known, to whom the map turns",
+                    () -> position(world, "anna").isPresent());
             MapView map = SessionWorld.find(panel, "map", MapView.class);
             onEventThread(() -> {
                 map.centre(GeoPoint.of(45.5, 10.8));

@@ -17,11 +17,6 @@ final class LoopExecutor implements Executor {
         waiting.add(Objects.requireNonNull(command, "command"));
     }
 
-    /** Whether nothing waits. */
-    boolean isIdle() {
-        return waiting.isEmpty();
-    }
-
     /** Does everything that waits, and what that gives rise to. */
     void drain() {
         for (Runnable next = waiting.poll(); next != null; next = waiting.poll()) {

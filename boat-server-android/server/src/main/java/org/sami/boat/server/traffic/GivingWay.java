@@ -78,9 +78,6 @@ public final class GivingWay {
     private double besideM; // that line
     private boolean isOnLine; // or nothing bounds where it may go
     private NoGoBorder border = NoGoBorder.NONE;
-    private double fullMps; // this and the next two: for the choice that is being made
-    private double impatience;
-    private double besidePerM;
     private double chosenRad = Double.NaN; // while it gives way
     private double waitedS; // for others, LONGEST_WAIT_S at most
     private double stoodS; // the same, however long it lasts
@@ -272,21 +269,18 @@ public final class GivingWay {
 
     /** The cheapest safe motion; to stop where none is safe. */
     private CourseAndSpeed best() {
-        fullMps = Math.max(courseMps, ASIDE_MPS);
-        impatience = IMPATIENCE_PER_S * waitedS;
-        besidePerM = 1 / (1 + impatience) * BESIDE_PER_M;
         Course best = Math.abs(speedMps) > 0.3 ? heading : course;
         double bestMps = 0;
-        double least = new CourseCost(best).of(bestMps, Double.MAX_VALUE);
+        double least = cost(best, bestMps, Double.MAX_VALUE);
+        double fullMps = Math.max(courseMps, ASIDE_MPS);
         boolean turnsFirst = !border.isEmpty() && Math.abs(speedMps) < SLOW_MPS;
         for (Course offset : OFFSETS) {
             Course other = course.turned(offset);
             boolean followsLine = isOnLine && offset == OFFSETS[0];
             double toPort = offset.rad() < 0 ? TO_PORT : 0;
-            CourseCost costs = new CourseCost(other);
             for (double part : PARTS) {
                 double mps = part * (Math.abs(offset.rad()) < ON_COURSE_RAD ? courseMps : fullMps);
-                double cost = toPort + costs.of(mps, least - toPort);
+                double cost = toPort + cost(other, mps, least - toPort);
                 if (cost < least && (!turnsFirst || isSafeOnceTurned(other, followsLine))) {
                     boolean isSafe = isSafe(other, mps, followsLine);
                     if (isSafe || turnsFirst) {
@@ -298,7 +292,7 @@ public final class GivingWay {
                 }
             }
         }
-        boolean astern = new CourseCost(heading).of(-ASTERN_MPS, least) < least && isSafeAstern();
+        boolean astern = cost(heading, -ASTERN_MPS, least) < least && isSafeAstern();
         turns &= !astern;
         return astern ? new CourseAndSpeed(heading.rad(), -ASTERN_MPS) : new CourseAndSpeed(best.rad(), bestMps);
     }
@@ -307,39 +301,25 @@ public final class GivingWay {
         return isClear(Stopping.segment(eastM, northM, heading, -ASTERN_MPS, Stopping.REACTION_S), false);
     }
 
-    /** What motions on one course cost; what depends on the course alone is computed once for all its speeds. */
-    private final class CourseCost {
-        private final Course direction;
-        private final double onCourse; // of a metre along it
-        private final double toStarboard; // of its line, likewise
-        private final double turning; // for who goes ahead
-
-        CourseCost(Course direction) {
-            this.direction = direction;
-            onCourse = direction.along(course);
-            toStarboard = direction.across(line);
-            turning = Double.isNaN(chosenRad)
-                    ? 0
-                    : TURNING_BACK * Math.abs(direction.turnFrom(chosenRad)) / (Math.PI / 2);
+    /** The cost of a motion; exact only where it is less than {@code leastCost}. */
+    private double cost(Course direction, double mps, double leastCost) {
+        double onward = mps * direction.along(course) / Math.max(courseMps, ASIDE_MPS);
+        if (onward > 0 && waitedS > HELD_UP_S && neighbours.isBlocked(direction)) {
+            onward = 0;
         }
-
-        /** The cost at a speed; exact only where it is less than {@code leastCost}. */
-        double of(double mps, double leastCost) {
-            double onward = mps * onCourse / fullMps;
-            if (onward > 0 && waitedS > HELD_UP_S && neighbours.isBlocked(direction)) {
-                onward = 0;
-            }
-            double thenM = Math.abs(besideM + mps * toStarboard * SOON_S);
-            double beside = besidePerM * Math.max(0, thenM - 0.5);
-            double tooFar = thenM > FARTHEST_M && thenM > Math.abs(besideM) ? thenM - FARTHEST_M : 0;
-            boolean waits =
-                    Math.abs(mps) < ASIDE_MPS / 4 || (mps < 0 && waitedS > HELD_UP_S); // to and fro is no way on
-            double waiting = waits ? impatience : 0;
-            double withoutRisk = 1 - onward + beside + tooFar + waiting + (mps > 0 ? turning : 0);
-            return withoutRisk < leastCost
-                    ? withoutRisk + neighbours.risk(direction, mps, leastCost - withoutRisk)
-                    : withoutRisk;
-        }
+        double thenM = Math.abs(besideM + mps * direction.across(line) * SOON_S);
+        double patience = 1 / (1 + IMPATIENCE_PER_S * waitedS);
+        double beside = patience * BESIDE_PER_M * Math.max(0, thenM - 0.5);
+        double tooFar = thenM > FARTHEST_M && thenM > Math.abs(besideM) ? thenM - FARTHEST_M : 0;
+        boolean waits = Math.abs(mps) < ASIDE_MPS / 4 || (mps < 0 && waitedS > HELD_UP_S); // to and fro is no way on
+        double waiting = waits ? IMPATIENCE_PER_S * waitedS : 0;
+        double turning = Double.isNaN(chosenRad) || mps <= 0
+                ? 0
+                : TURNING_BACK * Math.abs(direction.turnFrom(chosenRad)) / (Math.PI / 2);
+        double withoutRisk = 1 - onward + beside + tooFar + waiting + turning;
+        return withoutRisk < leastCost
+                ? withoutRisk + neighbours.risk(direction, mps, leastCost - withoutRisk)
+                : withoutRisk;
     }
 
     private static Course[] offsets(double... degrees) {

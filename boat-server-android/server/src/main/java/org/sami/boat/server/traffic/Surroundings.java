@@ -32,9 +32,7 @@ public final class Surroundings {
 
     /** Takes up what the base tells: of each boat the newest row counts, of what this boat is not to enter the newest message. */
     public void update(Traffic traffic, long nowMs) {
-        List<NearbyBoat> rows = traffic.boats();
-        for (int i = 0; i < rows.size(); i++) { // without an iterator: it comes several times a second
-            NearbyBoat row = rows.get(i);
+        for (NearbyBoat row : traffic.boats()) {
             if (!row.boatId().equals(ownId) && row.ageMs() < OLDEST_MS && Math.abs(row.latDeg()) <= 85) {
                 double eastM = plane.eastM(row.latDeg(), row.lonDeg());
                 double northM = plane.northM(row.latDeg(), row.lonDeg());
