@@ -54,6 +54,18 @@ class WindowTextTest {
                                 .map(size -> Arguments.of(theme, scale, size))));
     }
 
+    /** Opens a plan of the library. Gives all panels of its window. */
+    private List<DockPanel> open() {
+        context = new DreammContext(
+                LIBRARY,
+                new ProjectDocument(LIBRARY.vocabulary(), LibraryProject.of(LIBRARY), Optional.empty()),
+                Profile.ALL);
+        context.editor().open("station-keep");
+        EditCommands.addTo(context);
+        run = new RunParts(context);
+        return new DreammPanels(context, run).all();
+    }
+
     @AfterEach
     void close() {
         run.close();
@@ -65,14 +77,7 @@ class WindowTextTest {
     @MethodSource("windows")
     void noTextOfAPanelIsCut(Theme theme, int scale, Dimension size) {
         Look.apply(theme, scale);
-        context = new DreammContext(
-                LIBRARY,
-                new ProjectDocument(LIBRARY.vocabulary(), LibraryProject.of(LIBRARY), Optional.empty()),
-                Profile.ALL);
-        context.editor().open("station-keep");
-        EditCommands.addTo(context);
-        run = new RunParts(context);
-        List<DockPanel> panels = new DreammPanels(context, run).all();
+        List<DockPanel> panels = open();
         Map<String, Dimension> sizes = PanelSizes.of(
                 DreammPanels.first(size), new Dimension(size.width, size.height - Look.px(MENUS_AND_STATUS)));
 
@@ -96,14 +101,7 @@ class WindowTextTest {
     @Test
     void allLettersGrowWithTheScaleWhileTheWindowIsOpen() {
         Look.apply(Theme.LIGHT, 100);
-        context = new DreammContext(
-                LIBRARY,
-                new ProjectDocument(LIBRARY.vocabulary(), LibraryProject.of(LIBRARY), Optional.empty()),
-                Profile.ALL);
-        context.editor().open("station-keep");
-        EditCommands.addTo(context);
-        run = new RunParts(context);
-        List<DockPanel> panels = new DreammPanels(context, run).all();
+        List<DockPanel> panels = open();
         context.editor().select(Set.of("assemble"));
         Map<Component, Float> before = new LinkedHashMap<>();
         panels.forEach(panel -> collectSizes(panel, before));
