@@ -108,7 +108,7 @@ final class FleetSampler {
     }
 
     private BoatSnapshot snapshot(BoatProxy boat, Seen known, long now) {
-        Optional<CommandQueueSnapshot.Entry> current = boat.queue().current();
+        Optional<CommandQueueSnapshot.Entry> current = boat.commands().queue().current();
         BoatExplanation why = boat.explain(titles);
         return new BoatSnapshot(
                 boat.boatId(),

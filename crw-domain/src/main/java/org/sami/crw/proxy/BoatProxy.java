@@ -8,7 +8,6 @@ import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
-import org.sami.boat.link.Motion;
 import org.sami.boat.link.Teleoperate;
 import org.sami.crw.proxy.execution.CommandDriver;
 import org.sami.crw.proxy.explanation.BoatExplanation;
@@ -201,10 +200,7 @@ public final class BoatProxy {
         if (!condition.disconnected) {
             link.received(condition.nowMs);
             messages.take(frame);
-            boolean mayConcernCommands = !(frame.message() instanceof Motion); // that comes several times a second
-            if (mayConcernCommands) {
-                settle();
-            }
+            settle();
         }
     }
 
@@ -227,9 +223,7 @@ public final class BoatProxy {
         }
         if (link.isCommanding()) {
             driver.tick(condition.nowMs);
-            if (fleetRequests.areWaiting()) {
-                fleetRequests.tick(condition.nowMs).forEach(request -> fleetRequests.send(request, condition.nowMs));
-            }
+            fleetRequests.tick(condition.nowMs).forEach(request -> fleetRequests.send(request, condition.nowMs));
             settings.tick(condition.nowMs);
             if (condition.awaitingProgress) {
                 link.helloIfDue(condition.nowMs);

@@ -5,7 +5,6 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalLong;
 import java.util.function.Function;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.OperatorDefaults;
@@ -284,22 +283,8 @@ public final class InProcessRun {
                 return stopped();
             }
             pace(pacer, next);
-            runUntilEngineHasWork(next);
-        }
-    }
-
-    /** Runs what comes next and what else comes at that moment: as long as that gives the engine nothing to do, the mission is where it was. */
-    private void runUntilEngineHasWork(long momentMillis) {
-        boolean goesOn;
-        do {
             clock.runNext();
-            OptionalLong next = clock.nextTimeMs();
-            goesOn = lifecycle.hasStarted()
-                    && executor.isIdle()
-                    && lifecycle.fault().isEmpty()
-                    && next.isPresent()
-                    && next.getAsLong() == momentMillis;
-        } while (goesOn);
+        }
     }
 
     private RunOutcome stopped() {

@@ -188,7 +188,7 @@ public final class PlanMap implements HostListener {
      * @param locations are shown as such, and not as points of the plan
      */
     RunMap map(KnownTracks tracks, List<LocationResult> locations) {
-        // of large fleets that takes a while, in which what was left uncovered is computed
+        // takes a while for large fleets; what was left uncovered is computed meanwhile
         CompletableFuture<ClosestApproach> closest =
                 CompletableFuture.supplyAsync(() -> ClosestApproach.of(tracks.best()));
         List<MapSpot> spots = new ArrayList<>(assembly.values());
