@@ -15,12 +15,15 @@ final class NetNavigation {
     private static final double STEP = 1.25;
     /** The least size at which the words of a net are read. */
     private static final double READABLE_ZOOM = 0.8;
+    /** Room around what is followed, in parts of the view's lesser side. */
+    private static final double ROOM = 0.2;
 
     private final NetView view;
     private final NetViewport viewport;
     private final NetOverview overview;
     private boolean toBegin;
     private boolean following;
+    private Set<String> followed = Set.of();
 
     NetNavigation(NetView view, NetViewport viewport, NetOverview overview) {
         this.view = view;
@@ -31,6 +34,7 @@ final class NetNavigation {
     void fit() {
         toBegin = false;
         viewport.fit(view.scene().shownBounds());
+        viewport.settle();
     }
 
     void setFollowing(boolean following) {
@@ -40,6 +44,7 @@ final class NetNavigation {
 
     /** Shows a plan for the first time, as soon as the view has a size. */
     void begin() {
+        followed = view.marking().tokens().keySet();
         toBegin = view.getWidth() == 0 || view.getHeight() == 0;
         if (toBegin) {
             return;
@@ -47,23 +52,58 @@ final class NetNavigation {
         fit();
         if (following && viewport.zoom() < READABLE_ZOOM) {
             viewport.setZoom(READABLE_ZOOM);
-            reveal(view.marking().tokens().keySet());
+            showAmidst(followed);
         }
+        viewport.settle();
     }
 
-    /** The view has a size now, and the scale of the look may be another. */
+    /** The view has a size now, perhaps another one, and the scale of the look may be another. */
     void laidOut() {
+        boolean settled = viewport.isSettled();
         viewport.takeScaleOfLook();
         if (toBegin) {
             begin();
+        } else if (settled) {
+            if (following) {
+                showAmidst(followed);
+            }
+            viewport.settle();
         }
     }
 
-    /** Keeps places whose tokens have changed in sight, where somebody watches a mission. */
+    /**
+     * Shows places whose tokens have changed with room around them, where somebody watches a mission and has not moved the view since
+     * all of the net was shown last.
+     */
     void follow(NetMarking before) {
-        if (following) {
-            reveal(view.marking().newIn(before));
+        Set<String> changed = view.marking().newIn(before);
+        if (following && !toBegin && viewport.isSettled() && !changed.isEmpty()) {
+            followed = changed;
+            showAmidst(changed);
+            viewport.settle();
         }
+    }
+
+    /** Moves vertices with their words into the middle, unless all of that is seen with room around it already. */
+    private void showAmidst(Set<String> ids) {
+        NetScene scene = view.scene();
+        scene.boxWithWords(ids)
+                .filter(viewport::holds)
+                .or(() -> scene.boxOf(ids).filter(viewport::holds))
+                .or(() -> scene.vertices().stream()
+                        .map(Vertex::id)
+                        .filter(ids::contains)
+                        .findFirst()
+                        .flatMap(id -> scene.boxOf(Set.of(id)))) // of places that lie too far apart, one is seen
+                .filter(box -> !isSeenWithRoom(box))
+                .ifPresent(box -> viewport.centre(box.x() + box.width() / 2, box.y() + box.height() / 2));
+    }
+
+    /** Whether a box is seen and what lies around it in the net as well. */
+    private boolean isSeenWithRoom(DrawingBox box) {
+        double room = ROOM * Math.min(view.canvas().getWidth(), view.canvas().getHeight()) / viewport.scale();
+        return isSeen(pixels(box.grown(room))
+                .createIntersection(pixels(view.scene().shownBounds().union(box))));
     }
 
     void reveal(Set<String> ids) {
@@ -75,14 +115,18 @@ final class NetNavigation {
 
     void revealWhole(Set<String> ids) {
         if (!toBegin) {
-            view.scene().boxWithWords(ids).filter(box -> !isSeen(box)).ifPresent(viewport::showWhole);
+            view.scene().boxWithWords(ids).filter(box -> !isSeen(pixels(box))).ifPresent(viewport::showWhole);
         }
     }
 
-    /** Whether all of a box is in the view, and none of it below the overview. */
-    private boolean isSeen(DrawingBox box) {
+    private Rectangle2D pixels(DrawingBox box) {
         Rectangle2D pixels = new Rectangle2D.Double();
         pixels.setFrameFromDiagonal(viewport.pixel(box.x(), box.y()), viewport.pixel(box.maxX(), box.maxY()));
+        return pixels;
+    }
+
+    /** Whether all of a rectangle is in the view, and none of it below the overview. */
+    private boolean isSeen(Rectangle2D pixels) {
         return view.canvas().getBounds().contains(pixels)
                 && !(overview.isVisible() && pixels.intersects(overview.getBounds()));
     }

@@ -253,8 +253,9 @@ public final class NetView extends JPanel {
     }
 
     /**
-     * Has the view keep tokens in sight: it begins no smaller than words are read at, and moves to where tokens come. For
-     * whoever watches a mission; an author's view stays where the author put it.
+     * Has the view keep tokens in sight: it begins no smaller than words are read at, and shows places to which tokens come with room
+     * around them, until somebody moves it by hand; it follows again when all of the net has been shown ({@link NetKey#FIT}). For whoever
+     * watches a mission; an author's view stays where the author put it.
      */
     public void setFollowing(boolean following) {
         navigation.setFollowing(following);

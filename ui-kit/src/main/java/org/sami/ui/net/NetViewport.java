@@ -23,6 +23,7 @@ final class NetViewport {
     private double own = Look.scalePercent() / 100.0;
     private DrawingBox fitted = new DrawingBox(0, 0, 0, 0);
     private AffineTransform afterFit = new AffineTransform();
+    private AffineTransform settled = new AffineTransform();
 
     /**
      * Makes the viewport of a viewer.
@@ -71,6 +72,22 @@ final class NetViewport {
         } else {
             setZoom(zoom);
         }
+    }
+
+    /** Notes what is shown as not moved by hand. */
+    void settle() {
+        settled = new AffineTransform(transformer().getTransform());
+    }
+
+    /** Whether what is shown has not been moved since {@link #settle}. */
+    boolean isSettled() {
+        return transformer().getTransform().equals(settled);
+    }
+
+    /** Whether a box is not larger than what is shown. */
+    boolean holds(DrawingBox box) {
+        Rectangle2D shown = shown();
+        return box.width() <= shown.getWidth() && box.height() <= shown.getHeight();
     }
 
     void setZoom(double zoom) {

@@ -8,6 +8,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -17,7 +18,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
+import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Token;
 import org.sami.ui.look.IdentityMark;
@@ -71,6 +74,88 @@ class NetViewTest {
                 assertThat(at.getY()).isBetween(0.0, 200.0);
             }
         }
+    }
+
+    @Test
+    void whatBecomesActiveIsShownWithTheNetAroundIt() {
+        NetView small = following();
+        double room = 0.2 * 165;
+        Rectangle2D net = new Rectangle2D.Double();
+        for (Vertex place : small.scene().vertices()) {
+            if (plan.place(place.id()).isPresent()) {
+                stand(small, place);
+
+                Rectangle2D around = pixels(small, place.box());
+                around.setFrame(
+                        around.getX() - room,
+                        around.getY() - room,
+                        around.getWidth() + 2 * room,
+                        around.getHeight() + 2 * room);
+                net.setRect(pixels(small, small.scene().shownBounds()));
+                assertThat(new Rectangle2D.Double(0, 0, 585, 165).contains(around.createIntersection(net)))
+                        .as(place.id())
+                        .isTrue();
+            }
+        }
+    }
+
+    @Test
+    void aViewThatWasMovedByHandFollowsAgainWhenAllIsShown() {
+        NetView small = following();
+        List<Vertex> places = small.scene().vertices().stream()
+                .filter(vertex -> plan.place(vertex.id()).isPresent())
+                .toList();
+        Vertex first = places.get(0);
+        Vertex last = places.get(places.size() - 1);
+        stand(small, first);
+        small.press(NetKey.LEFT);
+        LayoutPoint byHand = small.centre();
+
+        stand(small, last);
+        assertThat(small.centre()).isEqualTo(byHand);
+
+        small.press(NetKey.FIT);
+        small.press(NetKey.ACTUAL_SIZE);
+        stand(small, first);
+        assertThat(seen(small, first)).isFalse(); // zooming is by hand as well
+
+        small.press(NetKey.FIT);
+        small.setSize(100, 60);
+        small.doLayout();
+        stand(small, last);
+        assertThat(seen(small, last)).isTrue();
+    }
+
+    @Test
+    void whatIsFollowedStaysInSightWhenTheViewBecomesSmaller() {
+        NetView small = following();
+        Vertex place = vertex(plan.places().get(plan.places().size() - 1).id());
+        stand(small, place);
+
+        small.setSize(120, 100);
+        small.doLayout();
+
+        assertThat(seen(small, place)).isTrue();
+    }
+
+    private NetView following() {
+        NetView small = NetScenes.view(plan, 585, 165);
+        small.setFollowing(true);
+        return small;
+    }
+
+    private static void stand(NetView net, Vertex place) {
+        net.setMarking(new NetMarking(Map.of(place.id(), List.of(Token.GENERIC)), Set.of(), Map.of()));
+    }
+
+    private static Rectangle2D pixels(NetView net, DrawingBox box) {
+        Rectangle2D pixels = new Rectangle2D.Double();
+        pixels.setFrameFromDiagonal(net.pixel(box.x(), box.y()), net.pixel(box.maxX(), box.maxY()));
+        return pixels;
+    }
+
+    private static boolean seen(NetView net, Vertex place) {
+        return net.canvas().getBounds().contains(pixels(net, place.box()));
     }
 
     @Test
