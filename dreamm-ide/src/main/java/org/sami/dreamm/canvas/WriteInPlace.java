@@ -19,6 +19,7 @@ import org.sami.spn.drawing.DrawingBox;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.net.NetView;
 
@@ -57,9 +58,11 @@ final class WriteInPlace {
         area.setWrapStyleWord(true);
         area.getAccessibleContext().setAccessibleName("Text of the note");
         area.setToolTipText("Ctrl+Enter keeps the text, Escape does not");
-        area.setBorder(BorderFactory.createCompoundBorder(
-                BorderFactory.createLineBorder(SemanticColor.ACCENT.get(), 2),
-                BorderFactory.createEmptyBorder(6, 6, 6, 6)));
+        LookColors.border(
+                area,
+                () -> BorderFactory.createCompoundBorder(
+                        BorderFactory.createLineBorder(SemanticColor.ACCENT.get(), 2),
+                        BorderFactory.createEmptyBorder(6, 6, 6, 6)));
         Point2D at = view.pixel(box.x(), box.y());
         Point2D to = view.pixel(box.maxX(), box.maxY());
         int width = Math.max(Look.px(260), (int) (to.getX() - at.getX()));

@@ -23,6 +23,7 @@ import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.IdentityMarks;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.net.NetMode;
@@ -152,7 +153,7 @@ public final class ComparisonPanel extends JPanel {
     }
 
     private void style() {
-        setBackground(SemanticColor.SURFACE.get());
+        LookColors.background(this, SemanticColor.SURFACE);
         title.setFont(Fonts.text());
         list.setFont(Fonts.text());
     }

@@ -8,6 +8,7 @@ import javax.swing.JScrollPane;
 import net.miginfocom.swing.MigLayout;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.ScrolledPanel;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
@@ -22,8 +23,8 @@ public final class HelpView extends JPanel {
     public HelpView(HelpTopic topic) {
         super(new MigLayout("insets 0, fill", "[grow, fill]", "[grow, fill]"));
         setName("help");
-        setBackground(SemanticColor.SURFACE.get());
-        setBorder(BorderFactory.createLineBorder(SemanticColor.ACCENT.get(), Look.px(2)));
+        LookColors.background(this, SemanticColor.SURFACE);
+        LookColors.border(this, () -> BorderFactory.createLineBorder(SemanticColor.ACCENT.get(), Look.px(2)));
         Page page = new Page(topic);
         page.setSize(Look.px(PAGE_WIDTH), Integer.MAX_VALUE);
         page.doLayout(); // texts that wrap say their height when they have a width
@@ -62,7 +63,7 @@ public final class HelpView extends JPanel {
             JLabel leave = new JLabel("Escape closes");
             leave.setName("help-leave");
             leave.setFont(Fonts.text());
-            leave.setForeground(SemanticColor.MUTED.get());
+            LookColors.foreground(leave, SemanticColor.MUTED);
             add(leave, "span 2, gaptop 6");
         }
 

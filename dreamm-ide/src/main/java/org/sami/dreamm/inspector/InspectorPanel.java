@@ -23,6 +23,7 @@ import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.wizard.AddEvent;
 import org.sami.spn.wizard.EventTarget;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.ScrolledPanel;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
@@ -54,6 +55,7 @@ public final class InspectorPanel extends JPanel {
         this.context = context;
         this.live = live;
         setName("inspector-panel");
+        LookColors.background(this, SemanticColor.SURFACE);
         title.setName("inspector-title");
         found.setOpaque(false);
         add(title, "wmin 0");
@@ -78,7 +80,6 @@ public final class InspectorPanel extends JPanel {
     @Override
     public void updateUI() {
         super.updateUI();
-        setBackground(SemanticColor.SURFACE.get());
         if (title != null) {
             title.setFont(Fonts.heading());
         }

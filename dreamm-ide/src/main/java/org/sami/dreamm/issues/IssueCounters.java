@@ -9,6 +9,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.spn.finding.Severity;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 
 /** How many errors and warnings there are, for the window's corner; a click opens the issues. */
@@ -58,7 +59,7 @@ public final class IssueCounters extends JPanel {
         label.setText(String.valueOf(count));
         label.setFont(Fonts.strong());
         label.setIcon(IssuesPanel.icon(severity));
-        label.setForeground((count == 0 ? SemanticColor.MUTED : color).get());
+        LookColors.foreground(label, count == 0 ? SemanticColor.MUTED : color);
     }
 
     @Override

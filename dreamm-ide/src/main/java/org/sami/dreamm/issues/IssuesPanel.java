@@ -32,6 +32,7 @@ import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.table.RowColumn;
@@ -271,9 +272,9 @@ public final class IssuesPanel extends JPanel {
     }
 
     private void style() {
-        setBackground(SemanticColor.SURFACE.get());
+        LookColors.background(this, SemanticColor.SURFACE);
         message.setFont(Fonts.text());
-        message.setForeground(SemanticColor.TEXT.get());
+        LookColors.foreground(message, SemanticColor.TEXT);
         for (Severity severity : Severity.values()) {
             severities.get(severity).setIcon(icon(severity));
         }
@@ -318,7 +319,7 @@ public final class IssuesPanel extends JPanel {
             String words = commands.deep().status();
             status.setText(words);
             status.setToolTipText(words.isEmpty() ? null : words);
-            status.setForeground(SemanticColor.MUTED.get());
+            LookColors.foreground(status, SemanticColor.MUTED);
             begin.setIcon(Icons.normal("search"));
             begin.setVisible(!runs);
             stop.setVisible(runs);

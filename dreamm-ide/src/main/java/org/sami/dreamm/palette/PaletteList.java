@@ -34,6 +34,7 @@ import org.sami.dreamm.help.HelpTopics;
 import org.sami.ui.look.ElidedText;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
@@ -80,7 +81,7 @@ public final class PaletteList extends JPanel implements Explained {
         list.setVisibleRowCount(ROWS);
         JScrollPane scrolled =
                 new JScrollPane(list, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
-        scrolled.setBorder(BorderFactory.createLineBorder(SemanticColor.BORDER.get()));
+        LookColors.border(scrolled, () -> BorderFactory.createLineBorder(SemanticColor.BORDER.get()));
         add(search, "hmin " + Spacing.HIT_TARGET);
         add(scrolled, "wmin 0");
         listen();
@@ -223,7 +224,7 @@ public final class PaletteList extends JPanel implements Explained {
                     Look.px(Spacing.TIGHT / 2),
                     Look.px(Spacing.TIGHT)));
             if (heading) {
-                label.setForeground(SemanticColor.MUTED.get());
+                LookColors.foreground(label, SemanticColor.MUTED);
             }
             Insets insets = label.getInsets();
             int room = owner.getWidth() - insets.left - insets.right;

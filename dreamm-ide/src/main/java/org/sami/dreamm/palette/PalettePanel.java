@@ -11,6 +11,7 @@ import org.sami.dreamm.document.EditorListener;
 import org.sami.dreamm.wizard.SequenceStrip;
 import org.sami.spn.edit.Edit;
 import org.sami.ui.command.Command;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.ScrolledPanel;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
@@ -33,6 +34,7 @@ public final class PalettePanel extends JPanel {
         this.list = new PaletteList(context, "palette", item -> true, this::add);
         this.strip = new SequenceStrip(context.additions());
         setName("palette-panel");
+        LookColors.background(this, SemanticColor.SURFACE);
         add(list, "wmin 0, hmin 72");
         ScrolledPanel below = new ScrolledPanel(new BorderLayout());
         below.add(strip);
@@ -72,12 +74,6 @@ public final class PalettePanel extends JPanel {
     /** The ids by which profiles name what the palette offers. */
     public static Set<String> profileIds(DreammContext context) {
         return new PaletteGroups(context, item -> true).profileIds();
-    }
-
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        setBackground(SemanticColor.SURFACE.get());
     }
 
     private void add(PaletteItem item) {

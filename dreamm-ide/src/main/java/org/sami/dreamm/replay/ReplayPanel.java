@@ -29,6 +29,7 @@ import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.net.NetBadges;
 import org.sami.ui.net.NetMarking;
@@ -249,10 +250,10 @@ public final class ReplayPanel extends JPanel {
     }
 
     private void style() {
-        setBackground(SemanticColor.SURFACE.get());
+        LookColors.background(this, SemanticColor.SURFACE);
         file.setFont(Fonts.text());
-        file.setForeground(SemanticColor.MUTED.get());
+        LookColors.foreground(file, SemanticColor.MUTED);
         difference.setFont(Fonts.text());
-        difference.setForeground(SemanticColor.WARNING.get());
+        LookColors.foreground(difference, SemanticColor.WARNING);
     }
 }

@@ -9,6 +9,7 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.ui.look.ElidedText;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 
 /** Shows something that was found: what it is, and below it where. */
@@ -32,9 +33,9 @@ final class HitCell extends JPanel implements ListCellRenderer<Hit> {
         show(title, hit.title(), list);
         show(detail, hit.detail(), list);
         setToolTipText(hit.title() + ": " + hit.detail());
-        setBackground((selected ? SemanticColor.SELECTION : SemanticColor.SURFACE).get());
-        title.setForeground((selected ? SemanticColor.ON_SELECTION : SemanticColor.TEXT).get());
-        detail.setForeground((selected ? SemanticColor.ON_SELECTION : SemanticColor.MUTED).get());
+        LookColors.background(this, selected ? SemanticColor.SELECTION : SemanticColor.SURFACE);
+        LookColors.foreground(title, selected ? SemanticColor.ON_SELECTION : SemanticColor.TEXT);
+        LookColors.foreground(detail, selected ? SemanticColor.ON_SELECTION : SemanticColor.MUTED);
         return this;
     }
 

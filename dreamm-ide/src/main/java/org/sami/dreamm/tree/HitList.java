@@ -18,6 +18,7 @@ import javax.swing.ScrollPaneConstants;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
@@ -95,10 +96,10 @@ final class HitList extends JPanel {
     }
 
     private void style() {
-        setBackground(SemanticColor.SURFACE.get());
-        list.setBackground(SemanticColor.SURFACE.get());
+        LookColors.background(this, SemanticColor.SURFACE);
+        LookColors.background(list, SemanticColor.SURFACE);
         head.setFont(Fonts.small());
-        head.setForeground(SemanticColor.MUTED.get());
+        LookColors.foreground(head, SemanticColor.MUTED);
         int inset = Look.px(Spacing.INSET);
         head.setBorder(BorderFactory.createEmptyBorder(Look.px(Spacing.TIGHT), inset, Look.px(Spacing.TIGHT), inset));
     }

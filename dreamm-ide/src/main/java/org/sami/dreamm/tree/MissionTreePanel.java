@@ -20,6 +20,7 @@ import javax.swing.event.DocumentListener;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.EditorListener;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
@@ -40,6 +41,7 @@ public final class MissionTreePanel extends JPanel {
     public MissionTreePanel(DreammContext context) {
         super(new BorderLayout());
         this.context = context;
+        LookColors.background(this, SemanticColor.SURFACE);
         tree = new MissionTreeView(context);
         hits = new HitList(context, this::showTree);
         names = new NameBar(tree::requestFocusInWindow);
@@ -169,11 +171,5 @@ public final class MissionTreePanel extends JPanel {
     /** What the author means by "this": the line of the tree that has the focus; empty where the focus is elsewhere. */
     Optional<TreeItem> focused() {
         return tree.isFocusOwner() ? tree.selected() : Optional.empty();
-    }
-
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        setBackground(SemanticColor.SURFACE.get());
     }
 }

@@ -22,6 +22,7 @@ import org.sami.dreamm.tree.TreeItem.Kind;
 import org.sami.spn.model.Plan;
 import org.sami.ui.EventThread;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 
 /** The tree of lines. What is open and selected stays so through edits. */
@@ -184,6 +185,6 @@ final class MissionTreeView extends JTree {
 
     private void style() {
         setRowHeight(Look.px(ROW));
-        setBackground(SemanticColor.SURFACE.get());
+        LookColors.background(this, SemanticColor.SURFACE);
     }
 }

@@ -15,6 +15,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.StrongLabel;
 
@@ -33,6 +34,8 @@ final class NameBar extends JPanel {
         this.left = left;
         setName("name-bar");
         setVisible(false);
+        LookColors.background(this, SemanticColor.SURFACE_RAISED);
+        LookColors.border(this, () -> BorderFactory.createMatteBorder(1, 0, 0, 0, SemanticColor.BORDER.get()));
         getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("ESCAPE"), "leave");
         getActionMap().put("leave", new AbstractAction() {
             @Override
@@ -72,7 +75,6 @@ final class NameBar extends JPanel {
         cancel.addActionListener(e -> leave());
         add(cancel, "skip, split 2, align right, growx 0, h 32!");
         add(give, "growx 0, h 32!");
-        style();
         setVisible(true);
         revalidate();
         fields.get(0).requestFocusInWindow();
@@ -90,18 +92,5 @@ final class NameBar extends JPanel {
     private void leave() {
         setVisible(false);
         left.run();
-    }
-
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        if (fields != null) {
-            style();
-        }
-    }
-
-    private void style() {
-        setBackground(SemanticColor.SURFACE_RAISED.get());
-        setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, SemanticColor.BORDER.get()));
     }
 }

@@ -14,6 +14,7 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.ui.look.ElidedText;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 
 /**
@@ -48,8 +49,8 @@ final class TreeCell extends JPanel implements TreeCellRenderer {
             getAccessibleContext().setAccessibleName(item.title() + " " + item.detail());
         }
         boolean marked = selected && tree.hasFocus(); // without the focus a selection is a pale grey in every theme
-        title.setForeground((marked ? SemanticColor.ON_SELECTION : SemanticColor.TEXT).get());
-        detail.setForeground((marked ? SemanticColor.ON_SELECTION : SemanticColor.MUTED).get());
+        LookColors.foreground(title, marked ? SemanticColor.ON_SELECTION : SemanticColor.TEXT);
+        LookColors.foreground(detail, marked ? SemanticColor.ON_SELECTION : SemanticColor.MUTED);
         return this;
     }
 

@@ -15,6 +15,7 @@ import org.sami.spn.edit.ProjectEdit;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
@@ -127,7 +128,7 @@ final class SavedCasesView extends JPanel {
         table.show(cases.cases());
         message.setText(cases.message());
         message.setToolTipText(cases.message().isEmpty() ? null : cases.message());
-        message.setForeground(SemanticColor.MUTED.get());
+        LookColors.foreground(message, SemanticColor.MUTED);
         Optional<String> why = whyNotKeep();
         keep.setEnabled(why.isEmpty());
         keep.setToolTipText(

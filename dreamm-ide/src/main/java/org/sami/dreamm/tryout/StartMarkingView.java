@@ -23,6 +23,7 @@ import org.sami.spn.model.TaskSpec;
 import org.sami.spn.vocabulary.FieldType;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.StrongLabel;
 import org.sami.ui.value.ValueEditor;
@@ -99,7 +100,7 @@ final class StartMarkingView extends JPanel {
             return;
         }
         Optional<Place> place = place();
-        title.setForeground((place.isPresent() ? SemanticColor.TEXT : SemanticColor.MUTED).get());
+        LookColors.foreground(title, place.isPresent() ? SemanticColor.TEXT : SemanticColor.MUTED);
         title.setText(place.map(p -> p.end()
                         ? "A mission that stands in the end place " + p.id() + " is over"
                         : "What stands in " + (p.name().isEmpty() ? p.id() : p.name()))

@@ -27,6 +27,7 @@ import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.ScrolledPanel;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.replay.SessionClock;
@@ -279,7 +280,7 @@ public final class TryOutPanel extends JPanel {
         shownSteps = tryOut.steps();
         message.setText((tryOut.isOutdated() ? "▲ " : "") + tryOut.message());
         message.setToolTipText(tryOut.message().isEmpty() ? null : tryOut.message());
-        message.setForeground((tryOut.isOutdated() ? SemanticColor.WARNING : SemanticColor.MUTED).get());
+        LookColors.foreground(message, tryOut.isOutdated() ? SemanticColor.WARNING : SemanticColor.MUTED);
         where.setText(stepper.map(this::words).orElse(""));
         operator.setSelected(tryOut.isMockOperator());
         answering.setSelected(tryOut.isMockRobots());
@@ -330,10 +331,10 @@ public final class TryOutPanel extends JPanel {
     }
 
     private void style() {
-        setBackground(SemanticColor.SURFACE.get());
+        LookColors.background(this, SemanticColor.SURFACE);
         message.setFont(Fonts.text());
         where.setFont(Fonts.text());
-        where.setForeground(SemanticColor.MUTED.get());
+        LookColors.foreground(where, SemanticColor.MUTED);
     }
 
     /** As high as the view on it where what it holds is lower. */

@@ -12,6 +12,7 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.AuthorQuestion;
 import org.sami.dreamm.context.Questions;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 
 /** The bar at the top of the window in which the author is asked something. Escape leaves it; it is gone while nothing is asked. */
@@ -72,9 +73,9 @@ final class QuestionBar extends JPanel {
     }
 
     private void style() {
-        setBackground(SemanticColor.WARNING_FILL.get());
-        setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
+        LookColors.background(this, SemanticColor.WARNING_FILL);
+        LookColors.border(this, () -> BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
         text.setFont(Fonts.strong());
-        text.setForeground(SemanticColor.ON_WARNING.get());
+        LookColors.foreground(text, SemanticColor.ON_WARNING);
     }
 }

@@ -10,6 +10,7 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.window.Notices.Notice;
 
@@ -45,7 +46,7 @@ final class StatusLine extends JPanel {
                 told.refused() ? "alarm" : "check",
                 Look.px(16),
                 told.refused() ? SemanticColor.WARNING : SemanticColor.OK));
-        notice.setForeground((told.refused() ? SemanticColor.WARNING : SemanticColor.MUTED).get());
+        LookColors.foreground(notice, told.refused() ? SemanticColor.WARNING : SemanticColor.MUTED);
     }
 
     /** Says where the project is saved. */
@@ -63,11 +64,11 @@ final class StatusLine extends JPanel {
     }
 
     private void style() {
-        setBackground(SemanticColor.SURFACE_RAISED.get());
-        setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, SemanticColor.BORDER.get()));
+        LookColors.background(this, SemanticColor.SURFACE_RAISED);
+        LookColors.border(this, () -> BorderFactory.createMatteBorder(1, 0, 0, 0, SemanticColor.BORDER.get()));
         notice.setFont(Fonts.text());
         file.setFont(Fonts.text());
-        file.setForeground(SemanticColor.MUTED.get());
+        LookColors.foreground(file, SemanticColor.MUTED);
         last.ifPresent(this::show);
     }
 }

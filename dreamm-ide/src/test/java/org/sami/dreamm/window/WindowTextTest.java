@@ -30,6 +30,7 @@ import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.ui.check.Layout;
+import org.sami.ui.check.ShownColors;
 import org.sami.ui.check.TextFit;
 import org.sami.ui.dock.DockPanel;
 import org.sami.ui.dock.PanelSizes;
@@ -116,6 +117,27 @@ class WindowTextTest {
                         + one.getKey().getName() + " "
                         + one.getKey().getAccessibleContext().getAccessibleName())
                 .isEmpty();
+    }
+
+    @Test
+    void allColoursAreThoseOfTheLookAlsoWhenItChangesWhileTheWindowIsOpen() {
+        Look.apply(Theme.DARK, 100);
+        List<String> wanted = coloursOfAll(open());
+        run.close();
+        context.close();
+        Look.apply(Theme.LIGHT, 100);
+        List<DockPanel> panels = open();
+        assertThat(coloursOfAll(panels)).isNotEqualTo(wanted);
+
+        Look.apply(Theme.DARK, 100);
+        panels.forEach(SwingUtilities::updateComponentTreeUI);
+
+        assertThat(coloursOfAll(panels)).hasSizeGreaterThan(100).containsExactlyInAnyOrderElementsOf(wanted);
+    }
+
+    private List<String> coloursOfAll(List<DockPanel> panels) {
+        context.editor().select(Set.of("assemble"));
+        return panels.stream().flatMap(panel -> ShownColors.of(panel).stream()).toList();
     }
 
     private static void collectSizes(Container root, Map<Component, Float> sizes) {

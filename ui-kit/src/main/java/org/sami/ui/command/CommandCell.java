@@ -15,6 +15,7 @@ import javax.swing.JTextArea;
 import javax.swing.ListCellRenderer;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
@@ -51,16 +52,16 @@ final class CommandCell extends JPanel implements ListCellRenderer<Command> {
     public Component getListCellRendererComponent(
             JList<? extends Command> list, Command command, int index, boolean selected, boolean focused) {
         SemanticColor words = selected ? SemanticColor.ON_SELECTION : SemanticColor.TEXT;
-        setBackground((selected ? SemanticColor.SELECTION : SemanticColor.SURFACE).get());
+        LookColors.background(this, selected ? SemanticColor.SELECTION : SemanticColor.SURFACE);
         title.setText(command.title());
         title.setIcon((Icon) command.getValue(Action.SMALL_ICON));
-        title.setForeground((command.isEnabled() ? words : selected ? words : SemanticColor.DISABLED).get());
+        LookColors.foreground(title, command.isEnabled() ? words : selected ? words : SemanticColor.DISABLED);
         key.setText(command.keyText());
         reason.setText(command.whyNot().orElse(""));
         reason.setVisible(command.whyNot().isPresent());
         reason.setSize(width, Short.MAX_VALUE); // so it knows how high it is
         for (JComponent side : List.of(key, reason)) {
-            side.setForeground((selected ? SemanticColor.ON_SELECTION : SemanticColor.MUTED).get());
+            LookColors.foreground(side, selected ? SemanticColor.ON_SELECTION : SemanticColor.MUTED);
         }
         return this;
     }

@@ -22,6 +22,7 @@ import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
@@ -53,10 +54,12 @@ public final class CommandSearch extends JPanel {
         this.leave = leave;
         int inset = Look.px(Spacing.INSET);
         setName("command-search");
-        setBackground(SemanticColor.SURFACE.get());
-        setBorder(BorderFactory.createCompoundBorder(
-                BorderFactory.createLineBorder(SemanticColor.ACCENT.get(), Look.px(2)),
-                BorderFactory.createEmptyBorder(inset, inset, inset, inset)));
+        LookColors.background(this, SemanticColor.SURFACE);
+        LookColors.border(
+                this,
+                () -> BorderFactory.createCompoundBorder(
+                        BorderFactory.createLineBorder(SemanticColor.ACCENT.get(), Look.px(2)),
+                        BorderFactory.createEmptyBorder(inset, inset, inset, inset)));
         field.setName("command-search-text");
         field.setFont(Fonts.heading());
         field.putClientProperty("JTextField.placeholderText", "Type what you want to do");

@@ -14,6 +14,7 @@ import javax.swing.JPopupMenu;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
@@ -41,13 +42,15 @@ final class DockHeader extends JPanel implements DockingHeaderUI {
     }
 
     private void colour() {
-        setBackground(SemanticColor.SURFACE_RAISED.get());
-        setBorder(BorderFactory.createCompoundBorder(
-                BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()),
-                BorderFactory.createEmptyBorder(0, Look.px(Spacing.NORMAL), 0, 0)));
+        LookColors.background(this, SemanticColor.SURFACE_RAISED);
+        LookColors.border(
+                this,
+                () -> BorderFactory.createCompoundBorder(
+                        BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()),
+                        BorderFactory.createEmptyBorder(0, Look.px(Spacing.NORMAL), 0, 0)));
         if (title != null) {
             title.setFont(Fonts.strong());
-            title.setForeground(SemanticColor.TEXT.get());
+            LookColors.foreground(title, SemanticColor.TEXT);
         }
     }
 

@@ -16,6 +16,7 @@ import org.sami.ui.geo.Coordinates;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
@@ -47,8 +48,8 @@ final class MapStatusBar extends JPanel {
         notations.setRenderer((list, value, index, selected, focused) -> {
             JLabel label = new JLabel(value == null ? "" : value.label());
             label.setOpaque(selected);
-            label.setBackground(SemanticColor.SELECTION.get());
-            label.setForeground(selected ? SemanticColor.ON_SELECTION.get() : SemanticColor.TEXT.get());
+            LookColors.background(label, SemanticColor.SELECTION);
+            LookColors.foreground(label, selected ? SemanticColor.ON_SELECTION : SemanticColor.TEXT);
             return label;
         });
         notations.addActionListener(e -> showLast());

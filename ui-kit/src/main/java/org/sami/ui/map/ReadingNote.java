@@ -9,6 +9,7 @@ import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 
 /** Says in a corner of a map what is still being read, with a button that leaves it. What is read quickly is not mentioned. On the event thread. */
@@ -39,20 +40,8 @@ final class ReadingNote extends JPanel {
         add(text, "wmin 0");
         add(button);
         setVisible(false);
-        style();
-    }
-
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        if (text != null) {
-            style();
-        }
-    }
-
-    private void style() {
-        setBackground(SemanticColor.SURFACE.get());
-        setBorder(BorderFactory.createLineBorder(SemanticColor.BORDER.get()));
+        LookColors.background(this, SemanticColor.SURFACE);
+        LookColors.border(this, () -> BorderFactory.createLineBorder(SemanticColor.BORDER.get()));
     }
 
     /** Looks whether something is being read. */

@@ -13,6 +13,7 @@ import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 
 /** The time line at the foot of a replay, and the commands that move on it. */
@@ -106,8 +107,8 @@ public final class TimeLinePanel extends JPanel {
     }
 
     private void style() {
-        setBackground(SemanticColor.SURFACE.get());
-        setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, SemanticColor.BORDER.get()));
+        LookColors.background(this, SemanticColor.SURFACE);
+        LookColors.border(this, () -> BorderFactory.createMatteBorder(1, 0, 0, 0, SemanticColor.BORDER.get()));
         time.setFont(Fonts.heading());
     }
 

@@ -1,6 +1,5 @@
 package org.sami.ui.table;
 
-import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
@@ -14,6 +13,7 @@ import javax.swing.SwingConstants;
 import javax.swing.plaf.basic.BasicGraphicsUtils;
 import javax.swing.table.DefaultTableCellRenderer;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
@@ -29,9 +29,9 @@ final class RowCell<R> extends DefaultTableCellRenderer {
     void show(JTable view, RowColumn<R> column, R row, boolean selected, int width) {
         super.getTableCellRendererComponent(view, "", selected, false, 0, 0);
         setHorizontalAlignment(column.right() ? SwingConstants.RIGHT : SwingConstants.LEFT);
-        Color color = (selected ? SemanticColor.ON_SELECTION : column.color().apply(row)).get();
-        setForeground(color);
-        setBackground((selected ? SemanticColor.SELECTION : SemanticColor.SURFACE).get());
+        LookColors.foreground(
+                this, selected ? SemanticColor.ON_SELECTION : column.color().apply(row));
+        LookColors.background(this, selected ? SemanticColor.SELECTION : SemanticColor.SURFACE);
         setIcon(column.icon().apply(row).orElse(null));
         setIconTextGap(Look.px(Spacing.NORMAL));
         setBorder(BorderFactory.createEmptyBorder(0, Look.px(Spacing.NORMAL), 0, Look.px(Spacing.NORMAL)));

@@ -5,6 +5,7 @@ import java.awt.LayoutManager;
 import javax.swing.JScrollPane;
 import javax.swing.UIManager;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.ScrolledPanel;
 
 /** A column that is as wide as the pane it scrolls in, and shows at most some rows at a time. */
@@ -19,7 +20,7 @@ final class ScrolledColumn extends ScrolledPanel {
     /** The column in a framed pane that scrolls upwards and downwards only. */
     JScrollPane scrolled() {
         JScrollPane pane = inPane();
-        pane.setBorder(UIManager.getBorder("ScrollPane.border"));
+        LookColors.border(pane, () -> UIManager.getBorder("ScrollPane.border"));
         return pane;
     }
 

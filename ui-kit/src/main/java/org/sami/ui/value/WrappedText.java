@@ -6,6 +6,7 @@ import java.util.regex.Pattern;
 import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 
 /** A text of any length that looks like a label, breaks between words but not between a number and its unit, and can be copied. */
@@ -15,7 +16,6 @@ public final class WrappedText extends JTextArea {
     private static final Pattern BEFORE_UNIT =
             Pattern.compile("(?<=\\d) (?=(?:%|°|mm|m|km|m²|km²|m/s|ms|s|min|h|Hz)(?![\\p{L}\\p{N}]))");
 
-    private SemanticColor color = SemanticColor.TEXT;
     private boolean heading;
 
     /** Running text. */
@@ -25,6 +25,7 @@ public final class WrappedText extends JTextArea {
         setLineWrap(true);
         setWrapStyleWord(true);
         setColumns(20);
+        setColor(SemanticColor.TEXT);
         dress();
     }
 
@@ -47,8 +48,7 @@ public final class WrappedText extends JTextArea {
 
     /** The colour of the text from now on, in any theme. */
     public void setColor(SemanticColor next) {
-        color = next;
-        dress();
+        LookColors.foreground(this, next);
     }
 
     /** Whether the text is written as a heading. */
@@ -62,9 +62,6 @@ public final class WrappedText extends JTextArea {
         setFocusable(false);
         setBorder(BorderFactory.createEmptyBorder());
         setFont(heading ? Fonts.heading() : Fonts.text());
-        if (color != null) { // the superclass sets the look before this class has a colour
-            setForeground(color.get());
-        }
     }
 
     /** It may become narrow, and never lower than its lines are. */

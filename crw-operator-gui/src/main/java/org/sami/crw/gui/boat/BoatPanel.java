@@ -18,6 +18,7 @@ import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.MarkIcon;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
@@ -133,7 +134,7 @@ public final class BoatPanel extends JPanel {
             name.setIcon(null);
             why.setText("Select one in the list or on the map.");
             why.setToolTipText(why.getText());
-            why.setForeground(SemanticColor.MUTED.get());
+            LookColors.foreground(why, SemanticColor.MUTED);
             facts.setText("");
             facts.setVisible(false);
             return;
@@ -143,12 +144,12 @@ public final class BoatPanel extends JPanel {
         name.setIcon(new MarkIcon(context.marks().of(now.boat())));
         why.setText(BoatWords.state(now));
         why.setToolTipText(why.getText());
-        why.setForeground(BoatWords.color(BoatWords.trouble(now)).get());
+        LookColors.foreground(why, BoatWords.color(BoatWords.trouble(now)));
         facts.setText(facts(now));
         facts.setVisible(!isLow);
         facts.setToolTipText(facts.getText());
         name.setToolTipText(facts.getText());
-        facts.setForeground(SemanticColor.MUTED.get());
+        LookColors.foreground(facts, SemanticColor.MUTED);
     }
 
     private String facts(BoatSnapshot boat) {

@@ -15,6 +15,7 @@ import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
@@ -54,9 +55,10 @@ final class LaunchPanel extends JPanel {
         table.show(check.map(LaunchCheck::items).orElse(List.of()));
         summary.setFont(Fonts.strong());
         summary.setText(check.map(LaunchPanel::words).orElse("No boat is selected"));
-        summary.setForeground(check.map(one -> one.mayLaunch() ? SemanticColor.OK : SemanticColor.WARNING)
-                .orElse(SemanticColor.MUTED)
-                .get());
+        LookColors.foreground(
+                summary,
+                check.map(one -> one.mayLaunch() ? SemanticColor.OK : SemanticColor.WARNING)
+                        .orElse(SemanticColor.MUTED));
     }
 
     private static String words(LaunchCheck check) {

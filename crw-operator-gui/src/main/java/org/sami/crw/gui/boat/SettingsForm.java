@@ -23,6 +23,7 @@ import org.sami.crw.session.Fleet;
 import org.sami.crw.session.RefusedException;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 
 /** The settings of the selected boat: gains of its two loops, velocity multiplier, what it does without a link. Each is set by itself, and says what the boat answered. */
@@ -86,7 +87,7 @@ final class SettingsForm extends JPanel {
                 now.setText(text);
                 now.setToolTipText(text);
             }
-            now.setForeground((bad ? SemanticColor.CRITICAL : SemanticColor.MUTED).get());
+            LookColors.foreground(now, bad ? SemanticColor.CRITICAL : SemanticColor.MUTED);
             command.refresh();
         }
     }
@@ -116,8 +117,8 @@ final class SettingsForm extends JPanel {
         action.setRenderer((list, value, index, selected, focused) -> {
             JLabel label = new JLabel(value == null ? "" : LostLinkWords.of(value));
             label.setOpaque(selected);
-            label.setBackground(SemanticColor.SELECTION.get());
-            label.setForeground((selected ? SemanticColor.ON_SELECTION : SemanticColor.TEXT).get());
+            LookColors.background(label, SemanticColor.SELECTION);
+            LookColors.foreground(label, selected ? SemanticColor.ON_SELECTION : SemanticColor.TEXT);
             return label;
         });
         lines.add(new Line(

@@ -5,6 +5,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.value.WrappedText;
 
@@ -96,7 +97,7 @@ final class AnswerBar extends JPanel {
     void tell(String text, boolean refused) {
         SemanticColor color = refused ? SemanticColor.CRITICAL : SemanticColor.MUTED;
         problem.setColor(color);
-        problemLine.setForeground(color.get());
+        LookColors.foreground(problemLine, color);
         if (!problem.getText().equals(text)) {
             problem.setText(text);
             problemLine.setText(text);

@@ -3,8 +3,10 @@ package org.sami.crw.gui.decision;
 import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
+import javax.swing.border.Border;
 import org.sami.crw.markup.Attention;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 
 /** The frame that draws attention to a component: lit, or lit every other half second. On the event thread. */
@@ -24,10 +26,13 @@ final class AttentionFrame {
         boolean lit = attention.isPresent()
                 && (attention.get().type() == Attention.Type.HIGHLIGHT
                         || System.nanoTime() / 1_000_000 / BLINK_MS % 2 == 0);
+        LookColors.border(around, () -> frame(lit));
+    }
+
+    private static Border frame(boolean lit) {
         int width = Look.px(WIDTH);
-        around.setBorder(
-                lit
-                        ? BorderFactory.createLineBorder(SemanticColor.WARNING_FILL.get(), width)
-                        : BorderFactory.createEmptyBorder(width, width, width, width));
+        return lit
+                ? BorderFactory.createLineBorder(SemanticColor.WARNING_FILL.get(), width)
+                : BorderFactory.createEmptyBorder(width, width, width, width);
     }
 }

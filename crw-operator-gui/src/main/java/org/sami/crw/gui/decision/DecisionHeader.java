@@ -9,6 +9,7 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.crw.operator.message.PendingDecision;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.value.WrappedText;
@@ -49,9 +50,9 @@ final class DecisionHeader extends JPanel {
             return;
         }
         asker.setFont(Fonts.small());
-        asker.setForeground(SemanticColor.MUTED.get());
+        LookColors.foreground(asker, SemanticColor.MUTED);
         age.setFont(Fonts.small());
-        autonomy.setBackground(SemanticColor.SURFACE_RAISED.get());
+        LookColors.background(autonomy, SemanticColor.SURFACE_RAISED);
     }
 
     @Override
@@ -81,10 +82,11 @@ final class DecisionHeader extends JPanel {
         title.setToolTipText(asker.getText());
         Priority priority = pending.decision().priority();
         age.setText(DecisionWords.age(pending, nowMillis));
-        age.setForeground((priority == Priority.CRITICAL
+        LookColors.foreground(
+                age,
+                priority == Priority.CRITICAL
                         ? SemanticColor.CRITICAL
-                        : priority == Priority.HIGH ? SemanticColor.WARNING : SemanticColor.MUTED)
-                .get());
+                        : priority == Priority.HIGH ? SemanticColor.WARNING : SemanticColor.MUTED);
         String words = DecisionWords.autonomy(pending, nowMillis);
         set(countdown, words);
         autonomy.setVisible(!words.isEmpty());

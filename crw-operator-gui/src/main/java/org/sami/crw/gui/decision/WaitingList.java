@@ -13,6 +13,7 @@ import org.sami.crw.operator.message.PendingDecision;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 
@@ -43,7 +44,7 @@ final class WaitingList extends JPanel {
 
     private static void dress(JLabel age) {
         age.setFont(Fonts.small());
-        age.setForeground(SemanticColor.MUTED.get());
+        LookColors.foreground(age, SemanticColor.MUTED);
     }
 
     /** Shows these; what is shown already stays where it is. */
@@ -54,7 +55,7 @@ final class WaitingList extends JPanel {
             others.stream().limit(MOST).forEach(this::addRow);
             more.setText(others.size() > MOST ? "and " + (others.size() - MOST) + " more" : "");
             more.setVisible(others.size() > MOST);
-            more.setForeground(SemanticColor.MUTED.get());
+            LookColors.foreground(more, SemanticColor.MUTED);
             add(more, "span 2");
             revalidate();
             repaint();

@@ -36,6 +36,7 @@ import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.map.MapClick;
@@ -252,7 +253,7 @@ public final class MapPanel extends JPanel {
         consequence.setText(text);
         consequence.setToolTipText(text);
         consequence.setFont(Fonts.small());
-        consequence.setForeground((none ? SemanticColor.MUTED : SemanticColor.ACCENT).get());
+        LookColors.foreground(consequence, none ? SemanticColor.MUTED : SemanticColor.ACCENT);
     }
 
     /** Draws the values with which a mission is about to start, and sees to it that they can be seen; none = nothing is about to start. */

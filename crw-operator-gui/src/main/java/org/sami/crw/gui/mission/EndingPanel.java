@@ -15,6 +15,7 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.WidthTrackingPanel;
 import org.sami.ui.value.WrappedText;
@@ -63,21 +64,10 @@ final class EndingPanel extends JPanel {
                 .put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), "confirm");
         getActionMap().put("leave", commands.get("mission-end-leave"));
         getActionMap().put("confirm", commands.get("mission-end-confirm"));
-        dress();
+        LookColors.background(this, SemanticColor.SURFACE_RAISED);
+        LookColors.border(
+                this, () -> BorderFactory.createMatteBorder(Look.px(2), 0, Look.px(2), 0, SemanticColor.WARNING.get()));
         setVisible(false);
-    }
-
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        if (title != null) {
-            dress();
-        }
-    }
-
-    private void dress() {
-        setBackground(SemanticColor.SURFACE_RAISED.get());
-        setBorder(BorderFactory.createMatteBorder(Look.px(2), 0, Look.px(2), 0, SemanticColor.WARNING.get()));
     }
 
     /** What is proposed: true = abort, false = complete. */

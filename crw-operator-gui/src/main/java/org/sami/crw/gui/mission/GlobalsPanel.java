@@ -27,6 +27,7 @@ import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.WidthTrackingPanel;
 import org.sami.ui.table.RowColumn;
@@ -91,7 +92,7 @@ final class GlobalsPanel extends JPanel {
         title.setFont(Fonts.strong());
         CommandRow head = new CommandRow();
         head.left(title).right(new CommandButton(save));
-        head.setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
+        LookColors.border(head, () -> BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
         add(head, BorderLayout.NORTH);
         add(parts());
         context.models().missions().addListener(now -> reload());

@@ -9,6 +9,7 @@ import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 
 /** What a mission does, and the buttons that end it: a line above its parts, or, where the panel is low, icons beside their tabs. */
@@ -57,7 +58,7 @@ final class MissionHead {
         state.setText(text);
         state.setToolTipText(text);
         state.setFont(Fonts.strong());
-        state.setForeground((ended ? SemanticColor.MUTED : SemanticColor.OK).get());
+        LookColors.foreground(state, ended ? SemanticColor.MUTED : SemanticColor.OK);
         for (JComponent part : List.of(line, icons)) {
             for (var child : part.getComponents()) {
                 if (child instanceof CommandButton button) {

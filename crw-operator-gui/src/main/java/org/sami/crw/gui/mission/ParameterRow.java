@@ -6,6 +6,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.spn.value.Value;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.value.Entry;
 import org.sami.ui.value.ValueEditor;
@@ -36,7 +37,7 @@ final class ParameterRow extends JPanel {
         given.setToolTipText("Ticked: this value is given at the start. Otherwise: " + otherwise);
         last.ifPresent(editor::show);
         JLabel instead = new JLabel(otherwise);
-        instead.setForeground(SemanticColor.MUTED.get());
+        LookColors.foreground(instead, SemanticColor.MUTED);
         add(given, "split 2, growx 0");
         add(instead, "wmin 0");
         add(editor.component(), "gapleft 24, hidemode 3");

@@ -15,6 +15,7 @@ import net.miginfocom.swing.MigLayout;
 import org.sami.crw.sim.run.settings.Parameters;
 import org.sami.spn.value.Value;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.value.ValueEditors;
 import org.sami.ui.value.ValueField;
@@ -67,7 +68,7 @@ final class ParametersForm extends JPanel {
         if (rows.isEmpty()) {
             column.add(new JLabel("This plan asks nothing at its start."));
         }
-        wrong.setForeground(SemanticColor.CRITICAL.get());
+        LookColors.foreground(wrong, SemanticColor.CRITICAL);
         wrong.setName("mission-values-wrong");
         start.setName("mission-values-start");
         start.addActionListener(e -> started.accept(values()));

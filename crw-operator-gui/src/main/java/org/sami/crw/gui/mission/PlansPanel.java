@@ -18,6 +18,7 @@ import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
 import org.sami.ui.look.Fonts;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
@@ -65,7 +66,7 @@ public final class PlansPanel extends JPanel {
         CommandButton startButton = CommandButton.primary(start, "play");
         CommandRow head = new CommandRow();
         head.left(title).right(startButton).right(new CommandButton(startWith));
-        head.setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
+        LookColors.border(head, () -> BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
         add(head, BorderLayout.NORTH);
         add(table);
         reload();

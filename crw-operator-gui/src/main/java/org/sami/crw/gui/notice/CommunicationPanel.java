@@ -16,6 +16,7 @@ import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.replay.SessionClock;
@@ -72,9 +73,9 @@ public final class CommunicationPanel extends JPanel {
         table.show(boats.stream().map(boat -> shown(boat, missions, now)).toList());
         summary.setText(summary(boats));
         summary.setToolTipText(summary.getText());
-        summary.setForeground(
-                color(boats.isEmpty() ? ProxyStatus.NOMINAL : boats.get(0).status())
-                        .get());
+        LookColors.foreground(
+                summary,
+                color(boats.isEmpty() ? ProxyStatus.NOMINAL : boats.get(0).status()));
         summary.setVisible(!boats.isEmpty());
     }
 

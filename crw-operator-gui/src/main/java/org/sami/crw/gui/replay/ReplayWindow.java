@@ -33,6 +33,7 @@ import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockArea;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.IdentityMarks;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.replay.ReplayPlayer;
 import org.sami.ui.replay.TimeLinePanel;
@@ -145,7 +146,7 @@ public final class ReplayWindow {
     private static JPanel band(ReplayedJournal journal) {
         JPanel band = new JPanel(new MigLayout("insets 8 12 8 12, gap 16", "[][]push[]", "[]"));
         band.setName("replay-band");
-        band.setBackground(SemanticColor.WARNING_FILL.get());
+        LookColors.background(band, SemanticColor.WARNING_FILL);
         JLabel replay = label("REPLAY", "replay-mark");
         replay.setFont(Fonts.title());
         band.add(replay);
@@ -166,7 +167,7 @@ public final class ReplayWindow {
     private static JLabel label(String text, String name) {
         JLabel label = new JLabel(text);
         label.setName(name);
-        label.setForeground(SemanticColor.ON_WARNING.get());
+        LookColors.foreground(label, SemanticColor.ON_WARNING);
         label.setFont(Fonts.strong());
         return label;
     }

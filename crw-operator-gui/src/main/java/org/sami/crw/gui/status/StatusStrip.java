@@ -23,6 +23,7 @@ import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
+import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.window.Notices.Notice;
 
@@ -106,7 +107,7 @@ public final class StatusStrip extends JPanel {
                         ? null
                         : Icons.of(
                                 refused ? "alarm" : "check", 16, refused ? SemanticColor.WARNING : SemanticColor.OK));
-        notice.setForeground((refused ? SemanticColor.WARNING : SemanticColor.MUTED).get());
+        LookColors.foreground(notice, refused ? SemanticColor.WARNING : SemanticColor.MUTED);
     }
 
     @Override
@@ -134,16 +135,16 @@ public final class StatusStrip extends JPanel {
     }
 
     private void style() {
-        setBackground(SemanticColor.SURFACE.get());
-        setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
+        LookColors.background(this, SemanticColor.SURFACE);
+        LookColors.border(this, () -> BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
         List.of(missions, decisions, boats, links).forEach(label -> label.setFont(Fonts.strong()));
         showNotice(shown.now());
         missions.setIcon(Icons.small("net"));
         decisions.setIcon(Icons.small("decision"));
         boats.setIcon(Icons.small("boat"));
         alarms.setFont(Fonts.strong());
-        stop.setBackground(SemanticColor.CRITICAL_FILL.get());
-        stop.setForeground(SemanticColor.ON_CRITICAL.get());
+        LookColors.background(stop, SemanticColor.CRITICAL_FILL);
+        LookColors.foreground(stop, SemanticColor.ON_CRITICAL);
         stop.setIcon(Icons.of("stop", 20, SemanticColor.ON_CRITICAL));
         stop.setFont(Fonts.heading());
     }
@@ -165,7 +166,7 @@ public final class StatusStrip extends JPanel {
                 decisions,
                 waiting == 0 ? "nothing waits" : count(waiting, "decision"),
                 narrow ? String.valueOf(waiting) : "");
-        decisions.setForeground((waiting == 0 ? SemanticColor.MUTED : SemanticColor.ACCENT).get());
+        LookColors.foreground(decisions, waiting == 0 ? SemanticColor.MUTED : SemanticColor.ACCENT);
         List<BoatSnapshot> fleet = context.models().fleet().snapshot();
         long linked =
                 fleet.stream().filter(boat -> boat.link() == LinkState.LINKED).count();
@@ -197,7 +198,7 @@ public final class StatusStrip extends JPanel {
                 narrow ? (lost > 0 ? lost + " lost" : fleet.isEmpty() ? "–" : "fresh") : "");
         boolean bad = lost > 0 || worst > BoatWords.STALE_MS;
         links.setIcon(Icons.of(bad ? "link-lost" : "link", 16, bad ? SemanticColor.CRITICAL : SemanticColor.TEXT));
-        links.setForeground((bad ? SemanticColor.CRITICAL : SemanticColor.TEXT).get());
+        LookColors.foreground(links, bad ? SemanticColor.CRITICAL : SemanticColor.TEXT);
     }
 
     private void showAlarms(List<Alarm> all) {
@@ -205,8 +206,8 @@ public final class StatusStrip extends JPanel {
         String words = open == 0 ? "no alarms" : count(open, "alarm");
         alarms.setText(narrow ? "▲ " + open : open == 0 ? words : "▲ " + words);
         alarms.getAccessibleContext().setAccessibleName(words);
-        alarms.setForeground((open == 0 ? SemanticColor.MUTED : SemanticColor.ON_WARNING).get());
-        alarms.setBackground((open == 0 ? SemanticColor.SURFACE : SemanticColor.WARNING_FILL).get());
+        LookColors.foreground(alarms, open == 0 ? SemanticColor.MUTED : SemanticColor.ON_WARNING);
+        LookColors.background(alarms, open == 0 ? SemanticColor.SURFACE : SemanticColor.WARNING_FILL);
     }
 
     private static String count(long number, String what) {
