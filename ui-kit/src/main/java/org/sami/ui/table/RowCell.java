@@ -20,13 +20,16 @@ import org.sami.ui.look.Spacing;
 /** Draws the cells of a {@link RowTable}: words in as many lines as they need, numbers at the right in one. */
 final class RowCell<R> extends DefaultTableCellRenderer {
     private static final int LEAST_HEIGHT = 30;
-    private static final int MOST_LINES = 4; // the rest is in the tooltip
     private static final int AIR = 12;
 
     private List<String> lines = List.of();
 
-    /** Makes it the cell of a row and column. */
-    void show(JTable view, RowColumn<R> column, R row, boolean selected, int width) {
+    /**
+     * Makes it the cell of a row and column.
+     *
+     * @param most how many lines it has at most
+     */
+    void show(JTable view, RowColumn<R> column, R row, boolean selected, int width, int most) {
         super.getTableCellRendererComponent(view, "", selected, false, 0, 0);
         setHorizontalAlignment(column.right() ? SwingConstants.RIGHT : SwingConstants.LEFT);
         LookColors.foreground(
@@ -36,14 +39,14 @@ final class RowCell<R> extends DefaultTableCellRenderer {
         setIconTextGap(Look.px(Spacing.NORMAL));
         setBorder(BorderFactory.createEmptyBorder(0, Look.px(Spacing.NORMAL), 0, Look.px(Spacing.NORMAL)));
         String text = column.text().apply(row);
-        lines = lines(view, column, row, width);
+        lines = lines(view, column, row, width, most);
         setText(lines.size() > 1 ? "" : lines.get(0));
         getAccessibleContext().setAccessibleName(text);
     }
 
     /** How high a row has to be for a cell, in pixels. */
-    static <R> int height(JTable view, RowColumn<R> column, R row, int width) {
-        int count = column.right() ? 1 : lines(view, column, row, width).size();
+    static <R> int height(JTable view, RowColumn<R> column, R row, int width, int most) {
+        int count = column.right() ? 1 : lines(view, column, row, width, most).size();
         return heightOf(count, view.getFontMetrics(view.getFont()));
     }
 
@@ -56,7 +59,7 @@ final class RowCell<R> extends DefaultTableCellRenderer {
         return Math.max(leastHeight(), lines * metrics.getHeight() + Look.px(AIR));
     }
 
-    private static <R> List<String> lines(JTable view, RowColumn<R> column, R row, int width) {
+    private static <R> List<String> lines(JTable view, RowColumn<R> column, R row, int width, int most) {
         String text = column.text().apply(row);
         if (column.right()) {
             return List.of(text);
@@ -67,7 +70,7 @@ final class RowCell<R> extends DefaultTableCellRenderer {
                 .map(wide -> wide + Look.px(Spacing.NORMAL))
                 .orElse(0);
         int room = Math.max(1, width - icon - 2 * Look.px(Spacing.NORMAL));
-        return TextLines.of(text, view.getFontMetrics(view.getFont()), room, MOST_LINES);
+        return TextLines.of(text, view.getFontMetrics(view.getFont()), room, most);
     }
 
     @Override

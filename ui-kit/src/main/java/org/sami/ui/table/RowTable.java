@@ -14,6 +14,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JScrollPane;
@@ -36,6 +38,7 @@ import org.sami.ui.value.WrappedText;
 public final class RowTable<R> extends JScrollPane {
     private static final int LEAST_WORDS = 84;
     private static final int LEAST_REST = 170; // logical pixels of a column that has what is left
+    private static final int MOST_LINES = 4; // the rest is in the tooltip
 
     private final Function<R, Object> key;
     private final List<RowColumn<R>> columns;
@@ -46,6 +49,8 @@ public final class RowTable<R> extends JScrollPane {
     private List<R> rows = List.of();
     private boolean replacing;
     private boolean revealing;
+    private int leastWhole;
+    private int mostLines = MOST_LINES;
 
     /**
      * An empty table.
@@ -103,6 +108,16 @@ public final class RowTable<R> extends JScrollPane {
     /** The table itself, for keys and names. */
     public JTable table() {
         return table;
+    }
+
+    /**
+     * Has rows of one height, of which whole ones are seen.
+     *
+     * @param least so many at least: in a low table words go on in fewer lines, which end in dots
+     */
+    public void showWholeRows(int least) {
+        leastWhole = least;
+        revalidate();
     }
 
     /** Replaces the rows. */
@@ -208,6 +223,26 @@ public final class RowTable<R> extends JScrollPane {
         }
     }
 
+    /** What a whole row does not fill is left below the rows. */
+    @Override
+    public void doLayout() {
+        super.doLayout();
+        if (leastWhole > 0 && !rows.isEmpty()) {
+            Dimension seen = getViewport().getSize();
+            table.setSize(seen.width, Math.max(seen.height, table.getHeight()));
+            table.doLayout(); // rows are as high as the width of columns lets them be
+            int height = table.getRowHeight(0);
+            if (height < seen.height) {
+                getViewport().setSize(seen.width, seen.height - seen.height % height);
+            }
+        }
+    }
+
+    /** The height in which rows are seen, with what is left below them. */
+    private int room() {
+        return getViewport().getHeight() == 0 ? 0 : getHeight() - getViewport().getY() - getInsets().bottom;
+    }
+
     private final class Rows extends AbstractTableModel {
         @Override
         public int getRowCount() {
@@ -270,20 +305,28 @@ public final class RowTable<R> extends JScrollPane {
         public String getToolTipText(MouseEvent event) {
             int row = rowAtPoint(event.getPoint());
             int column = columnAtPoint(event.getPoint());
-            return row < 0 || column < 0 ? null : String.valueOf(getValueAt(row, column));
+            return row < 0 || column < 0 ? null : getValueAt(row, column) + leftOut(row);
         }
+    }
+
+    /** What columns say of a row that are left out, each in a sentence of its own. */
+    private String leftOut(int row) {
+        List<TableColumn> shown = Collections.list(table.getColumnModel().getColumns());
+        return all.stream()
+                .filter(column -> !shown.contains(column))
+                .map(column -> columns.get(column.getModelIndex()))
+                .map(column -> ". " + column.title() + ": " + column.text().apply(rows.get(row)))
+                .collect(Collectors.joining());
     }
 
     /** Leaves out as many spare columns as others need room, the last one first. */
     private void fitColumns(int width) {
-        int needed = columns.stream()
-                .mapToInt(column -> Look.px(column.width() > 0 ? column.width() : LEAST_REST))
-                .sum();
+        int needed = columns.stream().mapToInt(RowTable::leastWidth).sum();
         Set<Integer> out = new HashSet<>();
         for (int i = columns.size() - 1; i >= 0 && needed > width && width > 0; i--) {
             if (columns.get(i).spare()) {
                 out.add(i);
-                needed -= Look.px(columns.get(i).width());
+                needed -= leastWidth(columns.get(i));
             }
         }
         shrinkWords(needed - width);
@@ -305,6 +348,10 @@ public final class RowTable<R> extends JScrollPane {
         }
     }
 
+    private static int leastWidth(RowColumn<?> column) {
+        return Look.px(column.width() > 0 ? column.width() : LEAST_REST);
+    }
+
     /** Words go on in further lines: where even so not all has room, columns of words become narrower. */
     private void shrinkWords(int missing) {
         int words = columns.stream()
@@ -322,23 +369,37 @@ public final class RowTable<R> extends JScrollPane {
         }
     }
 
-    /** Makes each row as high as its words need at the width of their columns. */
+    /** Makes each row as high as its words need at the width of their columns, or all as high as the highest. */
     private void fitRows() {
         if (table.getWidth() == 0) {
             return; // its layout will do it
         }
+        mostLines = MOST_LINES;
+        int highest = leastWhole > 0 ? highest() : 0;
+        while (leastWhole * highest > room() && mostLines > 1) {
+            mostLines--;
+            highest = highest();
+        }
         for (int row = 0; row < rows.size(); row++) {
-            int height = RowCell.leastHeight();
-            for (int at = 0; at < table.getColumnCount(); at++) {
-                TableColumn column = table.getColumnModel().getColumn(at);
-                height = Math.max(
-                        height,
-                        RowCell.height(table, columns.get(column.getModelIndex()), rows.get(row), column.getWidth()));
-            }
+            int height = leastWhole > 0 ? highest : height(row);
             if (table.getRowHeight(row) != height) {
                 table.setRowHeight(row, height);
             }
         }
+    }
+
+    private int highest() {
+        return IntStream.range(0, rows.size()).map(this::height).max().orElse(0);
+    }
+
+    private int height(int row) {
+        int height = RowCell.leastHeight();
+        for (int at = 0; at < table.getColumnCount(); at++) {
+            TableColumn column = table.getColumnModel().getColumn(at);
+            RowColumn<R> shown = columns.get(column.getModelIndex());
+            height = Math.max(height, RowCell.height(table, shown, rows.get(row), column.getWidth(), mostLines));
+        }
+        return height;
     }
 
     private final class Cell implements TableCellRenderer {
@@ -348,7 +409,8 @@ public final class RowTable<R> extends JScrollPane {
         public Component getTableCellRendererComponent(
                 JTable view, Object value, boolean selected, boolean focused, int row, int at) {
             TableColumn column = view.getColumnModel().getColumn(at);
-            cell.show(view, columns.get(column.getModelIndex()), rows.get(row), selected, column.getWidth());
+            RowColumn<R> shown = columns.get(column.getModelIndex());
+            cell.show(view, shown, rows.get(row), selected, column.getWidth(), mostLines);
             return cell;
         }
     }

@@ -3,6 +3,8 @@ package org.sami.ui.table;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.event.MouseEvent;
 import java.util.Collections;
 import java.util.List;
 import java.util.Set;
@@ -123,6 +125,51 @@ class RowTableTest {
         assertThat(heads(spare, 260)).containsExactly("Name", "Value");
         assertThat(spare.table().getValueAt(0, 1)).isEqualTo("1 m");
         assertThat(heads(spare, 430)).containsExactly("Name", "One", "Two", "Value");
+    }
+
+    @Test
+    void aTableOfWholeRowsShowsSoManyOfThemAlsoWhereItIsLow() {
+        String words = "words that need two lines at least, and even three of them where a table is as narrow as this";
+        table.show(IntStream.range(0, 9)
+                .mapToObj(i -> new Row("row " + i + (i % 2 == 0 ? "" : " has " + words), i))
+                .toList());
+        table.showWholeRows(3);
+        table.offer(Set.of("row 8"));
+
+        for (int height : new int[] {130, 200, 300, 420}) {
+            Layout.layOut(table, 300, height);
+
+            Rectangle seen = table.getViewport().getViewRect();
+            int row = table.table().getRowHeight(0);
+            assertThat(seen.height / row).as("rows in " + height + " px").isGreaterThanOrEqualTo(3);
+            assertThat(seen.height % row).isZero();
+            assertThat(seen.y % row).isZero();
+            assertThat(inView(8)).isTrue();
+        }
+        assertThat(table.table().getRowHeight(0)).isGreaterThan(50);
+    }
+
+    @Test
+    void theTooltipOfARowSaysWhatColumnsHoldThatAreLeftOut() {
+        RowTable<Row> spare = new RowTable<>(
+                "numbers",
+                "Numbers appear here",
+                Row::id,
+                List.of(
+                        RowColumn.words("Name", 120, Row::id),
+                        RowColumn.<Row>words("About", 0, row -> "it is " + row.value())
+                                .asSpare()));
+        spare.show(List.of(new Row("a", 1)));
+
+        assertThat(heads(spare, 400)).containsExactly("Name", "About");
+        assertThat(tip(spare)).isEqualTo("a");
+        assertThat(heads(spare, 200)).containsExactly("Name");
+        assertThat(tip(spare)).isEqualTo("a. About: it is 1");
+    }
+
+    private static String tip(RowTable<?> table) {
+        return table.table()
+                .getToolTipText(new MouseEvent(table.table(), MouseEvent.MOUSE_MOVED, 0, 0, 5, 5, 0, false));
     }
 
     @Test

@@ -9,6 +9,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.start.SessionOpener;
 import org.sami.spn.engine.EngineView;
@@ -17,17 +18,25 @@ import org.sami.spn.model.Project;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
-import org.sami.ui.look.Fonts;
+import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
+import org.sami.ui.look.StrongLabel;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 
 /** The plans of the session's project, one click from a mission. */
 public final class PlansPanel extends JPanel {
+    private static final int LEAST_ROWS = 3;
+    private static final int LOW = 170;
+
     private final OperatorContext context;
     private final MissionStarter starter;
-    private final JLabel title = new JLabel();
+    private final JLabel title = new StrongLabel("");
+    private final JLabel titleBeside = new StrongLabel("");
+    private final CommandRow above = new CommandRow();
+    private final JPanel beside =
+            new JPanel(new MigLayout("novisualpadding, insets 8 8 4 8, gap 4 4, wrap 1, fillx", "[grow,fill]", "[]"));
     private final RowTable<Plan> table;
     private final Command start;
     private Optional<Project> project = Optional.empty();
@@ -37,14 +46,15 @@ public final class PlansPanel extends JPanel {
         this.context = context;
         this.starter = starter;
         setName("plans");
-        title.setFont(Fonts.strong());
         table = new RowTable<>(
                 "plans-table",
                 "The project has no plan. Open another one, or draw one in the plan editor.",
                 Plan::id,
                 List.of(
                         RowColumn.words("Plan", 190, Plan::title),
-                        RowColumn.words("What it does", 0, PlansPanel::about)));
+                        RowColumn.<Plan>words("What it does", 0, PlansPanel::about)
+                                .asSpare()));
+        table.showWholeRows(LEAST_ROWS);
         start = context.commands()
                 .add(new Command("mission-start", "Start mission", this::startSelected)
                         .withKey("ctrl ENTER")
@@ -63,21 +73,36 @@ public final class PlansPanel extends JPanel {
         });
         table.table().getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke("ENTER"), "start");
         table.table().getActionMap().put("start", start);
-        CommandButton startButton = CommandButton.primary(start, "play");
-        CommandRow head = new CommandRow();
-        head.left(title).right(startButton).right(new CommandButton(startWith));
-        LookColors.border(head, () -> BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
-        add(head, BorderLayout.NORTH);
+        above.left(title).right(CommandButton.primary(start, "play")).right(new CommandButton(startWith));
+        LookColors.border(above, () -> BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
+        beside.add(titleBeside, "wmin 0");
+        beside.add(named(CommandButton.primary(start, "play")));
+        CommandButton shorter = named(new CommandButton(startWith));
+        shorter.setText("With values…");
+        beside.add(shorter);
+        add(above, BorderLayout.NORTH);
+        add(beside, BorderLayout.EAST);
+        arrange();
         add(table);
         reload();
     }
 
+    private static CommandButton named(CommandButton button) {
+        button.setName(button.getName() + "-beside");
+        return button;
+    }
+
+    /** Where buttons above the table would leave it too few rows, they stand beside it. */
     @Override
-    public void updateUI() {
-        super.updateUI();
-        if (title != null) {
-            title.setFont(Fonts.strong());
-        }
+    public void doLayout() {
+        arrange();
+        super.doLayout();
+    }
+
+    private void arrange() {
+        boolean low = getHeight() < Look.px(LOW);
+        above.setVisible(!low);
+        beside.setVisible(low);
     }
 
     private static String about(Plan plan) {
@@ -91,7 +116,10 @@ public final class PlansPanel extends JPanel {
 
     private void show(Project loaded) {
         project = Optional.of(loaded);
-        title.setText(loaded.name().isEmpty() ? loaded.id() : loaded.name());
+        String name = loaded.name().isEmpty() ? loaded.id() : loaded.name();
+        title.setText(name);
+        titleBeside.setText(name);
+        titleBeside.setToolTipText(name);
         table.show(loaded.plans());
         if (table.selected().isEmpty() && !loaded.plans().isEmpty()) {
             String offered = loaded.plan(SessionOpener.OFFERED_PLAN).isPresent()

@@ -1,0 +1,100 @@
+package org.sami.crw.gui.mission;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.sami.crw.gui.EventThreadCall.onEventThread;
+import static org.sami.crw.gui.SessionWorld.find;
+import static org.sami.crw.gui.SessionWorld.until;
+
+import java.awt.Rectangle;
+import java.nio.file.Path;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import javax.swing.JTable;
+import javax.swing.JViewport;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.sami.crw.gui.SessionWorld;
+import org.sami.spn.model.Project;
+import org.sami.ui.check.Layout;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.Theme;
+import org.sami.ui.window.WindowSettings;
+
+@Isolated("the look is one for all windows of a process")
+@Timeout(120)
+class PlansPanelTest {
+    private static final Project PROJECT = SessionWorld.project("""
+            {'formatVersion': 1, 'id': 'lake', 'name': 'Lake', 'domain': 'crw',
+             'missionTree': [{'label': 'All', 'children': [%s]}], 'plans': [%s]}""".formatted(each("{'plan': 'plan%1$d'}"), each("""
+                            {'id': 'plan%1$d', 'name': 'Explore Area with interrupts %1$d',
+                             'description': 'The operator draws an area and chooses boats; each explores its share in lanes. Team avoid boat takes all out of the way of another vessel until the operator says that it has passed; battery swap brings chosen boats to the quay and back.',
+                             'places': [{'id': 'say', 'name': 'Say', 'start': true}],
+                             'transitions': [], 'inEdges': [], 'outEdges': []}""")));
+
+    @TempDir
+    private Path folder;
+
+    private static String each(String plan) {
+        return IntStream.range(0, 8).mapToObj(plan::formatted).collect(Collectors.joining(","));
+    }
+
+    @AfterEach
+    void back() {
+        apply(100);
+    }
+
+    private static void apply(int percent) {
+        onEventThread(() -> {
+            Look.apply(Theme.LIGHT, percent);
+            return null;
+        });
+    }
+
+    /** The sizes are those that the panel has in windows of 1280 by 800 and 1600 by 1000. */
+    @ParameterizedTest
+    @CsvSource({"100, 608, 240", "150, 608, 186", "100, 660, 265", "200, 630, 420"})
+    void threeWholePlansAndTheButtonThatStartsOneAreSeen(int percent, int width, int height) throws Exception {
+        apply(percent);
+        try (SessionWorld world = new SessionWorld(PROJECT)) {
+            PlansPanel plans = onEventThread(() -> new PlansPanel(
+                    world.context,
+                    new MissionStarter(
+                            world.context,
+                            new WindowSettings(folder.resolve("settings")),
+                            world.editors(),
+                            values -> {})));
+            JTable table = find(plans, "plans-table", JTable.class);
+            until("plans are listed", () -> table.getRowCount() == 8);
+            onEventThread(() -> {
+                Layout.layOut(plans, width, height);
+                Rectangle seen = ((JViewport) table.getParent()).getViewRect();
+                int row = table.getRowHeight(0);
+                assertThat(seen.height / row).isGreaterThanOrEqualTo(3);
+                assertThat(seen.height % row).isZero();
+                assertThat(seen.contains(table.getCellRect(table.getSelectedRow(), 0, true)))
+                        .isTrue();
+                String name = find(plans, "mission-start", CommandButton.class)
+                                .getParent()
+                                .isVisible()
+                        ? "mission-start"
+                        : "mission-start-beside";
+                CommandButton start = find(plans, name, CommandButton.class);
+                assertThat(start.getText()).isEqualTo("Start mission");
+                assertThat(start.getWidth()).isGreaterThanOrEqualTo(start.getPreferredSize().width);
+                assertThat(plans.getBounds().contains(bounds(start))).isTrue();
+                return null;
+            });
+        }
+    }
+
+    private static Rectangle bounds(CommandButton button) {
+        return SwingUtilities.convertRectangle(
+                button.getParent(), button.getBounds(), button.getParent().getParent());
+    }
+}
