@@ -1,4 +1,4 @@
-package org.sami.crw.gui.status;
+package org.sami.ui.window;
 
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -6,7 +6,7 @@ import java.util.function.LongSupplier;
 import org.sami.ui.window.Notices.Notice;
 
 /** The last notice, for as long as it is news: what was done for 10 s, why something was not done for 30 s. On one thread. */
-final class ShownNotice {
+public final class ShownNotice {
     private static final long DONE_NS = TimeUnit.SECONDS.toNanos(10);
     private static final long REFUSED_NS = TimeUnit.SECONDS.toNanos(30);
 
@@ -19,18 +19,26 @@ final class ShownNotice {
      *
      * @param nanos a clock that only goes on, in ns
      */
-    ShownNotice(LongSupplier nanos) {
+    public ShownNotice(LongSupplier nanos) {
         this.nanos = nanos;
     }
 
-    void tell(Notice notice) {
+    /** Shows a notice from now on, instead of the one before. */
+    public void tell(Notice notice) {
         last = Optional.of(notice);
         toldAt = nanos.getAsLong();
     }
 
     /** What is to be shown now; empty where nothing was told, or it has been shown long enough. */
-    Optional<Notice> now() {
+    public Optional<Notice> now() {
+        return leftMillis() > 0 ? last : Optional.empty();
+    }
+
+    /** For how long it is to be shown yet, in ms; 0 where nothing is. */
+    public long leftMillis() {
         long age = nanos.getAsLong() - toldAt;
-        return last.filter(notice -> age < (notice.refused() ? REFUSED_NS : DONE_NS));
+        return last.map(notice -> (notice.refused() ? REFUSED_NS : DONE_NS) - age)
+                .map(left -> left <= 0 ? 0 : Math.max(1, TimeUnit.NANOSECONDS.toMillis(left)))
+                .orElse(0L);
     }
 }
