@@ -113,7 +113,7 @@ public final class AreaCoverage {
             }
         }
         Geometry rest =
-                lines.isEmpty() ? region : UncoveredArea.of(region, lines, spacingM / 2, directionOfMostLanes());
+                lines.isEmpty() ? region : UncoveredArea.of(region, lines, spacingM / 2, MainDirection.ofRad(lines));
         return new Left(rest.getArea(), UncoveredArea.areas(rest, plane), largest(rest));
     }
 
@@ -121,12 +121,6 @@ public final class AreaCoverage {
         LineString line = FACTORY.createLineString(
                 track.stream().map(point -> Areas.coordinate(point, plane)).toArray(Coordinate[]::new));
         return List.of(DouglasPeuckerSimplifier.simplify(line, FLAT * spacingM).getCoordinates());
-    }
-
-    /** Lanes mostly lie along the area's long side. */
-    private double directionOfMostLanes() {
-        Coordinate[] side = new MinimumDiameter(region).getSupportingSegment().getCoordinates();
-        return Math.atan2(side[1].y - side[0].y, side[1].x - side[0].x);
     }
 
     private Optional<GeoPoint> largest(Geometry rest) {
