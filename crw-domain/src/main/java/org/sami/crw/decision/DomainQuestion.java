@@ -32,6 +32,11 @@ public enum DomainQuestion {
         return simulatedAnswer;
     }
 
+    /** Whether it is asked about the ways of boats. */
+    public boolean isAboutWays() {
+        return this == DOUBTFUL_WAY || this == LONG_WAY;
+    }
+
     /** The question of a kind. */
     public static Optional<DomainQuestion> of(String kind) {
         return Arrays.stream(values())

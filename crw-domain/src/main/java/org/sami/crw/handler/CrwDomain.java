@@ -9,6 +9,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
+import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.fleet.FleetEvents;
 import org.sami.crw.handler.boat.BoatNews;
 import org.sami.crw.handler.boat.BoatQuestions;
@@ -84,6 +85,7 @@ public final class CrwDomain implements AutoCloseable {
     private final FleetEvents events;
     private final TaskQueues tasks;
     private final Computations computations;
+    private final WayQuestions ways;
 
     private CrwDomain(
             EngineHost host,
@@ -96,7 +98,7 @@ public final class CrwDomain implements AutoCloseable {
             Optional<ServiceThreads> threads) {
         this.events = events;
         NewBoats newBoats = new NewBoats();
-        WayQuestions ways = new WayQuestions(
+        ways = new WayQuestions(
                 boats,
                 messages,
                 fleet,
@@ -315,6 +317,16 @@ public final class CrwDomain implements AutoCloseable {
     /** The tasks that boats have to do. */
     public TaskQueues tasks() {
         return tasks;
+    }
+
+    /**
+     * The paths of the boats that wait for the answer to a question about their ways; empty where none do. On the fleet's thread.
+     *
+     * @param kind of the question
+     * @param about its subject
+     */
+    public Optional<DoubtedPaths> doubtedPaths(String kind, String about) {
+        return ways.doubted(kind, about);
     }
 
     /** Whether a service computes for a mission now, so that commands or answers are to come; from any thread. */

@@ -14,6 +14,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.motion.WayLimits;
 import org.sami.crw.operator.OperatorLogEntry;
@@ -32,6 +33,7 @@ import org.sami.spn.host.HostListener;
 import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
+import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
@@ -343,6 +345,15 @@ public final class Session implements AutoCloseable {
         CompletionStage<WayLimits> limits = ask(view -> WayLimits.of(mission, view));
         return start.thenCombineAsync(limits, (from, water) -> from.map(one -> one.way(path, water)), parts.drawing)
                 .thenApplyAsync(found -> found, parts.front);
+    }
+
+    /**
+     * The paths of the boats that wait for the answer to a decision about their ways; empty where it is about something else, or is answered.
+     */
+    public CompletionStage<Optional<DoubtedPaths>> doubtedPaths(Decision decision) {
+        return ask(view -> view.subject(decision.id()))
+                .thenCompose(about ->
+                        fleet().ask(boats -> about.flatMap(one -> parts.domain.doubtedPaths(decision.type(), one))));
     }
 
     /** Whether a service computes for a mission now, so that commands or answers are to come. */

@@ -14,6 +14,7 @@ import java.util.concurrent.Executor;
 import java.util.stream.Collectors;
 import org.sami.crw.decision.AskedActivation;
 import org.sami.crw.decision.DomainQuestion;
+import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.PlannedSwaps;
 import org.sami.crw.handler.activation.Restrictions;
@@ -38,6 +39,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.BooleanValue;
 import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -178,7 +180,7 @@ public final class WayQuestions implements HostListener {
             settle(one, answer.get());
             return;
         }
-        held.put(one.question.kind() + " " + one.about(), one);
+        held.put(key(one.question.kind(), one.about()), one);
         List<String> all = one.all.stream()
                 .map(doubted -> doubted.doubt.words())
                 .distinct()
@@ -191,6 +193,23 @@ public final class WayQuestions implements HostListener {
                 doubts + (more > 0 ? "; and " + more + " boats more" : "") + ". Send "
                         + (one.all.size() == 1 ? "it?" : "them?"),
                 Priority.HIGH));
+    }
+
+    private static String key(String kind, String about) {
+        return kind + " " + about;
+    }
+
+    /** The paths of the boats that wait for the answer to a question; empty where none do. */
+    public Optional<DoubtedPaths> doubted(String kind, String about) {
+        return Optional.ofNullable(held.get(key(kind, about))).map(one -> {
+            Map<String, GeoPath> paths = new LinkedHashMap<>();
+            one.all.stream()
+                    .map(Doubted::move)
+                    .filter(move -> !move.command().unvisitedPoints().isEmpty())
+                    .forEach(move -> paths.put(
+                            move.addressee().boat(), new GeoPath(move.command().unvisitedPoints())));
+            return new DoubtedPaths(one.activation.mission(), paths);
+        });
     }
 
     private static void settle(Held one, boolean yes) {
@@ -234,7 +253,7 @@ public final class WayQuestions implements HostListener {
     }
 
     private void answered(Effect.QuestionAnswered answered) {
-        Held one = held.remove(answered.kind() + " " + answered.about());
+        Held one = held.remove(key(answered.kind(), answered.about()));
         if (one != null) {
             one.context.post(
                     new Input.Remember(one.activation.mission(), one.memory(), new BooleanValue(answered.yes())));

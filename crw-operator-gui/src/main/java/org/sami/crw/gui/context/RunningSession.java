@@ -6,11 +6,13 @@ import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
 import java.util.function.LongConsumer;
+import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.session.Session;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.model.Project;
+import org.sami.spn.protocol.Decision;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -49,6 +51,11 @@ record RunningSession(Session running) implements ShownSession {
     @Override
     public CompletionStage<Optional<List<GeoPoint>>> way(long mission, String boat, GeoPath path) {
         return running.way(mission, boat, path);
+    }
+
+    @Override
+    public CompletionStage<Optional<DoubtedPaths>> doubtedPaths(Decision decision) {
+        return running.doubtedPaths(decision);
     }
 
     @Override

@@ -5,8 +5,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
+import org.sami.crw.decision.DomainQuestion;
+import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.spn.protocol.Decision;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.value.RobotWays;
@@ -31,6 +36,14 @@ public final class SessionWays {
     /** Those of a mission. */
     public RobotWays of(long mission) {
         return (boat, path, teller) -> find(new Asked(mission, boat, path), teller);
+    }
+
+    /** The paths of the boats that wait for the answer to a decision about their ways; empty where it is about something else. */
+    public CompletionStage<Optional<DoubtedPaths>> doubted(Decision decision) {
+        return DomainQuestion.of(decision.type())
+                .filter(DomainQuestion::isAboutWays)
+                .map(question -> context.shown().doubtedPaths(decision))
+                .orElse(CompletableFuture.completedFuture(Optional.empty()));
     }
 
     private void find(Asked asked, Consumer<List<GeoPoint>> teller) {

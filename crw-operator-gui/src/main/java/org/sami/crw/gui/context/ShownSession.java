@@ -5,11 +5,13 @@ import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
 import java.util.function.LongConsumer;
+import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.session.Session;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.model.Project;
+import org.sami.spn.protocol.Decision;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -36,6 +38,12 @@ public interface ShownSession {
      * not known; arrives on the event thread.
      */
     CompletionStage<Optional<List<GeoPoint>>> way(long mission, String boat, GeoPath path);
+
+    /**
+     * The paths of the boats that wait for the answer to a decision about their ways. Empty where that is not known, as in a replay; arrives on the
+     * event thread.
+     */
+    CompletionStage<Optional<DoubtedPaths>> doubtedPaths(Decision decision);
 
     /** Tells a listener of the engine's steps, on the thread on which they are taken. */
     void addListener(HostListener listener);

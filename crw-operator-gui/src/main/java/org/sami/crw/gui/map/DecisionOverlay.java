@@ -1,14 +1,20 @@
 package org.sami.crw.gui.map;
 
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.sami.crw.decision.DecisionPresentation;
+import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.gui.context.SessionWays;
 import org.sami.crw.gui.decision.DecisionMap;
 import org.sami.crw.operator.map.PlacesInText;
 import org.sami.spn.protocol.Question;
+import org.sami.spn.value.MapValue;
+import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.Value;
 import org.sami.ui.geo.GeoSketch;
 import org.sami.ui.look.IdentityMarks;
@@ -27,6 +33,7 @@ final class DecisionOverlay implements DecisionMap {
     private final NamedPlaces named;
     private long drawnFor;
     private long shownFor;
+    private Optional<DoubtedPaths> doubted = Optional.empty();
 
     /**
      * Adds its layers to a map.
@@ -47,10 +54,28 @@ final class DecisionOverlay implements DecisionMap {
         if (drawnFor != decision.id()) {
             endDrawing();
         }
+        if (shownFor != decision.id()) {
+            doubted = Optional.empty();
+        }
         shownFor = decision.id();
+        if (doubted.isEmpty()) {
+            ways.doubted(decision.decision())
+                    .thenAccept(found -> found.filter(paths -> shownFor == decision.id())
+                            .ifPresent(paths -> {
+                                doubted = found;
+                                draw(decision, values);
+                            }));
+        }
+        draw(decision, values);
+    }
+
+    private void draw(DecisionPresentation decision, List<Value> values) {
         places.show(
-                drawnFor == decision.id() ? List.of() : values,
-                ways.of(decision.decision().mission()));
+                doubted.map(DecisionOverlay::value)
+                        .map(List::of)
+                        .orElse(drawnFor == decision.id() ? List.of() : values),
+                ways.of(doubted.map(DoubtedPaths::mission)
+                        .orElse(decision.decision().mission())));
         String prompt = decision.decision().prompt();
         Set<String> here = named.show(PlacesInText.of(prompt));
         Set<String> lit = new HashSet<>(places.ids());
@@ -65,9 +90,17 @@ final class DecisionOverlay implements DecisionMap {
         view.highlight(lit);
     }
 
+    private static Value value(DoubtedPaths paths) {
+        Map<Value, Value> byBoat = new LinkedHashMap<>();
+        paths.byBoat().forEach((boat, path) -> byBoat.put(new ProxyValue(boat), path));
+        return new MapValue(byBoat);
+    }
+
     @Override
     public void clear() {
         endDrawing();
+        shownFor = 0;
+        doubted = Optional.empty();
         places.show(List.of());
         named.show(List.of());
         view.highlight(Set.of());

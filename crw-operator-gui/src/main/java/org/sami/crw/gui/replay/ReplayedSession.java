@@ -7,6 +7,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
 import java.util.function.LongConsumer;
+import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.gui.context.ShownSession;
 import org.sami.crw.handler.motion.WayLimits;
 import org.sami.crw.operator.OperatorModels;
@@ -15,6 +16,7 @@ import org.sami.crw.session.Session;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.model.Project;
+import org.sami.spn.protocol.Decision;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -62,6 +64,12 @@ record ReplayedSession(Replay replay, Executor worker, Executor computing, LongC
                         (start, limits) -> start.map(one -> one.way(path, limits)),
                         computing)
                 .thenApplyAsync(way -> way, EventThread.executor());
+    }
+
+    /** Which boats waited, and where they were to go, no journal says. */
+    @Override
+    public CompletionStage<Optional<DoubtedPaths>> doubtedPaths(Decision decision) {
+        return CompletableFuture.completedFuture(Optional.empty());
     }
 
     @Override
