@@ -1,6 +1,8 @@
 package org.sami.dreamm.canvas;
 
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import javax.swing.ButtonGroup;
 import javax.swing.JToggleButton;
 import org.sami.dreamm.context.DreammContext;
@@ -14,7 +16,8 @@ import org.sami.ui.net.NetMode;
 
 /** The row above the net: which parts are shown, and what authors do most. */
 final class ModelTools {
-    private static final String[] LEFT = {"net-add-place", "net-add-transition", "net-connect", "net-add-note"};
+    private static final String[] LEFT = {"net-add-place", "net-add-transition"};
+    private static final String[] LEFT_WITH_ROOM = {"net-connect", "net-add-note"};
     private static final String[] RIGHT = {"undo", "redo", "net-layout-layers", "net-zoom-out", "net-zoom-in", "net-fit"
     };
 
@@ -47,9 +50,14 @@ final class ModelTools {
         for (String id : LEFT) {
             row.left(CommandButton.iconOnly(context.commands().get(id)));
         }
+        List<CommandButton> withRoom = Stream.of(LEFT_WITH_ROOM)
+                .map(id -> CommandButton.iconOnly(context.commands().get(id)))
+                .toList();
+        withRoom.forEach(row::left);
         for (String id : RIGHT) {
             context.commands().find(id).ifPresent(command -> row.spare(CommandButton.iconOnly(command)));
         }
+        withRoom.forEach(row::leaveOut);
         return row;
     }
 }

@@ -47,6 +47,9 @@ public final class IssuesPanel extends JPanel {
     private static final int LEAST_HEIGHT_OF_MESSAGE = 220;
 
     private static final int NARROW = 640;
+    private static final int TWO_ROWS = 420;
+    private static final String FILTER = "growx, wmin 80, wmax 320, hmin 32";
+    private static final String FILTER_BELOW = "newline, span, split 2, " + FILTER;
 
     private final transient DreammContext context;
     private final transient IssueList issues;
@@ -54,6 +57,8 @@ public final class IssuesPanel extends JPanel {
     private final Map<Severity, JToggleButton> severities = new EnumMap<>(Severity.class);
     private final JCheckBox onlyOpen = new JCheckBox("Open plan only");
     private final JTextField text = new JTextField(12);
+    private final transient MigLayout bars =
+            new MigLayout("novisualpadding, insets 4 8 4 8, gap 8", "[][][]16[][grow][]", "[]");
     private final JTextArea message = new JTextArea();
     private final JPanel fixes = new JPanel(new MigLayout("novisualpadding, insets 0, gap 8", "[][][][]push[]", "[]"));
     private final DeepChecksBar deep;
@@ -79,12 +84,15 @@ public final class IssuesPanel extends JPanel {
                                 .colored(issue -> color(issue.finding().severity())),
                         RowColumn.<Issue>words(
                                         "Plan", 110, issue -> issue.finding().plan())
-                                .colored(issue -> SemanticColor.MUTED),
+                                .colored(issue -> SemanticColor.MUTED)
+                                .asSpare(),
                         RowColumn.words(
                                 "What is wrong, and what to do",
                                 0,
                                 issue -> issue.finding().message()),
-                        RowColumn.<Issue>words("Fix", 160, IssuesPanel::offer).colored(issue -> SemanticColor.ACCENT)));
+                        RowColumn.<Issue>words("Fix", 160, IssuesPanel::offer)
+                                .colored(issue -> SemanticColor.ACCENT)
+                                .asSpare()));
         deep = new DeepChecksBar(commands);
         bindTable();
         add(top(), BorderLayout.NORTH);
@@ -123,7 +131,7 @@ public final class IssuesPanel extends JPanel {
             case WARNING -> "alarm";
             case NOTE -> "message";
         };
-        return Icons.of(name, Look.px(16), color(severity));
+        return Icons.of(name, 16, color(severity));
     }
 
     private static Optional<Icon> icon(Issue issue) {
@@ -140,7 +148,7 @@ public final class IssuesPanel extends JPanel {
     }
 
     private JPanel top() {
-        JPanel bar = new JPanel(new MigLayout("novisualpadding, insets 4 8 4 8, gap 8", "[][][]16[][grow][]", "[]"));
+        JPanel bar = new JPanel(bars);
         bar.setOpaque(false);
         for (Severity severity : Severity.values()) {
             String word = severity.name().toLowerCase(Locale.ROOT);
@@ -178,7 +186,7 @@ public final class IssuesPanel extends JPanel {
                 // styles only
             }
         });
-        bar.add(text, "growx, wmin 80, wmax 320, hmin 32");
+        bar.add(text, FILTER);
         bar.add(deep); // its words shrink, its button does not
         return bar;
     }
@@ -186,6 +194,7 @@ public final class IssuesPanel extends JPanel {
     @Override
     public void doLayout() {
         deep.setNarrow(getWidth() < Look.px(NARROW));
+        bars.setComponentConstraints(text, getWidth() < Look.px(TWO_ROWS) ? FILTER_BELOW : FILTER);
         message.setVisible(hasMessage());
         super.doLayout();
     }

@@ -44,13 +44,18 @@ import org.sami.ui.table.RowTable;
  */
 public final class ReplayPanel extends JPanel {
     private static final int LOW = 180;
+    private static final int TWO_ROWS = 420;
+    private static final String WORDS = "wmin 0";
+    private static final String WORDS_BELOW = "newline, span, growx, " + WORDS;
 
     private final transient DreammContext context;
     private final transient TryOut tryOut;
     private final transient TryOutOverlay overlay;
     private final transient ReplayPlayer player;
     private final TimeLinePanel timeLine;
-    private final JPanel top = new JPanel(new MigLayout("insets 4 8 4 8, gap 12", "[][][grow, fill]", "[]"));
+    private final transient MigLayout bars = new MigLayout("insets 4 8 4 8, gap 12 4", "[][][grow, fill]", "[]");
+    private final JPanel top = new JPanel(bars);
+    private final JPanel words = new JPanel(new MigLayout("insets 0, gap 2, wrap, hidemode 3", "[grow, fill]"));
     private final JLabel file = new JLabel();
     private final JLabel difference = new JLabel();
     private final RowTable<PlanReplay.ShownMission> missions;
@@ -99,13 +104,12 @@ public final class ReplayPanel extends JPanel {
         top.setOpaque(false);
         top.add(new CommandButton(open), "hmin 32");
         top.add(CommandButton.iconOnly(close), "hmin 32");
-        JPanel words = new JPanel(new MigLayout("insets 0, gap 2, wrap, hidemode 3", "[grow, fill]"));
         words.setOpaque(false);
         file.setName("replay-file");
         difference.setName("replay-difference");
         words.add(file, "wmin 0");
         words.add(difference, "wmin 0");
-        top.add(words, "wmin 0");
+        top.add(words, WORDS);
         add(top, BorderLayout.NORTH);
         add(missions);
         add(timeLine, BorderLayout.SOUTH);
@@ -128,6 +132,7 @@ public final class ReplayPanel extends JPanel {
     @Override
     public void doLayout() {
         top.setVisible(replay.isEmpty() || difference.isVisible() || getHeight() >= Look.px(LOW));
+        bars.setComponentConstraints(words, getWidth() < Look.px(TWO_ROWS) ? WORDS_BELOW : WORDS);
         super.doLayout();
     }
 

@@ -14,7 +14,6 @@ import org.sami.spn.edit.EditResult;
 import org.sami.spn.edit.ProjectEdit;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Icons;
-import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.table.RowColumn;
@@ -61,7 +60,7 @@ final class SavedCasesView extends JPanel {
 
     private static Optional<Icon> icon(CaseResult result) {
         return result.ran()
-                ? Optional.of(Icons.of(result.failure().isEmpty() ? "check" : "close", Look.px(16), color(result)))
+                ? Optional.of(Icons.of(result.failure().isEmpty() ? "check" : "close", 16, color(result)))
                 : Optional.empty();
     }
 

@@ -40,10 +40,15 @@ import org.sami.ui.table.RowTable;
 public final class TryOutPanel extends JPanel {
     private static final int ALL_WORDS = 840;
     private static final int FEWEST_WORDS = 660;
+    private static final int TWO_ROWS = 520;
+    private static final String ROBOTS = "hmin 32";
+    private static final String ROBOTS_BELOW = "newline, span, split 3, " + ROBOTS;
     private static final String BESIDE = "[64%, grow, fill][36%, grow, fill]";
     private static final String WIDE_HALVES = "[44%, grow, fill][260:56%, grow, fill]";
     private static final String SMALL_HALVES = "[36%, grow, fill][260:64%, grow, fill]";
     private static final String LIST_ALONE = "[grow, fill]";
+    private static final String HALVES = "insets 0, gap 1, fill";
+    private static final String STACKED = "[44%, grow, fill][56%, grow, fill]";
     private static final int TAB = 30;
     private static final int HIGH_TAB = 40; // with buttons behind it
     private static final String BEHIND_TABS = "JTabbedPane.trailingComponent";
@@ -53,14 +58,17 @@ public final class TryOutPanel extends JPanel {
     private final transient TryOutCommands commands;
     private final RowTable<PossibleStep> possibleSteps;
     private final Column editorPlace = new Column();
-    private final transient MigLayout halves = new MigLayout("insets 0, gap 1, fill", WIDE_HALVES, "[grow, fill]");
+    private final transient MigLayout bars =
+            new MigLayout("insets 4 8 4 8, gap 6, hidemode 3", "[][][][][][]12[][]12[][]push", "[]");
+    private final transient MigLayout halves = new MigLayout(HALVES, WIDE_HALVES, "[grow, fill]");
     private final JPanel now = new JPanel(halves);
     private final JPanel one = new JPanel(new BorderLayout());
     private final JPanel buttons =
             new JPanel(new MigLayout("novisualpadding, insets 4, gap 8, hidemode 3", "push[][]", "[]"));
     private final JPanel behindTabs =
             new JPanel(new MigLayout("novisualpadding, insets 0, gap 8", "[grow, fill][]", "[]"));
-    private final JPanel foot = new JPanel(new MigLayout("insets 2 12 4 12, gap 16", "[grow, fill][]", "[]"));
+    private final JPanel foot =
+            new JPanel(new MigLayout("insets 2 12 4 12, gap 16, hidemode 3", "[grow, fill][]", "[]"));
     private final transient MigLayout columns = new MigLayout("insets 0, gap 1, fill", BESIDE, "[grow, fill]");
     private final JPanel parts = new JPanel(columns);
     private final JButton happen = new JButton("Let it happen");
@@ -119,8 +127,7 @@ public final class TryOutPanel extends JPanel {
     }
 
     private JPanel toolbar() {
-        JPanel bar =
-                new JPanel(new MigLayout("insets 4 8 4 8, gap 6, hidemode 3", "[][][][][][]12[][]12[][]push", "[]"));
+        JPanel bar = new JPanel(bars);
         bar.setOpaque(false);
         for (String id : List.of("try-start", "try-step")) {
             CommandButton button = new CommandButton(context.commands().get(id));
@@ -138,7 +145,7 @@ public final class TryOutPanel extends JPanel {
         robots.setToolTipText("With how many robots the next run begins");
         robots.addChangeListener(e -> tryOut.setRobots((Integer) robots.getValue()));
         bar.add(label);
-        bar.add(robots, "hmin 32");
+        bar.add(robots, ROBOTS);
         operator.setName("try-operator-answers");
         operator.setToolTipText(
                 "Step and Run let an operator answer that says yes, chooses all and takes what is proposed");
@@ -160,12 +167,13 @@ public final class TryOutPanel extends JPanel {
         boolean small = getWidth() < Look.px(FEWEST_WORDS);
         worded.forEach(button -> button.setHideActionText(narrow));
         label.setVisible(!small);
+        bars.setComponentConstraints(robots, isTight() ? ROBOTS_BELOW : ROBOTS);
         operator.setText(small ? "Operator" : "Operator answers");
         answering.setText(small ? "Robots" : "Robots answer");
         showRun();
         arrange(small);
+        placeMessage(small);
         halve();
-        foot.setVisible(!small); // the message stands behind the tabs then
         super.doLayout();
     }
 
@@ -184,7 +192,6 @@ public final class TryOutPanel extends JPanel {
             columns.setColumnConstraints("[grow, fill]");
             tabs.insertTab("Now", null, now, "What can happen now", 0);
             tabs.setSelectedIndex(0);
-            behindTabs.add(message, "w 0, growx"); // tabs come first
             behindTabs.add(buttons, "wmin 0");
             tabs.putClientProperty("JTabbedPane.tabHeight", HIGH_TAB);
             tabs.putClientProperty(BEHIND_TABS, behindTabs);
@@ -196,9 +203,23 @@ public final class TryOutPanel extends JPanel {
             one.add(buttons, BorderLayout.SOUTH);
             tabs.putClientProperty("JTabbedPane.tabHeight", TAB);
             tabs.putClientProperty(BEHIND_TABS, null);
-            foot.add(message, "wmin 0, h 20!", 0);
             parts.revalidate();
         }
+    }
+
+    private boolean isTight() {
+        return getWidth() < Look.px(TWO_ROWS);
+    }
+
+    /** The message stands at the foot, or behind the tabs where these leave it room. */
+    private void placeMessage(boolean small) {
+        boolean behind = small && !isTight();
+        JPanel place = behind ? behindTabs : foot;
+        if (message.getParent() != place) {
+            place.add(message, behind ? "w 0, growx" : "wmin 0, h 20!", 0); // tabs come first
+        }
+        foot.setVisible(!behind);
+        where.setVisible(!isTight());
     }
 
     /** Where both have little room, the list has all of it until there is something to fill in. */
@@ -210,7 +231,10 @@ public final class TryOutPanel extends JPanel {
         } else if (one.getParent() == null) {
             now.add(one, "wmin 0, hmin 0");
         }
-        halves.setColumnConstraints(alone ? LIST_ALONE : small ? SMALL_HALVES : WIDE_HALVES);
+        boolean stacked = isTight() && !alone;
+        halves.setLayoutConstraints(stacked ? HALVES + ", wrap 1" : HALVES);
+        halves.setRowConstraints(stacked ? STACKED : "[grow, fill]");
+        halves.setColumnConstraints(alone || stacked ? LIST_ALONE : small ? SMALL_HALVES : WIDE_HALVES);
         now.revalidate();
     }
 

@@ -11,8 +11,8 @@ import org.sami.dreamm.palette.PaletteSteps;
 import org.sami.dreamm.profile.ProfileGuard;
 import org.sami.dreamm.tree.MissionTreePanel;
 import org.sami.ui.dock.Arrangement;
+import org.sami.ui.dock.Arrangements;
 import org.sami.ui.dock.DockPanel;
-import org.sami.ui.look.Look;
 
 /** The panels of the window, and how they lie at first (thesis, Figure 5.1). Those that the profile hides are left out. */
 final class DreammPanels {
@@ -35,7 +35,19 @@ final class DreammPanels {
             .behind("replay", "issues")
             .behind("comparison", "model-view");
 
-    private static final int LEAST_ROOMY_WIDTH = 1400;
+    /** The net beside one stack of all that is done with it: each panel has half of the window. */
+    private static final Arrangement TIGHT = Arrangement.of("model-view")
+            .right("inspector", "model-view", 0.5)
+            .behind("comparison", "model-view")
+            .behind("mission-tree", "inspector")
+            .behind("palette", "inspector")
+            .behind("issues", "inspector")
+            .behind("try-out", "inspector")
+            .behind("replay", "inspector");
+
+    /** How they lie at first: in three columns as in the thesis; in two in small windows or with large letters, and in two stacks in the smallest. */
+    static final Arrangements FIRST =
+            new Arrangements(ROOMY, COMPACT, TIGHT, new Dimension(1390, 0), new Dimension(720, 420));
 
     private final List<DockPanel> all;
     private final List<String> profileIds;
@@ -67,15 +79,6 @@ final class DreammPanels {
     /** The ids by which profiles name them, of those that are hidden as well. */
     List<String> profileIds() {
         return profileIds;
-    }
-
-    /**
-     * How they lie at first: in three columns as in the thesis, in two on a small screen or with large letters.
-     *
-     * @param screen in pixels
-     */
-    static Arrangement first(Dimension screen) {
-        return screen.width < Look.px(LEAST_ROOMY_WIDTH) ? COMPACT : ROOMY;
     }
 
     /** All of them, in order. */

@@ -58,11 +58,7 @@ public final class DreammWindow {
         new HelpCommands(context).addTo(frame);
         run = new RunParts(context);
         DreammPanels panels = new DreammPanels(context, run);
-        dock = new DockArea(
-                frame,
-                panels.all(),
-                DreammPanels.first(frame.getToolkit().getScreenSize()),
-                data.arrangement(context.profile()));
+        dock = new DockArea(frame, panels.all(), DreammPanels.FIRST, data.arrangement(context.profile()));
         ViewCommands view = new ViewCommands(context.commands(), frame, settings);
         view.addPanels(dock);
         context.commands()

@@ -50,7 +50,7 @@ class WindowTextTest {
 
     static Stream<Arguments> windows() {
         return Stream.of(Theme.values())
-                .flatMap(theme -> Stream.of(100, 150)
+                .flatMap(theme -> Stream.of(100, 150, 200)
                         .flatMap(scale -> Stream.of(new Dimension(1280, 800), new Dimension(1600, 1000))
                                 .map(size -> Arguments.of(theme, scale, size))));
     }
@@ -79,10 +79,11 @@ class WindowTextTest {
     void noTextOfAPanelIsCut(Theme theme, int scale, Dimension size) {
         Look.apply(theme, scale);
         List<DockPanel> panels = open();
-        Map<String, Dimension> sizes = PanelSizes.of(
-                DreammPanels.first(size), new Dimension(size.width, size.height - Look.px(MENUS_AND_STATUS)));
+        Dimension area = new Dimension(size.width, size.height - Look.px(MENUS_AND_STATUS));
+        Map<String, Dimension> sizes = PanelSizes.of(DreammPanels.FIRST.fitting(area), area);
 
         List<String> faults = new ArrayList<>();
+        context.commands().get("try-start").run();
         for (Set<String> selection : List.of(Set.<String>of(), Set.of("assemble"), Set.of("go.arrived"))) {
             context.editor().select(selection);
             for (DockPanel panel : panels) {

@@ -41,8 +41,14 @@ public final class CommandRow extends JPanel {
 
     /** Puts something at the right end that is left out where there is no room for all: the first of them first. */
     public CommandRow spare(Component component) {
+        right(component);
+        return leaveOut(component);
+    }
+
+    /** Lets what is in the row be left out where there is no room for all, after those that may be left out already. */
+    public CommandRow leaveOut(Component component) {
         spare.add(component);
-        return right(component);
+        return this;
     }
 
     private int gap() {

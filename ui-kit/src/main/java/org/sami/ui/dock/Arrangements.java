@@ -23,11 +23,6 @@ public record Arrangements(
         Objects.requireNonNull(leastCompact, "leastCompact");
     }
 
-    /** The same arrangement at any size. */
-    public static Arrangements of(Arrangement only) {
-        return new Arrangements(only, only, only, new Dimension(), new Dimension());
-    }
-
     /** Which of them fits an area of a size in pixels, at the scale in force. */
     public Arrangement fitting(Dimension size) {
         return hasRoom(size, leastRoomy) ? roomy : hasRoom(size, leastCompact) ? compact : tight;

@@ -42,11 +42,6 @@ public final class DockArea extends JPanel implements AutoCloseable {
     private final Runnable adapting = this::adapt;
     private Optional<Arrangement> fitted = Optional.empty();
 
-    /** An area whose panels lie alike at first in windows of all sizes. */
-    public DockArea(JFrame frame, List<DockPanel> panels, Arrangement first, Path remembered) {
-        this(frame, panels, Arrangements.of(first), remembered);
-    }
-
     /**
      * An area in a frame. Its arrangement is made by {@link #arrange}, once the frame has its size.
      *
