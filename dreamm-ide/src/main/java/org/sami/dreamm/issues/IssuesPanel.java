@@ -49,7 +49,7 @@ public final class IssuesPanel extends JPanel {
     private static final int NARROW = 640;
     private static final int TWO_ROWS = 420;
     private static final String FILTER = "growx, wmin 80, wmax 320, hmin 32";
-    private static final String FILTER_BELOW = "newline, span, split 2, " + FILTER;
+    private static final String FILTER_BELOW = "newline, span, split 2, growx, wmin 80, wmax 240, hmin 32";
 
     private final transient DreammContext context;
     private final transient IssueList issues;
