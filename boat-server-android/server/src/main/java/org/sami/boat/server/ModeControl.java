@@ -10,9 +10,7 @@ import org.sami.boat.link.SetWaysHome;
 import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.TrackingError;
 import org.sami.boat.link.Waypoint;
-import org.sami.boat.server.traffic.CourseAndSpeed;
 import org.sami.boat.server.traffic.GivingWay;
-import org.sami.boat.server.traffic.LineAhead;
 import org.sami.boat.server.traffic.StationGivingWay;
 import org.sami.boat.server.traffic.Surroundings;
 import org.sami.boat.server.vehicle.LocalFrame;
@@ -34,6 +32,7 @@ final class ModeControl {
     private final Surroundings surroundings;
     private final GivingWay givingWay;
     private final StationGivingWay stationGivingWay;
+    private final StationDrive stationDrive;
     private final PathFollower follower;
     private final LocalFrame home;
     private final WaysHome waysHome;
@@ -62,6 +61,7 @@ final class ModeControl {
                 vehicle,
                 config.trackingError().map(TrackingError::positionM).orElse(0.0));
         stationGivingWay = new StationGivingWay(surroundings, vehicle, config.holdRadiusM());
+        stationDrive = new StationDrive(vehicle, steering, givingWay);
         follower = new PathFollower(vehicle, steering, givingWay, config.arrivalRadiusM());
         home = here();
         waysHome = new WaysHome(home);
@@ -157,6 +157,7 @@ final class ModeControl {
         target = station;
         drivingBack = false;
         drivesAside = false;
+        stationDrive.begin();
         steering.rest();
     }
 
@@ -263,7 +264,7 @@ final class ModeControl {
         Optional<LocalFrame> aside = panorama.isPresent() ? Optional.empty() : stationGivingWay.aside(target, nowMs);
         if (aside.isPresent()) {
             drivesAside = true;
-            driveTo(aside.get(), ASIDE_MPS, nowMs, seconds);
+            stationDrive.drive(aside.get(), ASIDE_MPS, nowMs, seconds);
             return;
         } else if (drivesAside) {
             drivesAside = false;
@@ -278,7 +279,7 @@ final class ModeControl {
             drivingBack = true;
         }
         if (drivingBack) {
-            driveTo(target, config.returnSpeedMps(), nowMs, seconds);
+            stationDrive.drive(target, config.returnSpeedMps(), nowMs, seconds);
         } else if (panorama.isPresent()) {
             tickPanorama(panorama.get());
         }
@@ -320,22 +321,6 @@ final class ModeControl {
             follower.goOn(wayHome);
         }
         follower.steer(wayHome.target().speedMps(), nowMs, seconds);
-    }
-
-    /** Drives straight to a target, but for others; rests as long as the vehicle does not know where it is or what it does. */
-    private void driveTo(LocalFrame to, double speedMps, long nowMs, double seconds) {
-        double courseRad = steering.courseRad(to);
-        if (Double.isNaN(courseRad + vehicle.headingRad() + vehicle.speedMps())) {
-            steering.rest();
-            return;
-        }
-        CourseAndSpeed chosen = givingWay.choose(
-                new CourseAndSpeed(courseRad, speedMps),
-                LineAhead.straight(courseRad, steering.distanceM(to)),
-                false,
-                nowMs,
-                seconds);
-        steering.steerAlong(chosen.courseRad(), chosen.speedMps(), seconds);
     }
 
     private void tickHand(long nowMs) {

@@ -179,13 +179,19 @@ public final class ServerSession {
         if (nowMs >= nextTelemetryMs && server.knowsWhereItIs()) {
             send(server.telemetry(nowMs), nowMs);
             boolean onTime = nextTelemetryMs > nowMs - telemetryPeriodMs;
-            nextTelemetryMs = (onTime ? nextTelemetryMs : nowMs) + telemetryPeriodMs;
+            nextTelemetryMs = onTime ? nextTelemetryMs + telemetryPeriodMs : nextOfItsOwn(nowMs);
         } else if (nowMs - lastSentMs >= HEARTBEAT_MS) {
             boolean telemetryIsNext = nextTelemetryMs - nowMs <= TICK_MS && server.knowsWhereItIs();
             if (!telemetryIsNext) {
                 send(new Heartbeat(nowMs), nowMs);
             }
         }
+    }
+
+    /** After its first telemetry a boat sends it at times that follow from its name, as those of a fleet that is greeted in one moment would all come at once. */
+    private long nextOfItsOwn(long nowMs) {
+        long sinceOwnMs = Math.floorMod(nowMs - TICK_MS * server.boatId().hashCode(), telemetryPeriodMs);
+        return nowMs + telemetryPeriodMs - sinceOwnMs;
     }
 
     private static String shortened(String text) {

@@ -1,25 +1,21 @@
 package org.sami.crw.sim.fleet;
 
-import java.util.ArrayDeque;
-import java.util.Deque;
+import java.util.ArrayList;
+import java.util.List;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
-import org.sami.boat.link.Traffic;
 import org.sami.boat.server.ServerSession;
 
 /**
- * A boat's end of its link, which lets boats be ticked side by side: news of others that came since the last tick are taken up in the boat's own tick, as
- * they cost most of what arrives, and what the boat says in its tick is kept until the clock's thread sends it. All arrives in the same order, and as of the
- * same time, as without it.
+ * A boat's end of its link, which lets the boat be ticked while the base goes on (docs/decisions, 0316): what arrives waits until the boat's next tick
+ * begins, and what the boat says in a tick is kept until the clock's thread sends it.
  */
 final class LinkEnd implements FrameSink {
     private final FrameSink toBase;
-    private final Deque<Arrived> traffic = new ArrayDeque<>();
-    private final Deque<Frame> said = new ArrayDeque<>();
+    private List<Frame> arriving = new ArrayList<>(); // for the clock's thread
+    private List<Frame> arrived = new ArrayList<>(); // for the thread that ticks the boat, while it does
+    private final List<Frame> said = new ArrayList<>(); // likewise
     private ServerSession session;
-    private boolean isTicking;
-
-    private record Arrived(Frame frame, long atMs) {}
 
     LinkEnd(FrameSink toBase) {
         this.toBase = toBase;
@@ -30,48 +26,42 @@ final class LinkEnd implements FrameSink {
         session = newSession;
     }
 
-    /** A frame has arrived. Traffic is answered by nothing, and nobody else sees whether the boat knows of it yet. */
-    void receive(Frame frame, long nowMs) {
-        if (frame.message() instanceof Traffic) {
-            traffic.add(new Arrived(frame, nowMs));
-        } else {
-            takeTraffic();
+    /** A frame has arrived: the boat takes it in with the next tick that begins. */
+    void receive(Frame frame) {
+        arriving.add(frame);
+    }
+
+    /** A tick is about to begin: what has arrived until now is the boat's. */
+    void beginTick() {
+        List<Frame> emptied = arrived;
+        arrived = arriving;
+        arriving = emptied;
+    }
+
+    /** The boat takes in what had arrived, on the thread that ticks it. */
+    void takeIn(long nowMs) {
+        for (Frame frame : arrived) {
             session.receive(frame, nowMs);
         }
+        arrived.clear();
     }
 
-    private void takeTraffic() {
-        for (Arrived next = traffic.poll(); next != null; next = traffic.poll()) {
-            session.receive(next.frame, next.atMs);
-        }
-    }
-
-    /** The boat is about to be ticked, on the thread that calls this. */
-    void beginTick() {
-        isTicking = true;
-        takeTraffic();
-    }
-
-    /** The boat has been ticked: what it said is sent, on the clock's thread. */
+    /** The tick is over: what the boat said is sent, on the clock's thread. */
     void endTick() {
-        isTicking = false;
-        for (Frame next = said.poll(); next != null; next = said.poll()) {
-            toBase.send(next);
+        for (Frame frame : said) {
+            toBase.send(frame);
         }
+        said.clear();
     }
 
     @Override
     public void send(Frame frame) {
-        if (isTicking) {
-            said.add(frame);
-        } else {
-            toBase.send(frame);
-        }
+        said.add(frame);
     }
 
-    /** What is bytes already answers what could not be read, and nothing is read in a tick. */
+    /** Only what came as bytes is answered by bytes, and nothing comes so. */
     @Override
     public void send(byte[] frame) {
-        toBase.send(frame);
+        throw new UnsupportedOperationException("this link carries no bytes");
     }
 }

@@ -21,12 +21,16 @@ import org.sami.spn.value.GeoPoint;
 /**
  * One boat of a simulated fleet: its hull, the server on it, the pipes to the base, and its proxy there. The hull tells the
  * truth; the proxy knows what telemetry has told it.
+ *
+ * <p>A tick of the boat begins at one moment of the fleet's time and is over by the next; another thread may do it meanwhile. Whoever asks what the
+ * boat truly does gets it as of the end of the tick that has begun last.
  */
 public final class SimulatedBoat {
     /** So much of its past a boat remembers. */
     public static final int NEWEST = 4096;
 
     private final String id;
+    private final Runnable awaitTick;
     private final SimulatedHull hull;
     private final Instruments instruments;
     private final BoatServer server;
@@ -47,8 +51,10 @@ public final class SimulatedBoat {
             double northM,
             BoatSeeds seeds,
             long fieldSeed,
-            BoatListener listener) {
+            BoatListener listener,
+            Runnable awaitTick) {
         this.id = id;
+        this.awaitTick = awaitTick;
         trackEveryMs = config.trackEveryMs();
         hull = new SimulatedHull(config.hull(), config.conditions(), frame, eastM, northM, seeds.hull());
         instruments = new Instruments(hull, config.conditions(), seeds.instruments(), fieldSeed);
@@ -60,7 +66,7 @@ public final class SimulatedBoat {
         proxy = new BoatProxy(id, toBoat, listener, config.proxy());
         linkEnd = new LinkEnd(toBase);
         linkEnd.connect(server.connect(linkEnd));
-        toBoat.connect(linkEnd::receive);
+        toBoat.connect((message, nowMs) -> linkEnd.receive(message));
         toBase.connect(proxy::receive);
     }
 
@@ -78,11 +84,13 @@ public final class SimulatedBoat {
 
     /** The hull, with its true position and battery; for recharging it, too. */
     public SimulatedHull hull() {
+        awaitTick.run();
         return hull;
     }
 
     /** The server on the boat. */
     public BoatServer server() {
+        awaitTick.run();
         return server;
     }
 
@@ -103,21 +111,25 @@ public final class SimulatedBoat {
 
     /** Where the boat truly is. */
     public GeoPoint position() {
+        awaitTick.run();
         return GeoPoint.of(hull.latDeg(), hull.lonDeg());
     }
 
     /** Metres driven. */
     public double distanceM() {
+        awaitTick.run();
         return hull.distanceM();
     }
 
     /** True charge in percent of full. */
     public double batteryPercent() {
+        awaitTick.run();
         return hull.batteryPercent();
     }
 
     /** How often the battery was recharged. */
     public int recharges() {
+        awaitTick.run();
         return hull.recharges();
     }
 
@@ -130,29 +142,42 @@ public final class SimulatedBoat {
 
     /** Where the boat has truly been, in regular steps of time, the newest {@link #NEWEST} points. */
     public List<TruePosition> track() {
+        awaitTick.run();
         return List.copyOf(track);
     }
 
     /** What the boat's server has executed or refused, each command id once, in order, the newest {@link #NEWEST}. */
     public List<ExecutedCommand> executed() {
+        awaitTick.run();
         return List.copyOf(executed);
     }
 
-    /** Lets time pass on board. It touches nothing of other boats or of the base, so that all boats may do so side by side. */
-    void tickOnBoard(long nowMs, double seconds) {
+    /** A tick is about to begin; on the clock's thread. */
+    void beginTick() {
+        linkEnd.beginTick();
+    }
+
+    /**
+     * Lets time pass on board: the boat takes in what had arrived, moves, and controls. It touches nothing of other boats or of the base, so that all boats
+     * may do so side by side, while the base goes on.
+     *
+     * @param nowMs when the tick begins
+     * @param tickMs how long it lasts
+     */
+    void tickOnBoard(long nowMs, long tickMs) {
         if (nowMs % trackEveryMs == 0) {
             keep(track, new TruePosition(nowMs, hull.latDeg(), hull.lonDeg(), hull.eastM(), hull.northM()));
         }
-        linkEnd.beginTick();
-        server.tick(nowMs);
-        hull.setUnderWay(server.mode().isUnderWay());
+        linkEnd.takeIn(nowMs);
+        double seconds = tickMs / 1000.0;
         hull.step(seconds);
         instruments.step(seconds);
+        server.tick(nowMs + tickMs);
+        hull.setUnderWay(server.mode().isUnderWay());
     }
 
-    /** Then the base's turn: what the boat said leaves, and time passes for the proxy. On the clock's thread, boat by boat in order. */
-    void tickAtBase(long nowMs) {
+    /** The tick is over, and what the boat said leaves; on the clock's thread, boat by boat in order. */
+    void endTick() {
         linkEnd.endTick();
-        proxy.tick(nowMs);
     }
 }

@@ -29,7 +29,10 @@ import org.sami.crw.sim.hull.SimulatedHull;
  * clock.runUntil(600_000);
  * }</pre>
  *
- * <p>The links are up after about 200 virtual milliseconds; commands that are submitted earlier wait. Listeners are called
+ * <p>A tick lasts from one of these moments to the next: boats take in what had arrived when it began, and what they say leaves at its end. The base goes
+ * on meanwhile (docs/decisions, 0316).
+ *
+ * <p>The links are up after about 400 virtual milliseconds; commands that are submitted earlier wait. Listeners are called
  * inside actions of the clock. Equal seeds and equal commands at equal virtual times give equal tracks, to the last bit.
  * For the thread that drives the clock.
  */
@@ -49,6 +52,7 @@ public final class SimulatedFleet {
     private final List<SimulatedBoat> boats = new ArrayList<>();
     private final ProxyRegistry proxies = new ProxyRegistry();
     private final TrafficRelay traffic = new TrafficRelay();
+    private List<SimulatedBoat> ticked = List.of(); // in the tick that has begun last
     private TickHelpers helpers = new TickHelpers(0);
     private Optional<Object> run = Optional.empty(); // the present start; a tick of an earlier one does nothing
 
@@ -96,7 +100,16 @@ public final class SimulatedFleet {
 
     private SimulatedHull add(String id, double eastM, double northM) {
         SimulatedBoat boat = new SimulatedBoat(
-                id, clock, config, frame, eastM, northM, BoatSeeds.next(seeds), seed, listeners.apply(id));
+                id,
+                clock,
+                config,
+                frame,
+                eastM,
+                northM,
+                BoatSeeds.next(seeds),
+                seed,
+                listeners.apply(id),
+                this::awaitTick);
         boats.add(boat);
         proxies.add(boat.proxy());
         return boat.hull();
@@ -131,6 +144,7 @@ public final class SimulatedFleet {
 
     /** From now on these tick the boats. */
     void use(TickHelpers others) {
+        awaitTick();
         helpers.close();
         helpers = others;
     }
@@ -178,13 +192,26 @@ public final class SimulatedFleet {
         if (run.isEmpty() || run.get() != started) {
             return;
         }
-        List<SimulatedBoat> ticked = List.copyOf(boats); // one may join while they are ticked
         long nowMs = clock.nowMs();
-        helpers.forEach(ticked.size(), i -> ticked.get(i).tickOnBoard(nowMs, TICK_MS / 1000.0));
+        awaitTick();
+        ticked.forEach(SimulatedBoat::endTick);
+        beginTick(nowMs);
         for (SimulatedBoat boat : ticked) {
-            boat.tickAtBase(nowMs);
+            boat.proxy().tick(nowMs);
         }
         traffic.tick(proxies.all(), nowMs);
         clock.after(TICK_MS, () -> tick(started));
+    }
+
+    /** Boats take part in a tick from its beginning: those that join meanwhile do so in the next one. */
+    private void beginTick(long nowMs) {
+        List<SimulatedBoat> all = boats();
+        ticked = all;
+        all.forEach(SimulatedBoat::beginTick);
+        helpers.begin(all.size(), i -> all.get(i).tickOnBoard(nowMs, TICK_MS));
+    }
+
+    private void awaitTick() {
+        helpers.await();
     }
 }

@@ -2,13 +2,15 @@ package org.sami.crw.sim.fleet;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.IntConsumer;
 
 /**
- * Threads that help another one to do the same for many, again and again, each time for some hundred microseconds. Both take a few at a time until none is
- * left. The caller waits for nothing but what a helper has begun: where the machine has no core for helpers, it does all itself.
+ * Threads that do the same for many while another one, the caller, does something else, again and again, each time for some hundred microseconds. When the
+ * caller needs it done it takes part, a few at a time until none is left. It waits for nothing but what a helper has begun: where the machine has no core for
+ * helpers, it does all itself.
  *
  * <p>A helper without work looks out for it for a while before it sleeps, since waking it takes as long as the work. For one calling thread; closed helpers
  * help no more.
@@ -22,6 +24,7 @@ class TickHelpers implements AutoCloseable {
 
     private final List<Helper> helpers = new ArrayList<>();
     private volatile Work work = new Work(0, i -> {});
+    private Optional<Work> begun = Optional.empty(); // and not awaited yet; for the caller
     private volatile boolean closed;
 
     /** Starts so many of them; with none, the caller does all itself. */
@@ -34,19 +37,29 @@ class TickHelpers implements AutoCloseable {
     }
 
     /**
-     * Does something for each number from 0 on, in any order and on any of the threads; returns when all is done. What that throws does not keep it from the
-     * others; of several faults that of the least number is thrown on.
+     * Begins to do something for each number from 0 on, in any order and on any of the threads; what was begun before is done.
      *
      * @param size how many
      */
-    void forEach(int size, IntConsumer action) {
-        Work next = new Work(size, action);
-        work = next;
+    void begin(int size, IntConsumer action) {
+        begun = Optional.of(new Work(size, action));
+        work = begun.get();
         for (Helper helper : helpers) {
             helper.wake();
         }
-        next.begin();
-        next.await();
+    }
+
+    /**
+     * Returns when all that was begun is done; the caller does what nobody else does. What the action throws does not keep it from the other numbers; of
+     * several faults that of the least number is thrown on, once.
+     */
+    void await() {
+        if (begun.isPresent()) {
+            Work awaited = begun.get();
+            begun = Optional.empty();
+            awaited.takePart();
+            awaited.await();
+        }
     }
 
     @Override
@@ -73,7 +86,7 @@ class TickHelpers implements AutoCloseable {
         }
 
         /** The caller begins with the first, helpers with the last: most boats are at the same core in each tick, which has them in its cache. */
-        void begin() {
+        void takePart() {
             for (int batch = 0; taken.getAndIncrement() < batches; batch++) {
                 act(batch);
             }

@@ -172,7 +172,7 @@ class FleetDrivesTest {
     void ordersInWhichBoatsAreTickedGiveTheSameTracksAndNewsInTheSameOrder() {
         TickHelpers backwards = new TickHelpers(0) {
             @Override
-            void forEach(int size, IntConsumer action) {
+            void begin(int size, IntConsumer action) {
                 IntStream.rangeClosed(1, size).forEach(i -> action.accept(size - i));
             }
         };

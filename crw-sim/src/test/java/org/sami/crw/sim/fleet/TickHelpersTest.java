@@ -9,6 +9,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicIntegerArray;
+import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -25,7 +26,7 @@ class TickHelpersTest {
             for (int size : List.of(0, 1, 7, 8, 250)) {
                 AtomicIntegerArray done = new AtomicIntegerArray(size);
                 for (int round = 0; round < 200; round++) {
-                    helpers.forEach(size, done::incrementAndGet);
+                    forEach(helpers, size, done::incrementAndGet);
                 }
                 assertThat(IntStream.range(0, size).map(done::get)).allMatch(times -> times == 200);
             }
@@ -51,7 +52,7 @@ class TickHelpersTest {
         try (TickHelpers helpers = new TickHelpers(2)) {
             AtomicIntegerArray done = new AtomicIntegerArray(100);
 
-            assertThatThrownBy(() -> helpers.forEach(100, i -> {
+            assertThatThrownBy(() -> forEach(helpers, 100, i -> {
                         done.incrementAndGet(i);
                         if (i % 30 == 29) {
                             throw new IllegalStateException("boat " + i);
@@ -72,7 +73,7 @@ class TickHelpersTest {
         helper.join();
         Set<Thread> threads = ConcurrentHashMap.newKeySet();
 
-        helpers.forEach(100, i -> threads.add(Thread.currentThread()));
+        forEach(helpers, 100, i -> threads.add(Thread.currentThread()));
 
         assertThat(threads).containsExactly(Thread.currentThread());
     }
@@ -81,7 +82,7 @@ class TickHelpersTest {
     private static Thread helperIn(TickHelpers helpers) {
         CountDownLatch bothAreThere = new CountDownLatch(2);
         Set<Thread> threads = ConcurrentHashMap.newKeySet();
-        helpers.forEach(100, i -> {
+        forEach(helpers, 100, i -> {
             if (threads.add(Thread.currentThread())) {
                 bothAreThere.countDown();
                 await(bothAreThere);
@@ -90,6 +91,11 @@ class TickHelpersTest {
         threads.remove(Thread.currentThread());
         assertThat(threads).hasSize(1);
         return threads.iterator().next();
+    }
+
+    private static void forEach(TickHelpers helpers, int size, IntConsumer action) {
+        helpers.begin(size, action);
+        helpers.await();
     }
 
     private static void await(CountDownLatch latch) {
