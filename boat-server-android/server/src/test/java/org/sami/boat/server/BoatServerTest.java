@@ -6,6 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Collections;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.BatteryLevel;
@@ -249,7 +252,7 @@ class BoatServerTest {
         bench.vehicle.eastM = 0;
         bench.run(1, client);
         assertThat(bench.vehicle.thrust()).isBetween(0.4, 1.0);
-        assertThat(client.all(Telemetry.class)).hasSize(before + 1);
+        assertThat(client.all(Telemetry.class)).hasSizeGreaterThan(before);
     }
 
     @Test
@@ -418,8 +421,31 @@ class BoatServerTest {
 
         assertThat(fast.all(Telemetry.class)).hasSize(100);
         assertThat(usual.all(Telemetry.class)).hasSize(10);
-        assertThat(slow.all(Telemetry.class)).hasSize(2);
+        assertThat(slow.all(Telemetry.class))
+                .as("at once, then at times of the boat's own")
+                .hasSizeBetween(2, 3);
         assertThat(slow.all(Heartbeat.class)).as("once a second at least").hasSizeBetween(9, 11);
+    }
+
+    @Test
+    void boatsThatAreGreetedInOneMomentSpreadTheirTelemetryOverTheSecond() {
+        Set<Long> times = new TreeSet<>();
+        for (String boat : List.of("anna", "boat1", "boat2", "boat3", "dora", "emil")) {
+            ServerTestBench other = new ServerTestBench(boat);
+            Client client = other.commander();
+            other.run(4, client);
+            List<Telemetry> all = client.all(Telemetry.class);
+            List<Long> later = all.subList(1, all.size()).stream()
+                    .map(telemetry -> telemetry.boatTimeMs() % 1000)
+                    .distinct()
+                    .collect(Collectors.toList());
+
+            assertThat(all.get(1).boatTimeMs() - all.get(0).boatTimeMs()).isBetween(1L, 1000L);
+            assertThat(later).as("always at the same moment of a second").hasSize(1);
+            times.addAll(later);
+        }
+
+        assertThat(times).hasSizeGreaterThan(3);
     }
 
     @Test

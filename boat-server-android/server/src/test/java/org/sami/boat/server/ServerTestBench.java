@@ -23,6 +23,7 @@ final class ServerTestBench {
     final BoatServer server;
     private final List<CommandMessage> commands = new ArrayList<>(); // with its answer, what the boat's log holds
     private final List<LinkMessage> answers = new ArrayList<>();
+    private final String boatId;
     private final int starts;
     private final UnaryOperator<ServerConfig.Builder> config;
     long nowMs = 10_000;
@@ -32,15 +33,21 @@ final class ServerTestBench {
     }
 
     ServerTestBench(UnaryOperator<ServerConfig.Builder> config, Sensor... sensors) {
-        this(7, config, sensors);
+        this("boat1", 7, config, sensors);
     }
 
-    private ServerTestBench(int starts, UnaryOperator<ServerConfig.Builder> config, Sensor... sensors) {
+    /** A boat of another name. */
+    ServerTestBench(String boatId) {
+        this(boatId, 7, UnaryOperator.identity());
+    }
+
+    private ServerTestBench(String boatId, int starts, UnaryOperator<ServerConfig.Builder> config, Sensor... sensors) {
+        this.boatId = boatId;
         this.starts = starts;
         this.config = config;
         vehicle.sensors = List.of(sensors);
         server = new BoatServer(
-                config.apply(ServerConfig.of("boat1", "boot" + starts)).build(), vehicle, this::answered);
+                config.apply(ServerConfig.of(boatId, "boot" + starts)).build(), vehicle, this::answered);
     }
 
     private void answered(long ms, CommandMessage command, LinkMessage answer) {
@@ -51,7 +58,7 @@ final class ServerTestBench {
 
     /** Another start of the same boat's server, which takes back its log. */
     ServerTestBench startedAnew() {
-        ServerTestBench next = new ServerTestBench(starts + 1, config);
+        ServerTestBench next = new ServerTestBench(boatId, starts + 1, config);
         for (int i = 0; i < commands.size(); i++) {
             next.server.restore(commands.get(i), answers.get(i));
             next.commands.add(commands.get(i));
@@ -67,7 +74,7 @@ final class ServerTestBench {
 
     Client client(Role role, double telemetryHz) {
         Client client = new Client();
-        client.say(new Hello("boat1", "test", role, telemetryHz, ""));
+        client.say(new Hello(boatId, "test", role, telemetryHz, ""));
         return client;
     }
 
