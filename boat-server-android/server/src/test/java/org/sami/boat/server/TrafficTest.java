@@ -69,6 +69,21 @@ class TrafficTest {
         assertThat(isGivingWay()).isTrue();
     }
 
+    @Test
+    void boatOffItsStationThatHasNoRoomDrivesBackWithinHalfASecondOnceThereIsRoom() {
+        commander.command(new HoldPosition("c3"));
+        bench.vehicle.speedMps = 0;
+        bench.vehicle.northM = -2;
+        commander.say(traffic(boat("boat2", 0, 1, 0)));
+        bench.run(0.3, commander);
+        assertThat(bench.vehicle.thrust()).isNotPositive();
+
+        commander.say(traffic(boat("boat2", 15, 0, 0)));
+        bench.run(0.5, commander);
+
+        assertThat(bench.vehicle.thrust()).isPositive();
+    }
+
     @ParameterizedTest
     @CsvSource({"-0.9, 1", "0.9, -1"})
     void boatGoesAsideWhereNothingThatItIsNotToEnterLies(double edgeEastM, double rudder) {

@@ -41,6 +41,17 @@ class FleetLinksTest {
         assertThat(world.proxy().explain().text()).contains("the link has been lost");
     }
 
+    @Test
+    void boatTakesInWhatHasArrivedWhenItsTickBegins() {
+        SimulatedTestWorld world = new SimulatedTestWorld(1);
+        world.run(10.05);
+
+        world.proxy().commands().submit(world.path(1, 0, 40)); // what it sends comes 20 ms later
+        world.run(0.1);
+
+        assertThat(world.boat().executed()).extracting(ExecutedCommand::timeMs).containsExactly(10_100L);
+    }
+
     @ParameterizedTest
     @EnumSource(LostLinkAction.class)
     void pathGoesOnWhereItWasAfterALostLink(LostLinkAction action) {

@@ -35,7 +35,7 @@ class DrivingVersionTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "2"})
+    @ValueSource(strings = {"", "2", "6"})
     void anEarlierRunInProcessIsRefusedInWordsAndReadAsEver(String driving) throws Exception {
         JournalHeader present = header();
         Map<String, String> settings = new TreeMap<>(present.settings());
