@@ -10,7 +10,7 @@ import java.util.function.IntConsumer;
 /**
  * Threads that do the same for many while another one, the caller, does something else, again and again, each time for some hundred microseconds. When the
  * caller needs it done it takes part, a few at a time until none is left. It waits for nothing but what a helper has begun: where the machine has no core for
- * helpers, it does all itself.
+ * helpers, it does all itself, and where one has lost its core in between it does so for a while.
  *
  * <p>A helper without work looks out for it for a while before it sleeps, since waking it takes as long as the work. For one calling thread; closed helpers
  * help no more.
@@ -19,12 +19,15 @@ class TickHelpers implements AutoCloseable {
     private static final int AT_A_TIME = 8;
     private static final int LOOKS = 2000; // some ten microseconds
     private static final long YIELD_NANOS = 20_000;
+    private static final int LOST_CORE_PARKS = 10; // so many, and the helper's core has gone to another process
+    private static final int ALONE_TIMES = 500; // the caller then does all itself, before it tries again
     // longer than what comes between two ticks of a run at full speed
     private static final long LOOKOUT_NANOS = 300_000;
 
     private final List<Helper> helpers = new ArrayList<>();
     private volatile Work work = new Work(0, i -> {});
     private Optional<Work> begun = Optional.empty(); // and not awaited yet; for the caller
+    private int aloneFor; // so many times more
     private volatile boolean closed;
 
     /** Starts so many of them; with none, the caller does all itself. */
@@ -43,6 +46,10 @@ class TickHelpers implements AutoCloseable {
      */
     void begin(int size, IntConsumer action) {
         begun = Optional.of(new Work(size, action));
+        if (aloneFor > 0) {
+            aloneFor--;
+            return;
+        }
         work = begun.get();
         for (Helper helper : helpers) {
             helper.wake();
@@ -58,7 +65,9 @@ class TickHelpers implements AutoCloseable {
             Work awaited = begun.get();
             begun = Optional.empty();
             awaited.takePart();
-            awaited.await();
+            if (awaited.await() > LOST_CORE_PARKS) {
+                aloneFor = ALONE_TIMES;
+            }
         }
     }
 
@@ -123,9 +132,14 @@ class TickHelpers implements AutoCloseable {
             }
         }
 
-        /** What a helper has begun takes some microseconds, but for one that has lost its core. */
-        void await() {
-            for (int looks = 0; done.get() < size; looks++) {
+        /**
+         * Waits for what a helper has begun, which takes some microseconds, but for one that has lost its core.
+         *
+         * @return how often the caller has parked
+         */
+        int await() {
+            int looks = 0;
+            for (; done.get() < size; looks++) {
                 if (looks < LOOKS) {
                     Thread.onSpinWait();
                 } else {
@@ -133,6 +147,7 @@ class TickHelpers implements AutoCloseable {
                 }
             }
             rethrow();
+            return Math.max(0, looks - LOOKS);
         }
 
         private synchronized void rethrow() {

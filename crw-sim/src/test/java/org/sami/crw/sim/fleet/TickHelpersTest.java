@@ -78,6 +78,38 @@ class TickHelpersTest {
         assertThat(threads).containsExactly(Thread.currentThread());
     }
 
+    @Test
+    void callerDoesAllItselfForAWhileAfterAHelperLostItsCore() {
+        try (TickHelpers helpers = new TickHelpers(1)) {
+            Thread helper = helperIn(helpers);
+            CountDownLatch helperIsAtWork = new CountDownLatch(1);
+            forEach(helpers, 100, i -> {
+                if (Thread.currentThread() != helper) {
+                    await(helperIsAtWork);
+                } else if (helperIsAtWork.getCount() > 0) {
+                    helperIsAtWork.countDown();
+                    standStill(50_000_000);
+                }
+            });
+            Set<Thread> threads = ConcurrentHashMap.newKeySet();
+
+            for (int i = 0; i < 500; i++) {
+                forEach(helpers, 100, at -> threads.add(Thread.currentThread()));
+            }
+
+            assertThat(threads).containsExactly(Thread.currentThread());
+            assertThat(helperIn(helpers)).isSameAs(helper);
+        }
+    }
+
+    /** As a thread does whose core has gone to another process, for so many nanoseconds. */
+    private static void standStill(long nanos) {
+        long until = System.nanoTime() + nanos;
+        while (System.nanoTime() < until) {
+            Thread.onSpinWait();
+        }
+    }
+
     /** Has both threads work, each waiting until the other does too; gives the one that is not the caller's. */
     private static Thread helperIn(TickHelpers helpers) {
         CountDownLatch bothAreThere = new CountDownLatch(2);
