@@ -9,15 +9,17 @@ import org.sami.boat.server.vehicle.Vehicle;
 
 /** Drives a boat that keeps a station back to it, or aside, but for others. For the thread that ticks the server. */
 final class StationDrive {
-    /** Until a boat that has no room to move looks for room again: it has time, and many lie near others for long. */
+    /** Until a boat that lies still and has no room to move looks for room again: it has time, and many lie near others for long. */
     private static final long STANDS_MS = 500;
+
+    private static final double STILL_MPS = 0.05; // with more, current or wind carry it to where there may be room
 
     private final Vehicle vehicle;
     private final SteeringControl steering;
     private final GivingWay givingWay;
     private Optional<Standing> standing = Optional.empty();
 
-    /** That the boat has no room to move, since a time. */
+    /** That the boat lies still without room to move, since a time. */
     private static final class Standing {
         private final double courseRad;
         private final long sinceMs;
@@ -57,7 +59,8 @@ final class StationDrive {
                 false,
                 nowMs,
                 Math.max(seconds, stoodMs / 1000.0));
-        standing = chosen.speedMps() == 0 ? Optional.of(new Standing(chosen.courseRad(), nowMs)) : Optional.empty();
+        boolean stands = chosen.speedMps() == 0 && Math.abs(vehicle.speedMps()) < STILL_MPS;
+        standing = stands ? Optional.of(new Standing(chosen.courseRad(), nowMs)) : Optional.empty();
         steering.steerAlong(chosen.courseRad(), chosen.speedMps(), seconds);
     }
 }
