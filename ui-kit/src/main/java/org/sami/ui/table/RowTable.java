@@ -49,6 +49,8 @@ public final class RowTable<R> extends JScrollPane {
     private List<R> rows = List.of();
     private boolean replacing;
     private boolean revealing;
+    private Rectangle revealed = new Rectangle();
+    private Dimension revealedIn = new Dimension();
     private int leastWhole;
     private int mostLines = MOST_LINES;
 
@@ -81,7 +83,9 @@ public final class RowTable<R> extends JScrollPane {
         getViewport().addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
-                reveal();
+                if (leastWhole == 0) { // else its own layout has done it
+                    reveal();
+                }
             }
         });
         setBorder(BorderFactory.createEmptyBorder());
@@ -164,14 +168,23 @@ public final class RowTable<R> extends JScrollPane {
     public void offer(Set<Object> keys) {
         selectKeys(keys);
         revealing = true;
+        revealedIn = new Dimension();
         reveal();
     }
 
-    /** Moves the view by hand: the table's own way lays it out, and this is done while it is laid out. */
+    /**
+     * Moves the view by hand: the table's own way lays it out, and this is done while it is laid out. Where nothing has another size than the last
+     * time, the view is where the user has moved it.
+     */
     private void reveal() {
         int row = table.getSelectedRow();
         if (revealing && row >= 0) {
             Rectangle cell = table.getCellRect(row, 0, true);
+            if (cell.equals(revealed) && getSize().equals(revealedIn)) {
+                return;
+            }
+            revealed = cell;
+            revealedIn = getSize();
             Rectangle seen = getViewport().getViewRect();
             int y = Math.min(cell.y, Math.max(seen.y, cell.y + cell.height - seen.height));
             if (y != seen.y) {
@@ -226,6 +239,7 @@ public final class RowTable<R> extends JScrollPane {
     /** What a whole row does not fill is left below the rows. */
     @Override
     public void doLayout() {
+        Point before = getViewport().getViewPosition();
         super.doLayout();
         if (leastWhole > 0 && !rows.isEmpty()) {
             Dimension seen = getViewport().getSize();
@@ -235,6 +249,8 @@ public final class RowTable<R> extends JScrollPane {
             if (height < seen.height) {
                 getViewport().setSize(seen.width, seen.height - seen.height % height);
             }
+            getViewport().setViewPosition(before); // in the higher view the last rows were moved down
+            reveal();
         }
     }
 
@@ -292,7 +308,9 @@ public final class RowTable<R> extends JScrollPane {
             fitColumns(getWidth());
             super.doLayout();
             fitRows();
-            reveal();
+            if (leastWhole == 0) {
+                reveal();
+            }
             int inset = Look.px(Spacing.WIDE);
             int width = Math.max(1, getWidth() - 2 * inset);
             hint.setVisible(getRowCount() == 0);

@@ -150,6 +150,21 @@ class RowTableTest {
     }
 
     @Test
+    void aTableThatIsScrolledStaysSoAlthoughARowWasOffered() {
+        table.showWholeRows(3);
+        table.show(IntStream.range(0, 30).mapToObj(i -> new Row("row " + i, i)).toList());
+        table.offer(Set.of("row 20"));
+        Layout.layOut(table, 400, 200);
+        assertThat(inView(20)).isTrue();
+
+        table.getVerticalScrollBar().setValue(0);
+        table.invalidate();
+        Layout.layOut(table, 400, 200);
+
+        assertThat(inView(0)).isTrue();
+    }
+
+    @Test
     void theTooltipOfARowSaysWhatColumnsHoldThatAreLeftOut() {
         RowTable<Row> spare = new RowTable<>(
                 "numbers",
