@@ -169,7 +169,11 @@ public final class RowTable<R> extends JScrollPane {
         selectKeys(keys);
         revealing = true;
         revealedIn = new Dimension();
-        reveal();
+        if (leastWhole == 0) {
+            reveal();
+        } else {
+            revalidate(); // whole rows are seen by its layout only
+        }
     }
 
     /**
