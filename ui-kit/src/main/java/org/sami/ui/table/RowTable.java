@@ -6,6 +6,7 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -49,8 +50,6 @@ public final class RowTable<R> extends JScrollPane {
     private List<R> rows = List.of();
     private boolean replacing;
     private boolean revealing;
-    private Rectangle revealed = new Rectangle();
-    private Dimension revealedIn = new Dimension();
     private int leastWhole;
     private int mostLines = MOST_LINES;
 
@@ -86,6 +85,13 @@ public final class RowTable<R> extends JScrollPane {
                 if (leastWhole == 0) { // else its own layout has done it
                     reveal();
                 }
+            }
+        });
+        addMouseWheelListener(e -> revealing = false);
+        getVerticalScrollBar().addMouseListener(new MouseAdapter() {
+            @Override
+            public void mousePressed(MouseEvent e) {
+                revealing = false;
             }
         });
         setBorder(BorderFactory.createEmptyBorder());
@@ -162,13 +168,12 @@ public final class RowTable<R> extends JScrollPane {
     }
 
     /**
-     * Selects what these keys are about, and keeps the first of it in view until the user selects something else: also while the table is given its
-     * size. Listeners are not told.
+     * Selects what these keys are about, and keeps the first of it in view until the user selects something else or scrolls: also while the table is
+     * given its size. Listeners are not told.
      */
     public void offer(Set<Object> keys) {
         selectKeys(keys);
         revealing = true;
-        revealedIn = new Dimension();
         if (leastWhole == 0) {
             reveal();
         } else {
@@ -176,19 +181,11 @@ public final class RowTable<R> extends JScrollPane {
         }
     }
 
-    /**
-     * Moves the view by hand: the table's own way lays it out, and this is done while it is laid out. Where nothing has another size than the last
-     * time, the view is where the user has moved it.
-     */
+    /** Moves the view by hand: the table's own way lays it out, and this is done while it is laid out. */
     private void reveal() {
         int row = table.getSelectedRow();
         if (revealing && row >= 0) {
             Rectangle cell = table.getCellRect(row, 0, true);
-            if (cell.equals(revealed) && getSize().equals(revealedIn)) {
-                return;
-            }
-            revealed = cell;
-            revealedIn = getSize();
             Rectangle seen = getViewport().getViewRect();
             int y = Math.min(cell.y, Math.max(seen.y, cell.y + cell.height - seen.height));
             if (y != seen.y) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
 import java.util.Collections;
 import java.util.List;
 import java.util.Set;
@@ -157,11 +158,33 @@ class RowTableTest {
         Layout.layOut(table, 400, 200);
         assertThat(inView(20)).isTrue();
 
-        table.getVerticalScrollBar().setValue(0);
+        for (int i = 0; i < 30; i++) {
+            table.dispatchEvent(wheelUp());
+        }
         table.invalidate();
         Layout.layOut(table, 400, 200);
 
         assertThat(inView(0)).isTrue();
+    }
+
+    @Test
+    void anOfferedRowIsSeenWholeAlsoWhereTheViewWasMovedWithoutTheUser() {
+        table.showWholeRows(3);
+        table.show(IntStream.range(0, 30).mapToObj(i -> new Row("row " + i, i)).toList());
+        table.offer(Set.of("row 20"));
+        Layout.layOut(table, 400, 200);
+
+        table.getViewport().setViewPosition(new Point(0, table.table().getRowHeight(0) / 2));
+        table.invalidate();
+        Layout.layOut(table, 400, 200);
+
+        assertThat(table.getViewport().getViewRect())
+                .matches(seen -> seen.contains(table.table().getCellRect(20, 0, true)));
+    }
+
+    private MouseWheelEvent wheelUp() {
+        return new MouseWheelEvent(
+                table, MouseEvent.MOUSE_WHEEL, 0, 0, 100, 100, 0, false, MouseWheelEvent.WHEEL_UNIT_SCROLL, 3, -1);
     }
 
     @Test
