@@ -324,7 +324,7 @@ public final class RowTable<R> extends JScrollPane {
         public String getToolTipText(MouseEvent event) {
             int row = rowAtPoint(event.getPoint());
             int column = columnAtPoint(event.getPoint());
-            return row < 0 || column < 0 ? null : getValueAt(row, column) + leftOut(row);
+            return row < 0 || column < 0 ? null : TooltipLines.of(getValueAt(row, column) + leftOut(row));
         }
     }
 
