@@ -15,6 +15,8 @@ final class NetNavigation {
     private static final double STEP = 1.25;
     /** The least size at which the words of a net are read. */
     private static final double READABLE_ZOOM = 0.8;
+
+    private static final double NET_MARGIN_PX = 24;
     /** Room around what is followed, in parts of the view's lesser side. */
     private static final double ROOM = 0.2;
 
@@ -96,7 +98,21 @@ final class NetNavigation {
                         .findFirst()
                         .flatMap(id -> scene.boxOf(Set.of(id)))) // of places that lie too far apart, one is seen
                 .filter(box -> !isSeenWithRoom(box))
-                .ifPresent(box -> viewport.centre(box.x() + box.width() / 2, box.y() + box.height() / 2));
+                .ifPresent(this::showAmidstNet);
+    }
+
+    /** Shows a box in the middle, or as near to it as shows nothing beside the net while a part of the net is hidden. */
+    private void showAmidstNet(DrawingBox box) {
+        DrawingBox net = view.scene().shownBounds().union(box).grown(NET_MARGIN_PX / viewport.scale());
+        Rectangle2D shown = viewport.shown();
+        viewport.centre(
+                middle(box.x() + box.width() / 2, shown.getWidth(), net.x(), net.maxX()),
+                middle(box.y() + box.height() / 2, shown.getHeight(), net.y(), net.maxY()));
+    }
+
+    /** The middle of what is shown of a range, as near to a point of it as shows nothing beside the range; the range's own where all of it has room. */
+    private static double middle(double point, double shown, double from, double to) {
+        return to - from <= shown ? (from + to) / 2 : Math.max(from + shown / 2, Math.min(to - shown / 2, point));
     }
 
     /** Whether a box is seen and what lies around it in the net as well. */

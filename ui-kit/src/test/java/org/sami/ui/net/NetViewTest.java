@@ -100,6 +100,15 @@ class NetViewTest {
     }
 
     @Test
+    void aPlaceAtTheNetsEdgeIsShownWithoutMoreBesideTheNetThanItsMargin() {
+        NetView small = following();
+        stand(small, vertex(plan.places().get(plan.places().size() - 1).id()));
+        stand(small, vertex(plan.places().get(0).id()));
+
+        assertThat(pixels(small, small.scene().shownBounds()).getMinX()).isBetween(0.0, 25.0);
+    }
+
+    @Test
     void aViewThatWasMovedByHandFollowsAgainWhenAllIsShown() {
         NetView small = following();
         List<Vertex> places = small.scene().vertices().stream()
