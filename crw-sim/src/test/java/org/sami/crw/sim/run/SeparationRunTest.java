@@ -74,6 +74,17 @@ class SeparationRunTest {
         assertThat(report.result().simulatedMillis() / 1000.0).isLessThan(225);
     }
 
+    /** Positions err by so much there that boats would keep 12 m: without less for those that wait for long these took 468 and 586 s, and a path was given up. */
+    @ParameterizedTest
+    @ValueSource(longs = {13, 57})
+    void inRoughWaterBoatsDoNotHoldEachOtherUpForever(long seed) {
+        RunReport report = run("clv", new RunSettings.Fleet(20, 100, 200, seed).on(Conditions.ROUGH), "");
+
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.locations()).allMatch(one -> one.reported().isPresent());
+        assertThat(report.result().simulatedMillis() / 1000.0).isLessThan(360);
+    }
+
     private RunReport run(String id, RunSettings.Fleet fleet, String interrupts) {
         RunPlan plan = TestRuns.plan(id);
         RunSettings settings = TestRuns.settings(plan, fleet.boats(), fleet.locations(), fleet.seed())

@@ -25,13 +25,21 @@ public final class GivingWay {
     static final double APART_M = 3.5;
 
     /** What boats keep on top of it in passing where there is room, in metres. */
-    private static final double ROOM_M = 1;
+    static final double ROOM_M = 1;
 
     /**
      * How many standard deviations of the distance between two boats are kept on top where positions err. With 2, boats in the field hold each other
      * up for minutes; with 1 they are under 3 m for twice as long (docs/decisions, 0320).
      */
     private static final double DEVIATIONS = 1.5;
+
+    // Who has given way for long keeps less of that, as boats that may not pass each other at all would hold each other
+    // up for ever: less from the first
+    // of these times on, and by that part less from the second (docs/decisions, 0327).
+    private static final double LONG_S = 20;
+    private static final double LONGEST_S = 80;
+    private static final double KEPT_LESS = 0.6;
+    private static final double FREE = 3; // a second without anybody in the way counts against so many with
 
     private static final double SOON_S = 2.5; // so long ahead it looks how far it comes beside its line
     private static final double ON_LINE_AHEAD_S = 1; // so long ahead it is to stay on its line
@@ -66,6 +74,7 @@ public final class GivingWay {
     private final Vehicle vehicle;
     private final GoingBack goingBack;
     private final Neighbours neighbours;
+    private final double forErrorsM; // that boats keep on top of what they keep apart, as positions err
     private final TurnLimit leastTurn = new TurnLimit(MOST_RAD / 3); // where it hardly turns yet
     private final TurnLimit farthestTurn = new TurnLimit(1.5 * MOST_RAD); // where it goes on turning while it stops
     private double eastM; // of the boat, on the plane of the surroundings
@@ -80,6 +89,7 @@ public final class GivingWay {
     private NoGoBorder border = NoGoBorder.NONE;
     private double chosenRad = Double.NaN; // while it gives way
     private double waitedS; // for others, LONGEST_WAIT_S at most
+    private double gaveWayS; // all the time, or nearly so
     private double stoodS; // the same, however long it lasts
     private boolean goesOff; // an edge that it has come too near to
     private boolean turns; // on the spot, to go on then
@@ -92,10 +102,9 @@ public final class GivingWay {
     public GivingWay(Surroundings surroundings, Vehicle vehicle, double positionErrorM) {
         this.surroundings = surroundings;
         this.vehicle = vehicle;
-        double apartM = APART_M + DEVIATIONS * Math.sqrt(2) * positionErrorM;
-        double wideM = apartM + ROOM_M;
-        neighbours = new Neighbours(surroundings, apartM, wideM);
-        goingBack = new GoingBack(surroundings, wideM);
+        forErrorsM = DEVIATIONS * Math.sqrt(2) * positionErrorM;
+        neighbours = new Neighbours(surroundings);
+        goingBack = new GoingBack(surroundings, APART_M + forErrorsM + ROOM_M);
     }
 
     /** Whether the boat goes otherwise than it would without others. */
@@ -158,6 +167,7 @@ public final class GivingWay {
     private CourseAndSpeed goOn(CourseAndSpeed wanted, double seconds) {
         chosenRad = Double.NaN;
         waitedS = Math.max(0, waitedS - seconds);
+        gaveWayS = Math.max(0, gaveWayS - FREE * seconds);
         if (Math.abs(speedMps) >= SLOW_MPS) { // else it may only turn
             stoodS = 0;
         }
@@ -169,6 +179,7 @@ public final class GivingWay {
         besideM = along.besideM();
         boolean waits = speedMps * heading.along(course) < courseMps / 5;
         waitedS = waits ? Math.min(LONGEST_WAIT_S, waitedS + seconds) : Math.max(0, waitedS - seconds);
+        gaveWayS = Math.min(LONGEST_S, gaveWayS + seconds);
         stoodS = waits ? stoodS + seconds : Math.max(0, stoodS - seconds);
         CourseAndSpeed best = best();
         chosenRad = best.courseRad();
@@ -202,6 +213,7 @@ public final class GivingWay {
         chosenRad = Double.NaN;
         waitedS = 0;
         stoodS = 0;
+        gaveWayS = 0;
         goingBack.end();
     }
 
@@ -220,6 +232,8 @@ public final class GivingWay {
         }
         border = surroundings.border();
         speedMps = vehicle.speedMps();
+        double less = KEPT_LESS * Math.max(0, (gaveWayS - LONG_S) / (LONGEST_S - LONG_S));
+        neighbours.keep(APART_M + forErrorsM * (1 - less));
         neighbours.update(eastM, northM, speedMps, fastestMps, hasWay, nowMs);
     }
 

@@ -24,8 +24,8 @@ final class Neighbours {
     private static final double HALF_RISK_S = 5;
 
     private final Surroundings surroundings;
-    private final double apartM;
-    private final double wideM;
+    private double apartM;
+    private double wideM; // where there is room
     // the first of these arrays' elements, as many as are counted, are in use
     private OtherBoat[] near = new OtherBoat[0];
     private double[] eastM = new double[0]; // from this boat
@@ -36,16 +36,19 @@ final class Neighbours {
     private int count;
     private boolean allStopApart;
 
-    /**
-     * Nobody yet.
-     *
-     * @param apartM how far apart the segments are on which two boats stop, in metres
-     * @param wideM how far apart boats pass where there is room, in metres
-     */
-    Neighbours(Surroundings surroundings, double apartM, double wideM) {
+    /** Nobody yet. */
+    Neighbours(Surroundings surroundings) {
         this.surroundings = surroundings;
-        this.apartM = apartM;
-        this.wideM = wideM;
+    }
+
+    /**
+     * What boats keep from now on.
+     *
+     * @param newApartM how far apart the segments are on which two boats stop, in metres
+     */
+    void keep(double newApartM) {
+        apartM = newApartM;
+        wideM = newApartM + GivingWay.ROOM_M;
     }
 
     /**
