@@ -89,7 +89,7 @@ public final class GivingWay {
     private NoGoBorder border = NoGoBorder.NONE;
     private double chosenRad = Double.NaN; // while it gives way
     private double waitedS; // for others, LONGEST_WAIT_S at most
-    private double gaveWayS; // all the time, or nearly so
+    private double gaveWayS; // all the time, or nearly so; zero for who has no way to go
     private double stoodS; // the same, however long it lasts
     private boolean goesOff; // an edge that it has come too near to
     private boolean turns; // on the spot, to go on then
@@ -161,13 +161,17 @@ public final class GivingWay {
             return goBack(back.get());
         }
         isFree = isFree || (!isRisky && isSafe(course, courseMps, isOnLine));
+        gaveWayS = hasWay ? gaveWayS(isFree ? -FREE * seconds : seconds) : 0;
         return isFree ? goOn(wanted, seconds) : giveWay(along, seconds);
+    }
+
+    private double gaveWayS(double longerS) {
+        return Math.max(0, Math.min(LONGEST_S, gaveWayS + longerS));
     }
 
     private CourseAndSpeed goOn(CourseAndSpeed wanted, double seconds) {
         chosenRad = Double.NaN;
         waitedS = Math.max(0, waitedS - seconds);
-        gaveWayS = Math.max(0, gaveWayS - FREE * seconds);
         if (Math.abs(speedMps) >= SLOW_MPS) { // else it may only turn
             stoodS = 0;
         }
@@ -179,7 +183,6 @@ public final class GivingWay {
         besideM = along.besideM();
         boolean waits = speedMps * heading.along(course) < courseMps / 5;
         waitedS = waits ? Math.min(LONGEST_WAIT_S, waitedS + seconds) : Math.max(0, waitedS - seconds);
-        gaveWayS = Math.min(LONGEST_S, gaveWayS + seconds);
         stoodS = waits ? stoodS + seconds : Math.max(0, stoodS - seconds);
         CourseAndSpeed best = best();
         chosenRad = best.courseRad();
