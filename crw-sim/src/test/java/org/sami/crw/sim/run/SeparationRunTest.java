@@ -71,7 +71,9 @@ class SeparationRunTest {
         assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
         assertThat(leastM).as(nearest).isGreaterThanOrEqualTo(1);
         assertThat(nearS).isLessThan(20);
-        assertThat(report.result().simulatedMillis() / 1000.0).as("240 s at most in twenty seeds").isLessThan(250);
+        assertThat(report.result().simulatedMillis() / 1000.0)
+                .as("240 s at most in twenty seeds")
+                .isLessThan(250);
     }
 
     /** Positions err by so much there that boats would keep 12 m: without less for those that wait for long these took 468 and 586 s, and a path was given up. */
