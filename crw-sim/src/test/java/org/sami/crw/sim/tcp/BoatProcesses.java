@@ -2,12 +2,16 @@ package org.sami.crw.sim.tcp;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.net.BindException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
 import org.sami.boat.server.log.LogLines;
 import org.sami.boat.server.log.LoggedCommand;
@@ -18,6 +22,10 @@ final class BoatProcesses implements AutoCloseable {
     private static final double LAT_DEG = 45.4;
     private static final double LON_DEG = 10.9;
     private static final double APART_DEG = 1e-4;
+    private static final int FIRST_PORT = 20_000;
+    private static final int PORTS = 10_000;
+    private static final AtomicInteger NEXT_PORT = new AtomicInteger(
+            (int) (ProcessHandle.current().pid() % 500 * 20)); // tests in other processes begin elsewhere
 
     private final Path folder;
     private final Map<String, Boat> boats = new LinkedHashMap<>();
@@ -34,13 +42,31 @@ final class BoatProcesses implements AutoCloseable {
     BoatProcesses with(String... names) throws IOException {
         Map<String, CrwProcess> starting = new LinkedHashMap<>();
         for (String name : names) {
-            starting.put(name, start(name, 0, lonDeg(starting.size()), folder));
+            starting.put(name, start(name, freePort(), lonDeg(starting.size()), folder));
         }
         for (Map.Entry<String, CrwProcess> one : starting.entrySet()) {
             int port = Integer.parseInt(one.getValue().awaitOut(one.getKey() + " listens on 127.0.0.1:"));
             boats.put(one.getKey(), new Boat(one.getValue(), port, lonDeg(boats.size())));
         }
         return this;
+    }
+
+    /** Below those that the system gives to outgoing connections, one of which might have it when the boat is started again. */
+    private static int freePort() throws IOException {
+        while (true) {
+            int port = FIRST_PORT + NEXT_PORT.getAndIncrement() % PORTS;
+            if (isFree(port)) {
+                return port;
+            }
+        }
+    }
+
+    private static boolean isFree(int port) throws IOException {
+        try (ServerSocket socket = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
+            return socket.isBound();
+        } catch (BindException taken) {
+            return false;
+        }
     }
 
     private static double lonDeg(int number) {
