@@ -65,7 +65,7 @@ public final class DreammWindow {
                 .add(new Command("end", "Close DREAMM", this::leave)
                         .withKey("ctrl Q")
                         .withIcon("close"));
-        status = new StatusLine(context, run.counters(), System::nanoTime);
+        status = new StatusLine(context, run.counters());
         frame.setName("dreamm-window");
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
         frame.setJMenuBar(DreammMenus.bar(context.commands(), files, panels.all()));

@@ -6,7 +6,7 @@ import java.util.function.LongSupplier;
 import org.sami.ui.window.Notices.Notice;
 
 /** The last notice, for as long as it is news: what was done for 10 s, why something was not done for 30 s. On one thread. */
-public final class ShownNotice {
+final class ShownNotice {
     private static final long DONE_NS = TimeUnit.SECONDS.toNanos(10);
     private static final long REFUSED_NS = TimeUnit.SECONDS.toNanos(30);
 
@@ -19,23 +19,23 @@ public final class ShownNotice {
      *
      * @param nanos a clock that only goes on, in ns
      */
-    public ShownNotice(LongSupplier nanos) {
+    ShownNotice(LongSupplier nanos) {
         this.nanos = nanos;
     }
 
     /** Shows a notice from now on, instead of the one before. */
-    public void tell(Notice notice) {
+    void tell(Notice notice) {
         last = Optional.of(notice);
         toldAt = nanos.getAsLong();
     }
 
     /** What is to be shown now; empty where nothing was told, or it has been shown long enough. */
-    public Optional<Notice> now() {
+    Optional<Notice> now() {
         return leftMillis() > 0 ? last : Optional.empty();
     }
 
     /** For how long it is to be shown yet, in ms; 0 where nothing is. */
-    public long leftMillis() {
+    long leftMillis() {
         long age = nanos.getAsLong() - toldAt;
         return last.map(notice -> (notice.refused() ? REFUSED_NS : DONE_NS) - age)
                 .map(left -> left <= 0 ? 0 : Math.max(1, TimeUnit.NANOSECONDS.toMillis(left)))

@@ -5,8 +5,6 @@ import java.time.LocalTime;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.List;
-import java.util.Optional;
-import java.util.function.LongSupplier;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -25,8 +23,7 @@ import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.look.SemanticColor;
-import org.sami.ui.window.Notices.Notice;
-import org.sami.ui.window.ShownNotice;
+import org.sami.ui.window.NoticeLabel;
 
 /** The strip at the top of the window: what there is, what waits, what is wrong, and the fleet stop. */
 public final class StatusStrip extends JPanel {
@@ -43,11 +40,8 @@ public final class StatusStrip extends JPanel {
     private final JLabel decisions = new JLabel();
     private final JLabel boats = new JLabel();
     private final JLabel links = new JLabel();
-    private final JLabel notice = new JLabel();
     private final JLabel clock = new JLabel();
     private final JButton alarms = new JButton();
-    private final ShownNotice shown;
-    private Optional<Notice> displayed = Optional.empty();
     private boolean narrow;
     private final CommandButton stop;
     private final CommandButton release;
@@ -57,13 +51,11 @@ public final class StatusStrip extends JPanel {
      * The strip of a window.
      *
      * @param showAlarms brings the alarms to the front
-     * @param nanos a clock that only goes on, in ns, for how long a notice has been shown
      */
-    public StatusStrip(OperatorContext context, FleetStopCommands fleetStop, Command showAlarms, LongSupplier nanos) {
+    public StatusStrip(OperatorContext context, FleetStopCommands fleetStop, Command showAlarms) {
         setLayout(layout);
         this.context = context;
         this.fleetStop = fleetStop;
-        shown = new ShownNotice(nanos);
         setName("status-strip");
         stop = new CommandButton(fleetStop.stop());
         release = new CommandButton(fleetStop.release());
@@ -72,14 +64,13 @@ public final class StatusStrip extends JPanel {
         alarms.setName("alarms-count");
         alarms.addActionListener(showAlarms);
         alarms.setToolTipText("Show the alarms (" + showAlarms.keyText() + ")");
-        notice.setName("notice");
         missions.setName("missions-count");
         decisions.setName("decisions-count");
         boats.setName("boats-count");
         links.setName("links-count");
         clock.setName("clock");
         List.of(missions, decisions, boats, links).forEach(label -> add(label, "wmin 32"));
-        add(notice, "wmin 0, shrinkprio 300, gapright 8");
+        add(new NoticeLabel(context.notices(), System::nanoTime), "wmin 0, shrinkprio 300, gapright 8");
         add(clock, "wmin 0, shrinkprio 200");
         add(alarms, "h 40!");
         JPanel stops = new JPanel(new MigLayout("novisualpadding, insets 0, gap 8, hidemode 3", "[][][]", "[]"));
@@ -89,26 +80,8 @@ public final class StatusStrip extends JPanel {
         stops.add(stop, "h 44!");
         add(stops, "shrink 0"); // it is never cut
         fleetStop.onChange(this::refresh);
-        context.notices().addListener(told -> {
-            shown.tell(told);
-            showNotice(shown.now());
-        });
         style();
         refresh();
-    }
-
-    private void showNotice(Optional<Notice> now) {
-        displayed = now;
-        String text = now.map(Notice::text).orElse("");
-        boolean refused = now.filter(Notice::refused).isPresent();
-        notice.setText(text);
-        notice.setToolTipText(now.isPresent() ? text : null);
-        notice.setIcon(
-                now.isEmpty()
-                        ? null
-                        : Icons.of(
-                                refused ? "alarm" : "check", 16, refused ? SemanticColor.WARNING : SemanticColor.OK));
-        LookColors.foreground(notice, refused ? SemanticColor.WARNING : SemanticColor.MUTED);
     }
 
     @Override
@@ -139,7 +112,6 @@ public final class StatusStrip extends JPanel {
         LookColors.background(this, SemanticColor.SURFACE);
         LookColors.border(this, () -> BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
         List.of(missions, decisions, boats, links).forEach(label -> label.setFont(Fonts.strong()));
-        showNotice(shown.now());
         missions.setIcon(Icons.small("net"));
         decisions.setIcon(Icons.small("decision"));
         boats.setIcon(Icons.small("boat"));
@@ -158,9 +130,6 @@ public final class StatusStrip extends JPanel {
         narrow = isNarrow();
         int beside = Look.px(narrow ? 8 : 20);
         stop.setMargin(new Insets(Look.px(4), beside, Look.px(4), beside));
-        if (!shown.now().equals(displayed)) {
-            showNotice(shown.now());
-        }
         say(missions, count(running, "mission"), narrow ? String.valueOf(running) : "");
         int waiting = context.models().decisions().snapshot().size();
         say(

@@ -91,7 +91,7 @@ final class ClassArchive {
             }
             panels.refresh();
             paint(new StatusStrip(
-                    context, fleetStop, context.commands().all().iterator().next(), System::nanoTime));
+                    context, fleetStop, context.commands().all().iterator().next()));
             new WindowMenus(context.commands(), panels.all()).bar();
         }
     }

@@ -68,7 +68,7 @@ public final class OperatorWindow {
         commands.addReplay(data.folder());
         commands.addEnd(this::end);
         StatusStrip strip =
-                new StatusStrip(context, fleetStop, context.commands().get("panel-alarms"), System::nanoTime);
+                new StatusStrip(context, fleetStop, context.commands().get("panel-alarms"));
         frame.setName("operator-window");
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
         frame.setJMenuBar(new WindowMenus(context.commands(), panels.all()).bar());

@@ -3,14 +3,12 @@ package org.sami.crw.gui.status;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
-import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -26,7 +24,6 @@ import org.sami.ui.look.Theme;
 class StatusStripTest {
     private SessionWorld world;
     private OperatorContext context;
-    private long nanos;
 
     @BeforeEach
     void open() throws Exception {
@@ -42,46 +39,11 @@ class StatusStripTest {
 
     private StatusStrip strip() {
         return new StatusStrip(
-                context, new FleetStopCommands(context), new Command("panel-alarms", "Alarms", () -> {}), () -> nanos);
-    }
-
-    private static String notice(StatusStrip strip) {
-        return label(strip, "notice").getText();
+                context, new FleetStopCommands(context), new Command("panel-alarms", "Alarms", () -> {}));
     }
 
     private static JLabel label(StatusStrip strip, String name) {
         return Layout.find(strip, name, JLabel.class).orElseThrow();
-    }
-
-    @Test
-    void aNoticeLeavesWhenItIsNewsNoLonger() throws Exception {
-        SwingUtilities.invokeAndWait(() -> {
-            StatusStrip strip = strip();
-            context.notices().told("anna holds her place");
-            nanos = TimeUnit.SECONDS.toNanos(9);
-            strip.refresh();
-            assertThat(notice(strip)).isEqualTo("anna holds her place");
-
-            nanos = TimeUnit.SECONDS.toNanos(11);
-            strip.refresh();
-            assertThat(notice(strip)).isEmpty();
-            assertThat(label(strip, "notice").getIcon()).isNull();
-        });
-    }
-
-    @Test
-    void whyNothingWasDoneStaysLonger() throws Exception {
-        SwingUtilities.invokeAndWait(() -> {
-            StatusStrip strip = strip();
-            context.notices().refused("no boat is selected");
-            nanos = TimeUnit.SECONDS.toNanos(25);
-            strip.refresh();
-            assertThat(notice(strip)).isEqualTo("no boat is selected");
-
-            nanos = TimeUnit.SECONDS.toNanos(31);
-            strip.refresh();
-            assertThat(notice(strip)).isEmpty();
-        });
     }
 
     @ParameterizedTest
