@@ -34,8 +34,7 @@ public final class GivingWay {
     private static final double DEVIATIONS = 1.5;
 
     // Who has given way for long keeps less of that, as boats that may not pass each other at all would hold each other
-    // up for ever: less from the first
-    // of these times on, and by that part less from the second (docs/decisions, 0327).
+    // up for ever: less from the first of these times on, and by that part less from the second (docs/decisions, 0327).
     private static final double LONG_S = 20;
     private static final double LONGEST_S = 80;
     private static final double KEPT_LESS = 0.6;
@@ -89,8 +88,8 @@ public final class GivingWay {
     private NoGoBorder border = NoGoBorder.NONE;
     private double chosenRad = Double.NaN; // while it gives way
     private double waitedS; // for others, LONGEST_WAIT_S at most
-    private double gaveWayS; // all the time, or nearly so; zero for who has no way to go
     private double stoodS; // the same, however long it lasts
+    private double gaveWayS; // without a break, or nearly so, LONGEST_S at most; zero for who has no way to go
     private boolean goesOff; // an edge that it has come too near to
     private boolean turns; // on the spot, to go on then
 
