@@ -157,6 +157,15 @@ class UsageTest {
     }
 
     @Test
+    void whatTheListSaysOfACommandIsWholeSentences() {
+        String help = CommandResult.crw("--help").out();
+
+        String list = help.substring(help.indexOf("Commands:\n"), help.indexOf("Exit codes:"));
+        String[] entries = list.substring(list.indexOf('\n')).strip().split("\n  (?=[a-z])");
+        assertThat(entries).hasSizeGreaterThan(20).allMatch(entry -> entry.endsWith("."));
+    }
+
+    @Test
     void runsHelpNamesEveryOptionWithItsDefault() {
         String help = CommandResult.crw("run", "--help").out();
 

@@ -32,8 +32,8 @@ import picocli.CommandLine.Spec;
         name = "components",
         mixinStandardHelpOptions = true,
         description = {
-            "Says with which components windows ask the operator what an event asks, or show what it tells, and why:",
-            "how every component does with the type and the markup. Without an event or type, lists the components."
+            "Says with which components windows ask the operator what an event asks, or show what it tells, and why.",
+            "Of each component it says how it does with the type and the markup. Without an event or type, lists the components."
         },
         footerHeading = "%nExamples:%n",
         footer = {

@@ -26,8 +26,8 @@ import picocli.CommandLine.Spec;
         name = "phases",
         mixinStandardHelpOptions = true,
         description = {
-            "Shows the phase chart of a plan: its events with the markups Phase Item and Phase Branch, phase by phase,",
-            "a row for each who acts, time to the right. Actions below one another can go on at the same time."
+            "Shows the phase chart of a plan: its events with the markups Phase Item and Phase Branch, phase by phase.",
+            "Each who acts has a row; time goes to the right. Actions below one another can go on at the same time."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {"0:it was shown", "1:the file has errors", "2:wrong usage, or there is no such file or phase"},

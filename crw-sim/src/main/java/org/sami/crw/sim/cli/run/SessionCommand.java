@@ -47,8 +47,8 @@ import picocli.CommandLine.Spec;
         name = "session",
         mixinStandardHelpOptions = true,
         description = {
-            "Opens a session and reads commands from standard input: any number of missions of the project's plans, on boats that are",
-            "connected, added and dropped as it goes. At a terminal lines are edited and completed (Tab); 'help' lists the commands.",
+            "Opens a session and reads commands from standard input: any number of missions of the project's plans, on one fleet.",
+            "Boats are connected, added and dropped as it goes. At a terminal lines are edited and completed (Tab); 'help' lists the commands.",
             "Ends with 'quit' or the end of the input; the boats of all missions are stopped then."
         },
         exitCodeListHeading = "%nExit codes:%n",
