@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -18,6 +20,7 @@ import org.sami.crw.service.coverage.CoverageProblem;
 import org.sami.crw.service.coverage.LawnMower;
 import org.sami.crw.service.path.PathAnswer;
 import org.sami.crw.service.path.PathProblem;
+import org.sami.crw.service.path.SafestPath;
 import org.sami.crw.service.path.ShortestPath;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.service.water.Water;
@@ -130,6 +133,31 @@ class KeepingClearTest {
         assertThat(out.deepestInM(rocks)).isLessThanOrEqualTo(announcedM);
         assertThat(home.deepestInM(rocks)).isLessThanOrEqualTo(announcedM);
         assertThat(home.farthestFromM(expected)).isLessThan(BEFORE_IT_RETURNS_M + announcedM);
+    }
+
+    /** A gap of 6 m, in which a clearance of 3.5 m cannot be kept, with a rock before and a rock behind it; the ways around are twice as long. */
+    @Test
+    void theSafestWayIsDrivenWithItsClearanceButForTheGapThatIsTooNarrow() {
+        SimulatedTestWorld world = world(Conditions.CALM, 1);
+        List<GeoArea> walls = List.of(
+                new GeoArea(world.points(50, 3, 350, 3, 350, 400, 50, 400), List.of()),
+                new GeoArea(world.points(50, -400, 350, -400, 350, -3, 50, -3), List.of()));
+        List<GeoArea> rocks = List.of(
+                new GeoArea(world.points(17, -1, 33, -1, 33, 18, 17, 18), List.of()),
+                new GeoArea(world.points(367, -18, 383, -18, 383, 1, 367, 1), List.of()));
+        List<GeoArea> all = Stream.concat(walls.stream(), rocks.stream()).toList();
+        double clearanceM = 3.5;
+        Water water = Water.of(world.boat().position(), all, Optional.empty()).drivenWith(CrossTrackError.CALM);
+        PathAnswer.Way way = (PathAnswer.Way) new SafestPath()
+                .find(new PathProblem(
+                        world.boat().position(), world.points(400, 0).get(0), water, clearanceM));
+
+        TrueTrack track = TrueTrack.of(world, way.points(), 7200);
+
+        assertThat(track.isCompleted()).isTrue();
+        double besideM = CrossTrackError.CALM.steeringM();
+        assertThat(track.nearestM(rocks)).isGreaterThan(clearanceM - besideM);
+        assertThat(track.nearestM(walls)).isBetween(0.9 * 3 - besideM, 3.0);
     }
 
     @ParameterizedTest

@@ -90,6 +90,14 @@ final class TrueTrack {
         return deepestM;
     }
 
+    /** How near the track comes to the areas, in metres. */
+    double nearestM(List<GeoArea> areas) {
+        return areas.stream()
+                .mapToDouble(area -> polygon(area).distance(line))
+                .min()
+                .orElse(Double.POSITIVE_INFINITY);
+    }
+
     /** Distance of a point to the track, in metres. */
     double distanceM(GeoPoint point) {
         return line.distance(FACTORY.createPoint(place(point)));
