@@ -11,8 +11,6 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicLong;
-import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -307,19 +305,17 @@ class HostileTcpClientTest {
 
     @Test
     void motionThatComesThirtySecondsLateIsRefusedAndAStopIsNot() throws Exception {
-        AtomicLong lateMs = new AtomicLong();
-        try (TcpBench late = new TcpBench(
-                UnaryOperator.identity(), UnaryOperator.identity(), () -> TcpBench.machineMs() + lateMs.get())) {
+        try (TcpBench late = new TcpBench().stopTime()) {
             Client client = late.greet("base", Role.COMMANDER, 20);
             client.say(new UploadWaypoints("u", "l", NEW));
             client.await(Ack.class);
-            lateMs.set(30_000);
+            late.passMs(30_000);
 
             client.say(new StartWaypoints("s", "l", 0));
             assertThat(client.await(Nack.class).reason()).isEqualTo(NackReason.NOT_GREETED);
             client.say(new Teleoperate(1, 0));
-            while (client.await(Telemetry.class).boatTimeMs() < 30_000) {}
-            assertThat(client.await(Telemetry.class).mode()).isEqualTo(BoatMode.STOPPED);
+            while (late.nextOf(client).boatTimeMs() < 30_000) {}
+            assertThat(late.nextOf(client).mode()).isEqualTo(BoatMode.STOPPED);
             client.say(new StopMotors("x"));
             assertThat(client.await(Ack.class).commandId()).isEqualTo("x");
             client.say(new Hello("boat1", "base", Role.COMMANDER, 20, ""));
@@ -352,9 +348,9 @@ class HostileTcpClientTest {
     @Test
     void clientThatSendsFasterThanTheBoatWorksHasToWait() throws Exception {
         CountDownLatch goOn = new CountDownLatch(1);
-        try (TcpBench busy = new TcpBench(UnaryOperator.identity(), UnaryOperator.identity(), TcpBench::machineMs)) {
+        try (TcpBench busy = new TcpBench()) {
             Client client = busy.greet("base", Role.COMMANDER, 1);
-            busy.duringTick = () -> awaitQuietly(goOn);
+            busy.duringTick = () -> Await.latch(goOn);
             byte[] frame = client.frame(7, new UploadWaypoints("u", "l", Collections.nCopies(20_000, OLD.get(0))));
             AtomicInteger sent = new AtomicInteger();
             Thread sender = new Thread(() -> sendMany(client, frame, 200, sent), busy.name + "-sender");
@@ -371,14 +367,6 @@ class HostileTcpClientTest {
             client.say(new StopMotors("x"));
             while (!client.await(Ack.class).commandId().equals("x")) {}
             assertThat(busy.executed).containsExactly("u ack", "x ack");
-        }
-    }
-
-    private static void awaitQuietly(CountDownLatch latch) {
-        try {
-            latch.await();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
         }
     }
 

@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.function.LongSupplier;
 import java.util.function.UnaryOperator;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameReader;
@@ -18,14 +17,21 @@ import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.SteadyClock;
+import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.server.BoatServer;
 import org.sami.boat.server.ServerConfig;
 import org.sami.boat.server.vehicle.Vehicle;
 
-/** A boat that lies still behind a real port of the loopback address, and clients of it. */
+/**
+ * A boat that lies still behind a real port of the loopback address, and clients of it.
+ *
+ * <p>The boat's time is counted in its ticks, so that a machine that stands still for a while changes nothing; a test may let
+ * more of it pass, or take it over.
+ */
 final class TcpBench implements AutoCloseable {
     private static final AtomicLong NAMES = new AtomicLong();
+    private static final int LONG_MS = 600_000; // of the machine's time: no test is about it
 
     /** With which the names of its threads begin, and of no others'. */
     final String name;
@@ -35,34 +41,37 @@ final class TcpBench implements AutoCloseable {
     final ConcurrentLinkedQueue<String> goodbyes = new ConcurrentLinkedQueue<>();
     final TcpBoatServer server;
     volatile Runnable duringTick = () -> {};
+    private final AtomicLong timeMs = new AtomicLong();
     private final List<Client> clients = new ArrayList<>();
+    private volatile boolean ticksCount = true;
 
     TcpBench() throws IOException {
-        this(UnaryOperator.identity(), UnaryOperator.identity(), TcpBench::machineMs);
+        this(UnaryOperator.identity(), UnaryOperator.identity());
     }
 
-    TcpBench(UnaryOperator<ServerConfig.Builder> boat, UnaryOperator<TcpServerConfig> tcp, LongSupplier clockMs)
-            throws IOException {
-        this("bench%04d".formatted(NAMES.incrementAndGet()), boat, tcp, clockMs);
+    TcpBench(UnaryOperator<ServerConfig.Builder> boat, UnaryOperator<TcpServerConfig> tcp) throws IOException {
+        this("bench%04d".formatted(NAMES.incrementAndGet()), boat, tcp);
     }
 
-    TcpBench(
-            String name,
-            UnaryOperator<ServerConfig.Builder> boat,
-            UnaryOperator<TcpServerConfig> tcp,
-            LongSupplier clockMs)
+    TcpBench(String name, UnaryOperator<ServerConfig.Builder> boat, UnaryOperator<TcpServerConfig> tcp)
             throws IOException {
         this.name = name;
         BoatServer boatServer = new BoatServer(
                 boat.apply(ServerConfig.of("boat1", "boot1")).build(),
                 new Moored(),
                 (nowMs, command, answer) -> executed.add(command.commandId() + " " + answer.type()));
+        TcpServerConfig config = tcp.apply(TcpServerConfig.onLoopback(0).withPatience(LONG_MS, LONG_MS));
         server = new TcpBoatServer(
                 name,
                 boatServer,
-                tcp.apply(TcpServerConfig.onLoopback(0)),
-                new SteadyClock(clockMs),
-                nowMs -> duringTick.run(),
+                config,
+                new SteadyClock(timeMs::get),
+                nowMs -> {
+                    duringTick.run();
+                    if (ticksCount) {
+                        timeMs.addAndGet(config.tickMs());
+                    }
+                },
                 new TcpServerListener() {
                     @Override
                     public void closed(String client, String why) {
@@ -77,8 +86,26 @@ final class TcpBench implements AutoCloseable {
         server.start();
     }
 
-    static long machineMs() {
-        return System.nanoTime() / 1_000_000;
+    /** From now on the boat's time passes only by {@link #passMs}. */
+    TcpBench stopTime() {
+        ticksCount = false;
+        return this;
+    }
+
+    /** The source of the boat's time, in ms since the server began. */
+    long timeMs() {
+        return timeMs.get();
+    }
+
+    /** Sets the source of the boat's time forward, or back. */
+    void passMs(long ms) {
+        timeMs.addAndGet(ms);
+    }
+
+    /** The telemetry that a client gets next after a tenth of a second of the boat's time, which stands otherwise. */
+    Telemetry nextOf(Client client) throws Exception {
+        passMs(100);
+        return client.await(Telemetry.class);
     }
 
     Client connect() throws IOException {
@@ -118,7 +145,7 @@ final class TcpBench implements AutoCloseable {
 
     /** A client on a socket, for one thread. */
     static final class Client implements AutoCloseable {
-        private static final int PATIENCE_MS = 10_000;
+        private static final int PATIENCE_MS = 50_000;
         final Socket socket = new Socket();
         private final LinkCodec codec = new LinkCodec();
         private final FrameReader frames;

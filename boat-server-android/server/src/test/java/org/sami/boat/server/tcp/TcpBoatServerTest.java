@@ -10,7 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.CountDownLatch;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -91,12 +91,11 @@ class TcpBoatServerTest {
 
     @Test
     void clientThatDoesNotReadIsDroppedAndKeepsNobodyWaiting() throws Exception {
-        try (TcpBench bench =
-                new TcpBench(UnaryOperator.identity(), tcp -> tcp.withQueue(16, 1 << 20), TcpBench::machineMs)) {
+        try (TcpBench bench = new TcpBench(UnaryOperator.identity(), tcp -> tcp.withQueue(16, 1 << 20))) {
             Client other = bench.greet("other", Role.OBSERVER, 50);
             Client slow = bench.greet("slow", Role.COMMANDER, 50);
             slow.say(new UploadWaypoints("u", "l", Collections.nCopies(5000, PATH.get(0))));
-            long slowest = 0;
+            List<Double> answeredMs = new ArrayList<>();
             for (int i = 0; bench.goodbyes.isEmpty() && i < 2000; i++) {
                 try {
                     slow.say(new ReadBack("r" + i)); // 100 kB for each of these, never read
@@ -106,12 +105,15 @@ class TcpBoatServerTest {
                 long asked = System.nanoTime();
                 other.say(new Hello("boat1", "other", Role.OBSERVER, 50, ""));
                 other.await(Welcome.class);
-                slowest = Math.max(slowest, System.nanoTime() - asked);
+                answeredMs.add((System.nanoTime() - asked) / 1e6);
             }
             Await.until("the slow client is dropped", 30, () -> bench.server.clientCount() == 1);
 
             assertThat(bench.goodbyes).first().asString().contains("does not take");
-            assertThat(slowest / 1e6).as("slowest answer to the other, ms").isLessThan(3000);
+            Collections.sort(answeredMs);
+            assertThat(answeredMs.get(answeredMs.size() / 2))
+                    .as("usual time of an answer to the other, ms")
+                    .isLessThan(1000);
             other.say(new Hello("boat1", "other", Role.COMMANDER, 1, ""));
             assertThat(other.await(Welcome.class).role()).isEqualTo(Role.COMMANDER);
             assertThat(bench.failures).isEmpty();
@@ -157,49 +159,47 @@ class TcpBoatServerTest {
     @ParameterizedTest
     @EnumSource(Stranger.class)
     void whateverOthersSayDoesNotMaskALostCommander(Stranger stranger) throws Exception {
-        try (TcpBench bench = new TcpBench(boat -> boat.lostLinkAfterMs(700), AS_IT_IS, TcpBench::machineMs)) {
+        try (TcpBench bench = new TcpBench(boat -> boat.lostLinkAfterMs(700), AS_IT_IS).stopTime()) {
             Client watching = bench.greet("watching", Role.OBSERVER, 20);
             Client commander = bench.greet("base", Role.COMMANDER, 1);
             Client other = arrive(bench, stranger);
-            commander.say(new UploadWaypoints("u", "l", PATH));
-            commander.say(new StartWaypoints("s", "l", 0));
-            long silentSince = System.nanoTime();
-            while (watching.await(Telemetry.class).mode() != BoatMode.PATH) {}
+            startPath(commander);
+            long silentSinceMs = bench.timeMs();
+            while (bench.nextOf(watching).mode() != BoatMode.PATH) {}
 
             int turns = 0;
-            while (watching.await(Telemetry.class).mode() == BoatMode.PATH) {
+            Telemetry last = bench.nextOf(watching);
+            while (last.mode() == BoatMode.PATH) {
                 speak(bench, other, stranger, turns++);
+                last = bench.nextOf(watching);
             }
-            assertThat((System.nanoTime() - silentSince) / 1e6).as("ms").isBetween(690.0, 10_000.0);
-            assertThat(turns)
-                    .as("times that the other spoke")
-                    .isGreaterThan(1); // a loaded machine tells little telemetry
+            assertThat(last.boatTimeMs() - silentSinceMs).as("ms").isBetween(700L, 900L);
+            assertThat(turns).as("times that the other spoke").isGreaterThan(3);
             assertThat(bench.executed).containsExactly("u ack", "s ack");
         }
     }
 
+    private static void startPath(Client commander) throws Exception {
+        commander.say(new UploadWaypoints("u", "l", PATH));
+        commander.await(Ack.class);
+        commander.say(new StartWaypoints("s", "l", 0));
+        commander.await(Ack.class);
+    }
+
     @Test
     void silentCommanderIsLostAfterThreeAndAHalfSecondsAndThatIsSeenHalfASecondLaterAtMost() throws Exception {
-        try (TcpBench bench = new TcpBench()) {
+        try (TcpBench bench = new TcpBench().stopTime()) {
             Client watching = bench.greet("watching", Role.OBSERVER, 20);
             Client commander = bench.greet("base", Role.COMMANDER, 1);
-            commander.say(new UploadWaypoints("u", "l", PATH));
-            long before = System.nanoTime();
-            commander.say(new StartWaypoints("s", "l", 0));
-            commander.await(Ack.class);
-            commander.await(Ack.class);
+            startPath(commander);
+            long silentSinceMs = bench.timeMs();
+            while (bench.nextOf(watching).mode() != BoatMode.PATH) {}
 
-            while (watching.await(Telemetry.class).mode() != BoatMode.PATH) {}
-            Telemetry last = watching.await(Telemetry.class);
-            long sinceMs = last.boatTimeMs();
-            long stoodStillMs = 0; // a loaded machine does not tick the boat in time
+            Telemetry last = bench.nextOf(watching);
             while (last.mode() == BoatMode.PATH) {
-                Telemetry next = watching.await(Telemetry.class);
-                stoodStillMs = Math.max(stoodStillMs, next.boatTimeMs() - last.boatTimeMs() - 100);
-                last = next;
+                last = bench.nextOf(watching);
             }
-            assertThat((System.nanoTime() - before) / 1e6).as("ms").isGreaterThan(3499);
-            assertThat(last.boatTimeMs() - sinceMs).as("ms").isLessThan(4000 + stoodStillMs);
+            assertThat(last.boatTimeMs() - silentSinceMs).as("ms").isBetween(3500L, 4000L);
         }
     }
 
@@ -224,37 +224,42 @@ class TcpBoatServerTest {
 
     @Test
     void closedSocketOfTheCommanderIsALostLinkAtOnce() throws Exception {
-        try (TcpBench bench = new TcpBench()) {
+        try (TcpBench bench = new TcpBench().stopTime()) {
             Client observer = bench.greet("observer", Role.OBSERVER, 50);
             Client commander = bench.greet("base", Role.COMMANDER, 1);
-            commander.say(new UploadWaypoints("u", "l", PATH));
-            commander.say(new StartWaypoints("s", "l", 0));
-            while (observer.await(Telemetry.class).mode() != BoatMode.PATH) {}
-            long cut = System.nanoTime();
+            startPath(commander);
+            while (bench.nextOf(observer).mode() != BoatMode.PATH) {}
             commander.close();
+            Await.until("the boat sees it", 30, () -> bench.goodbyes.contains("it has closed the link"));
+            long closedMs = bench.timeMs();
 
-            while (observer.await(Telemetry.class).mode() != BoatMode.HOLD) {}
-            assertThat((System.nanoTime() - cut) / 1e6)
+            Telemetry last = bench.nextOf(observer);
+            while (last.mode() != BoatMode.HOLD) {
+                last = bench.nextOf(observer);
+            }
+            assertThat(last.boatTimeMs() - closedMs)
                     .as("ms; a silent one is lost after 3500")
-                    .isLessThan(3000);
+                    .isLessThan(500);
         }
     }
 
     @Test
     void clockSetBackAnHourFiresNothingEarlyOrLate() throws Exception {
-        AtomicLong backMs = new AtomicLong();
-        try (TcpBench bench = new TcpBench(
-                boat -> boat.deadmanMs(1000), AS_IT_IS, () -> System.nanoTime() / 1_000_000 - backMs.get())) {
+        try (TcpBench bench = new TcpBench(boat -> boat.deadmanMs(1000), AS_IT_IS)) {
             Client client = bench.greet("base", Role.COMMANDER, 50);
-            long set = System.nanoTime();
             client.say(new Teleoperate(0.5, 0));
-            while (client.await(Telemetry.class).mode() != BoatMode.TELEOPERATION) {}
-            backMs.set(3_600_000);
-
-            while (client.await(Telemetry.class).mode() == BoatMode.TELEOPERATION) {
-                client.say(new Heartbeat(1));
+            Telemetry last = client.await(Telemetry.class);
+            while (last.mode() != BoatMode.TELEOPERATION) {
+                last = client.await(Telemetry.class);
             }
-            assertThat((System.nanoTime() - set) / 1e6).as("ms").isBetween(950.0, 20_000.0);
+            long setMs = last.boatTimeMs();
+            bench.passMs(-3_600_000);
+
+            while (last.mode() == BoatMode.TELEOPERATION) {
+                client.say(new Heartbeat(1));
+                last = client.await(Telemetry.class);
+            }
+            assertThat(last.boatTimeMs() - setMs).as("ms").isBetween(800L, 1200L);
         }
     }
 
@@ -296,11 +301,8 @@ class TcpBoatServerTest {
         try (TcpBench bench = new TcpBench()) {
             int taken = bench.server.address().getPort();
 
-            assertThatThrownBy(() -> new TcpBench(
-                            "second",
-                            UnaryOperator.identity(),
-                            tcp -> TcpServerConfig.onLoopback(taken),
-                            TcpBench::machineMs))
+            assertThatThrownBy(() ->
+                            new TcpBench("second", UnaryOperator.identity(), tcp -> TcpServerConfig.onLoopback(taken)))
                     .isInstanceOf(IOException.class);
             assertThat(Await.threads("second")).isZero();
         }
@@ -308,8 +310,7 @@ class TcpBoatServerTest {
 
     @Test
     void clientThatDoesNotSayWhoItIsIsDropped() throws Exception {
-        try (TcpBench bench =
-                new TcpBench(UnaryOperator.identity(), tcp -> tcp.withPatience(200, 5000), TcpBench::machineMs)) {
+        try (TcpBench bench = new TcpBench(UnaryOperator.identity(), tcp -> tcp.withPatience(200, 600_000))) {
             Client silent = bench.connect();
 
             assertThat(silent.isClosedByTheBoat()).isTrue();
@@ -319,18 +320,20 @@ class TcpBoatServerTest {
 
     @Test
     void clientOfWhichNothingMoreComesIsDropped() throws Exception {
-        try (TcpBench bench =
-                new TcpBench(UnaryOperator.identity(), tcp -> tcp.withPatience(5000, 200), TcpBench::machineMs)) {
+        CountDownLatch goOn = new CountDownLatch(1);
+        try (TcpBench bench = new TcpBench(AS_IS, tcp -> tcp.withPatience(600_000, 1000))) {
             Client halfOpen = bench.greet("base", Role.OBSERVER, 10);
+            bench.duringTick = () -> Await.latch(goOn); // or the boat may say first that it reads nothing
 
             assertThat(halfOpen.isClosedByTheBoat()).isTrue();
             Await.until("it is said why", 30, () -> bench.goodbyes.contains("it has been silent for too long"));
+            goOn.countDown();
         }
     }
 
     @Test
     void clientWhoseFrameNeverEndsIsDropped() throws Exception {
-        try (TcpBench bench = new TcpBench(AS_IS, tcp -> tcp.withPatience(5000, 1000), TcpBench::machineMs)) {
+        try (TcpBench bench = new TcpBench(AS_IS, tcp -> tcp.withPatience(600_000, 3000))) {
             Client mumbling = bench.greet("base", Role.COMMANDER, 10);
             mumbling.send(
                     ByteBuffer.allocate(4).putInt(LinkCodec.DEFAULT_MAX_BYTES).array()); // a flipped bit in a length
@@ -349,8 +352,7 @@ class TcpBoatServerTest {
 
     @Test
     void oneObserverTooManyIsToldSoAndTurnedAway() throws Exception {
-        try (TcpBench bench =
-                new TcpBench(UnaryOperator.identity(), tcp -> tcp.withMaxClients(2), TcpBench::machineMs)) {
+        try (TcpBench bench = new TcpBench(UnaryOperator.identity(), tcp -> tcp.withMaxClients(2))) {
             Client first = bench.greet("a", Role.COMMANDER, 10);
             bench.greet("b", Role.OBSERVER, 10);
 
@@ -396,23 +398,22 @@ class TcpBoatServerTest {
 
     @Test
     void baseThatComesBackOverAndOverWithoutClosingItsSocketsIsAlwaysLetIn() throws Exception {
-        AtomicLong passedMs = new AtomicLong();
-        try (TcpBench bench = new TcpBench(AS_IS, AS_IT_IS, () -> TcpBench.machineMs() + passedMs.get())) {
+        try (TcpBench bench = new TcpBench().stopTime()) {
             Client observer = bench.greet("observer", Role.OBSERVER, 10);
             Client last = observer;
             for (int i = 0; i < 40; i++) {
-                passedMs.addAndGet(300);
+                bench.passMs(300);
                 observer.say(new Heartbeat(i));
                 last = bench.greet("base", Role.COMMANDER, 10);
             }
-            last.await(Telemetry.class);
-            observer.await(Telemetry.class);
+            bench.nextOf(last);
+            bench.nextOf(observer);
             for (int i = 0; i < 40; i++) { // and faster than sockets can be known to be dead
                 last = bench.greet("base", Role.COMMANDER, 10);
             }
 
-            last.await(Telemetry.class);
-            passedMs.addAndGet(4000); // the first of its sockets counts as lost
+            bench.nextOf(last);
+            bench.passMs(4000); // the first of its sockets counts as lost
             last.say(new Hello("boat1", "base", Role.COMMANDER, 10, ""));
             assertThat(last.await(Welcome.class).role()).isEqualTo(Role.COMMANDER);
             last.say(new StopMotors("s"));
@@ -424,24 +425,22 @@ class TcpBoatServerTest {
 
     @Test
     void silentSocketMakesRoomBeforeAClientThatSpeaks() throws Exception {
-        AtomicLong passedMs = new AtomicLong();
-        try (TcpBench bench =
-                new TcpBench(AS_IS, tcp -> tcp.withMaxClients(3), () -> TcpBench.machineMs() + passedMs.get())) {
+        try (TcpBench bench = new TcpBench(AS_IS, tcp -> tcp.withMaxClients(3)).stopTime()) {
             Client commander = bench.greet("base", Role.COMMANDER, 10);
             Client silent = bench.greet("half-open", Role.OBSERVER, 1);
             Client speaks = bench.greet("speaks", Role.OBSERVER, 10);
-            passedMs.set(3000);
+            bench.passMs(3000);
             commander.say(new Heartbeat(1));
             speaks.say(new Heartbeat(1));
             speaks.say(new Hello("boat1", "speaks", Role.OBSERVER, 10, ""));
             speaks.await(Welcome.class); // the boat has heard it
-            passedMs.set(4000);
+            bench.passMs(1000);
             Client next = bench.greet("next", Role.COMMANDER, 10);
 
             assertThat(silent.isClosedByTheBoat()).isTrue();
-            next.await(Telemetry.class);
-            speaks.await(Telemetry.class);
-            commander.await(Telemetry.class);
+            bench.nextOf(next);
+            bench.nextOf(speaks);
+            bench.nextOf(commander);
         }
     }
 
@@ -473,8 +472,7 @@ class TcpBoatServerTest {
 
     @Test
     void strangersWhoSayNothingKeepNobodyOut() throws Exception {
-        try (TcpBench bench =
-                new TcpBench(UnaryOperator.identity(), tcp -> tcp.withMaxClients(4), TcpBench::machineMs)) {
+        try (TcpBench bench = new TcpBench(UnaryOperator.identity(), tcp -> tcp.withMaxClients(4))) {
             Client commander = bench.greet("base", Role.COMMANDER, 10);
             List<Client> scan = new ArrayList<>();
             for (int i = 0; i < 20; i++) {

@@ -1,5 +1,6 @@
 package org.sami.boat.server.testing;
 
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntSupplier;
@@ -44,6 +45,15 @@ public final class Await {
             }
             return System.nanoTime() - since[0] > forSeconds * 1e9;
         });
+    }
+
+    /** Waits for a latch; an interruption ends that. */
+    public static void latch(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     /** How many threads of this process have a name that begins so. */
