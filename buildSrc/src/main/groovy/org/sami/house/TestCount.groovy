@@ -7,6 +7,7 @@ class TestCount {
     int passed
     int failed
     int skipped
+    private final List<String> failures = []
 
     /** Adds every result file of one module's test task. */
     void addFolder(File folder) {
@@ -21,12 +22,19 @@ class TestCount {
         passed += all - bad - left
         failed += bad
         skipped += left
+        suite.testcase.each { test ->
+            def faults = test.failure.list() + test.error.list()
+            if (faults) {
+                String message = faults[0].@message.text().readLines().findAll { !it.blank }.take(3)*.trim().join(' ')
+                failures << "FAILED ${test.@classname.text()} ${test.@name.text()}: $message"
+            }
+        }
     }
 
-    /** The count is the last line, always in the same words; what was skipped, and why, stands in the reports. */
+    /** Which tests failed, and last the count, always in the same words; what was skipped, and why, stands in the reports. */
     @Override
     String toString() {
         String left = skipped > 0 ? "$skipped skipped, for what they read is not on this machine\n" : ''
-        left + "$passed passed, $failed failed"
+        failures.collect { it + '\n' }.join('') + left + "$passed passed, $failed failed"
     }
 }
