@@ -152,7 +152,7 @@ class FleetLinksTest {
         }
     }
 
-    /** In one run of fifty all twenty requests of a command, or their answers, are among the frames that are lost. */
+    /** In one run of fifty the base gives up: all requests of a command are lost, or the link is, in each of its tries. */
     @Test
     void pathIsDrivenInAlmostEachRunOverALinkThatLosesHalfOfItsFrames() {
         int completed = 0;
