@@ -26,6 +26,7 @@ import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.service.water.Water;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.HullConfig;
+import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
@@ -44,18 +45,10 @@ class KeepingClearTest {
         return world;
     }
 
-    private static Conditions conditions(String name) {
-        return switch (name) {
-            case "calm" -> Conditions.CALM;
-            case "field" -> Conditions.FIELD;
-            default -> Conditions.ROUGH;
-        };
-    }
-
     @ParameterizedTest
     @CsvSource({"calm, 1", "calm, 2", "calm, 3", "field, 1", "field, 2", "rough, 3"})
-    void theShortestWayIsDrivenAroundWhatIsToBeAvoided(String name, long seed) {
-        Conditions conditions = conditions(name);
+    void theShortestWayIsDrivenAroundWhatIsToBeAvoided(NamedConditions name, long seed) {
+        Conditions conditions = name.conditions();
         SimulatedTestWorld world = world(conditions, seed);
         List<GeoArea> rocks = rocks(world, new Random(seed), 12);
         Water water =
@@ -69,7 +62,7 @@ class KeepingClearTest {
         assertThat(track.isCompleted()).isTrue();
         double announcedM = conditions.crossTrackError().insideM(way.clearanceM());
         assertThat(track.deepestInM(rocks)).isLessThanOrEqualTo(announcedM);
-        if (name.equals("calm")) {
+        if (name == NamedConditions.calm) {
             assertThat(announcedM).isZero();
         }
     }
@@ -106,8 +99,8 @@ class KeepingClearTest {
         "field, 5, 250",
         "rough, 6, 250"
     })
-    void lostLinkBringsTheBoatHomeAroundWhatIsToBeAvoided(String name, long seed, double lostAfterS) {
-        Conditions conditions = conditions(name);
+    void lostLinkBringsTheBoatHomeAroundWhatIsToBeAvoided(NamedConditions name, long seed, double lostAfterS) {
+        Conditions conditions = name.conditions();
         SimulatedTestWorld world = world(conditions, seed);
         List<GeoArea> rocks = rocks(world, new Random(seed), 12);
         Water water =
@@ -162,8 +155,8 @@ class KeepingClearTest {
 
     @ParameterizedTest
     @CsvSource({"calm, 5", "calm, 10", "field, 10", "rough, 20"})
-    void lanesKeepOutOfHolesAndWhatIsToBeAvoided(String name, double spacingM) {
-        Conditions conditions = conditions(name);
+    void lanesKeepOutOfHolesAndWhatIsToBeAvoided(NamedConditions name, double spacingM) {
+        Conditions conditions = name.conditions();
         SimulatedTestWorld world = world(conditions, 5);
         List<GeoPoint> hole = world.points(60, 60, 95, 70, 80, 100);
         GeoArea rock = new GeoArea(world.points(120, 30, 150, 45, 135, 60), List.of());
@@ -185,7 +178,7 @@ class KeepingClearTest {
         double announcedM = conditions.crossTrackError().insideM(water.clearanceM(path));
         assertThat(track.deepestInM(List.of(rock, new GeoArea(hole, List.of()))))
                 .isLessThanOrEqualTo(announcedM);
-        if (name.equals("calm")) {
+        if (name == NamedConditions.calm) {
             assertThat(announcedM).isZero();
         }
     }

@@ -3,9 +3,9 @@ package org.sami.crw.sim.fleet;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.sami.boat.link.BoatMode;
-import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.NamedConditions;
 
 /** True tracks of boats whose paths were given up: they stay where they were (docs/decisions, 0323). */
 class PlaceHoldRunTest {
@@ -13,13 +13,9 @@ class PlaceHoldRunTest {
 
     private static final double DEVIATIONS = 4; // of the position that it knows, as it is exceeded in twenty minutes
 
-    private static Conditions conditions(String water) {
-        return water.equals("field") ? Conditions.FIELD : Conditions.ROUGH;
-    }
-
-    private static SimulatedTestWorld givenUp(String water, long seed) {
+    private static SimulatedTestWorld givenUp(NamedConditions water, long seed) {
         SimulatedTestWorld world =
-                new SimulatedTestWorld(1, seed, FleetConfig.DEFAULT.withConditions(conditions(water)));
+                new SimulatedTestWorld(1, seed, FleetConfig.DEFAULT.withConditions(water.conditions()));
         world.run(1);
         world.proxy().settings().setVelocityMultiplier(0.01); // weaker than the current for a while
         world.run(1);
@@ -33,8 +29,8 @@ class PlaceHoldRunTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"field", "rough"})
-    void aBoatWhosePathWasGivenUpStaysWhereKeepersStay(String water) {
+    @EnumSource(names = {"field", "rough"})
+    void aBoatWhosePathWasGivenUpStaysWhereKeepersStay(NamedConditions water) {
         for (long seed = 1; seed <= 5; seed++) {
             SimulatedTestWorld world = givenUp(water, seed);
             double eastM = world.hull().eastM();
@@ -46,14 +42,14 @@ class PlaceHoldRunTest {
                 farthestM = Math.max(farthestM, world.distanceTo(eastM, northM));
             }
 
-            double positionM = conditions(water).crossTrackError().positionM();
+            double positionM = water.conditions().crossTrackError().positionM();
             assertThat(farthestM).as("%s, seed %d", water, seed).isLessThan(KEPT_M + 2 * DEVIATIONS * positionM);
         }
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"field", "rough"})
-    void itLeavesItsPlaceForTheNextCommand(String water) {
+    @EnumSource(names = {"field", "rough"})
+    void itLeavesItsPlaceForTheNextCommand(NamedConditions water) {
         SimulatedTestWorld world = givenUp(water, 1);
         world.run(60);
 
@@ -64,8 +60,8 @@ class PlaceHoldRunTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"field", "rough"})
-    void itRestsWithItsMotorsOffWhenItIsStopped(String water) {
+    @EnumSource(names = {"field", "rough"})
+    void itRestsWithItsMotorsOffWhenItIsStopped(NamedConditions water) {
         SimulatedTestWorld world = givenUp(water, 1);
         world.run(60);
         double eastM = world.hull().eastM();

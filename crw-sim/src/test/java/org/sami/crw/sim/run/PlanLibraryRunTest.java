@@ -12,8 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
-import org.sami.crw.sim.hull.Conditions;
-import org.sami.crw.sim.hull.Flow;
+import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.crw.sim.report.Exploration;
 import org.sami.crw.sim.report.FiringResult;
 import org.sami.crw.sim.report.InterruptResult;
@@ -23,11 +22,8 @@ import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Speed;
 
-/** Plans of the library from their start to their end, with the simulated operator, in calm water and as it was in the field. */
+/** Plans of the library from their start to their end, with the simulated operator, in calm, field and rough water. */
 class PlanLibraryRunTest {
-    /** Noise of a phone's receiver and compass, a tide and a breeze. */
-    private static final Conditions FIELD = new Conditions(1, 4, Flow.parse("0.15@90"), Flow.parse("3@270"), List.of());
-
     private static final String NO_LOCATIONS =
             "{\"event\": \"OperatorCreateLocations\", \"answer\": {\"values\": {\"locations\": []}}}";
 
@@ -38,6 +34,7 @@ class PlanLibraryRunTest {
      */
     private record Run(
             String plan,
+            NamedConditions water,
             RunSettings.Fleet fleet,
             Map<String, String> values,
             List<String> interrupts,
@@ -45,19 +42,23 @@ class PlanLibraryRunTest {
             List<String> fires) {
         static Run of(String plan, int boats, int locations, double areaM, String... fires) {
             RunSettings.Fleet fleet = new RunSettings.Fleet(boats, locations, areaM, 3);
-            return new Run(plan, fleet, Map.of(), List.of(), "", List.of(fires));
+            return new Run(plan, NamedConditions.calm, fleet, Map.of(), List.of(), "", List.of(fires));
         }
 
         Run with(Map<String, String> newValues) {
-            return new Run(plan, fleet, newValues, interrupts, answers, fires);
+            return new Run(plan, water, fleet, newValues, interrupts, answers, fires);
         }
 
         Run pressing(String... newInterrupts) {
-            return new Run(plan, fleet, values, List.of(newInterrupts), answers, fires);
+            return new Run(plan, water, fleet, values, List.of(newInterrupts), answers, fires);
         }
 
         Run answering(String rules) {
-            return new Run(plan, fleet, values, interrupts, rules, fires);
+            return new Run(plan, water, fleet, values, interrupts, rules, fires);
+        }
+
+        Run on(NamedConditions other) {
+            return new Run(plan, other, fleet.on(other.conditions()), values, interrupts, answers, fires);
         }
 
         RunReport report() {
@@ -73,7 +74,7 @@ class PlanLibraryRunTest {
 
         @Override
         public String toString() {
-            return plan + (fleet.conditions().equals(Conditions.CALM) ? ", calm" : ", field") + " " + interrupts;
+            return plan + ", " + water + " " + interrupts;
         }
     }
 
@@ -82,7 +83,7 @@ class PlanLibraryRunTest {
                 .formatted(event, plan, nth);
     }
 
-    private static List<Run> calm() {
+    private static List<Run> plans() {
         return List.of(
                 Run.of("clv", 3, 9, 200, "Path completed", "All paths completed"),
                 Run.of("clv-interrupts", 3, 9, 200, "Start alarm", "End alarm", "Start recharge during an alarm")
@@ -155,10 +156,8 @@ class PlanLibraryRunTest {
     }
 
     static Stream<Run> runs() {
-        List<Run> runs = new ArrayList<>(calm());
-        calm().forEach(run ->
-                runs.add(new Run(run.plan, run.fleet.on(FIELD), run.values, run.interrupts, run.answers, run.fires)));
-        return runs.stream();
+        return Stream.of(NamedConditions.values())
+                .flatMap(water -> plans().stream().map(run -> run.on(water)));
     }
 
     /** Thesis 8.2: with markup made for each event boats come to safety in about half the time, and the mission ends earlier. */
