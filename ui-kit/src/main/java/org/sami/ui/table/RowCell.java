@@ -44,10 +44,9 @@ final class RowCell<R> extends DefaultTableCellRenderer {
         getAccessibleContext().setAccessibleName(text);
     }
 
-    /** How high a row has to be for a cell, in pixels. */
-    static <R> int height(JTable view, RowColumn<R> column, R row, int width, int most) {
-        int count = column.right() ? 1 : lines(view, column, row, width, most).size();
-        return heightOf(count, view.getFontMetrics(view.getFont()));
+    /** How high a row of so many lines is in a table, in pixels. */
+    static int height(JTable view, int lines) {
+        return heightOf(lines, view.getFontMetrics(view.getFont()));
     }
 
     /** How high a row of one line is, in pixels. */
@@ -59,7 +58,8 @@ final class RowCell<R> extends DefaultTableCellRenderer {
         return Math.max(leastHeight(), lines * metrics.getHeight() + Look.px(AIR));
     }
 
-    private static <R> List<String> lines(JTable view, RowColumn<R> column, R row, int width, int most) {
+    /** The lines of a cell; one at least, and one of a number. */
+    static <R> List<String> lines(JTable view, RowColumn<R> column, R row, int width, int most) {
         String text = column.text().apply(row);
         if (column.right()) {
             return List.of(text);

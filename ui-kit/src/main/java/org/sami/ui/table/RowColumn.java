@@ -15,6 +15,7 @@ import org.sami.ui.look.SemanticColor;
  * @param color of the text
  * @param icon before the text
  * @param spare whether it is left out where the table is too narrow for all columns
+ * @param last whether it is left out only after all other spare columns
  */
 public record RowColumn<R>(
         String title,
@@ -23,7 +24,8 @@ public record RowColumn<R>(
         Function<R, String> text,
         Function<R, SemanticColor> color,
         Function<R, Optional<Icon>> icon,
-        boolean spare) {
+        boolean spare,
+        boolean last) {
     public RowColumn {
         Objects.requireNonNull(title, "title");
         Objects.requireNonNull(text, "text");
@@ -33,26 +35,33 @@ public record RowColumn<R>(
 
     /** Words. */
     public static <R> RowColumn<R> words(String title, int width, Function<R, String> text) {
-        return new RowColumn<>(title, width, false, text, row -> SemanticColor.TEXT, row -> Optional.empty(), false);
+        return new RowColumn<>(
+                title, width, false, text, row -> SemanticColor.TEXT, row -> Optional.empty(), false, false);
     }
 
     /** A number with its unit. */
     public static <R> RowColumn<R> number(String title, int width, Function<R, String> text) {
-        return new RowColumn<>(title, width, true, text, row -> SemanticColor.TEXT, row -> Optional.empty(), false);
+        return new RowColumn<>(
+                title, width, true, text, row -> SemanticColor.TEXT, row -> Optional.empty(), false, false);
     }
 
     /** The same in colours that say something. */
     public RowColumn<R> colored(Function<R, SemanticColor> by) {
-        return new RowColumn<>(title, width, right, text, by, icon, spare);
+        return new RowColumn<>(title, width, right, text, by, icon, spare, last);
     }
 
     /** The same with icons. */
     public RowColumn<R> withIcon(Function<R, Optional<Icon>> by) {
-        return new RowColumn<>(title, width, right, text, color, by, spare);
+        return new RowColumn<>(title, width, right, text, color, by, spare, last);
     }
 
     /** The same, left out where the table is too narrow for all columns; of several the last one first. */
     public RowColumn<R> asSpare() {
-        return new RowColumn<>(title, width, right, text, color, icon, true);
+        return new RowColumn<>(title, width, right, text, color, icon, true, false);
+    }
+
+    /** The same, left out where the table is too narrow even without all other spare columns. */
+    public RowColumn<R> asLastSpare() {
+        return new RowColumn<>(title, width, right, text, color, icon, true, true);
     }
 }

@@ -3,20 +3,14 @@ package org.sami.ui.table;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Point;
-import java.awt.Rectangle;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
-import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JScrollPane;
@@ -32,26 +26,21 @@ import org.sami.ui.value.WrappedText;
 
 /**
  * A table of immutable rows. When they are replaced, the selection stays with what was selected. Words that do not fit their column go on
- * in further lines; a narrow table leaves spare columns out. An empty table says what would appear in it. On the event thread.
+ * in further lines, in a low table in so few that two rows are seen; a narrow table leaves spare columns out. An empty table says what would
+ * appear in it. On the event thread.
  *
  * @param <R> type of the rows
  */
 public final class RowTable<R> extends JScrollPane {
-    private static final int LEAST_WORDS = 84;
-    private static final int LEAST_REST = 170; // logical pixels of a column that has what is left
-    private static final int MOST_LINES = 4; // the rest is in the tooltip
-
     private final Function<R, Object> key;
     private final List<RowColumn<R>> columns;
     private final Rows model = new Rows();
     private final JTable table;
-    private final List<TableColumn> all;
+    private final ColumnFit<R> columnFit;
+    private final RowFit<R> rowFit;
     private final List<Runnable> selectionListeners = new ArrayList<>();
     private List<R> rows = List.of();
     private boolean replacing;
-    private boolean revealing;
-    private int leastWhole;
-    private int mostLines = MOST_LINES;
 
     /**
      * An empty table.
@@ -65,7 +54,8 @@ public final class RowTable<R> extends JScrollPane {
         this.columns = List.copyOf(columns);
         table = new View(name, nothingYet);
         table.setAutoCreateColumnsFromModel(false);
-        all = Collections.list(table.getColumnModel().getColumns());
+        columnFit = new ColumnFit<>(table, this.columns);
+        rowFit = new RowFit<>(this, table, this.columns, () -> rows);
         table.setFillsViewportHeight(true);
         table.setShowVerticalLines(false);
         table.setDefaultRenderer(Object.class, new Cell());
@@ -74,24 +64,16 @@ public final class RowTable<R> extends JScrollPane {
         table.putClientProperty("terminateEditOnFocusLost", true);
         table.getSelectionModel().addListSelectionListener(e -> {
             if (!replacing && !e.getValueIsAdjusting()) {
-                revealing = false;
+                rowFit.leave();
                 selectionListeners.forEach(Runnable::run);
             }
         });
         setViewportView(table);
-        getViewport().addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent e) {
-                if (leastWhole == 0) { // else its own layout has done it
-                    reveal();
-                }
-            }
-        });
-        addMouseWheelListener(e -> revealing = false);
+        addMouseWheelListener(e -> rowFit.leave());
         getVerticalScrollBar().addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent e) {
-                revealing = false;
+                rowFit.leave();
             }
         });
         setBorder(BorderFactory.createEmptyBorder());
@@ -126,8 +108,7 @@ public final class RowTable<R> extends JScrollPane {
      * @param least so many at least: in a low table words go on in fewer lines, which end in dots
      */
     public void showWholeRows(int least) {
-        leastWhole = least;
-        revalidate();
+        rowFit.showWhole(least);
     }
 
     /** Replaces the rows. */
@@ -148,7 +129,7 @@ public final class RowTable<R> extends JScrollPane {
         }
         select(selected);
         replacing = false;
-        fitRows();
+        rowFit.fit();
     }
 
     private void select(Set<Object> keys) {
@@ -173,25 +154,7 @@ public final class RowTable<R> extends JScrollPane {
      */
     public void offer(Set<Object> keys) {
         selectKeys(keys);
-        revealing = true;
-        if (leastWhole == 0) {
-            reveal();
-        } else {
-            revalidate(); // whole rows are seen by its layout only
-        }
-    }
-
-    /** Moves the view by hand: the table's own way lays it out, and this is done while it is laid out. */
-    private void reveal() {
-        int row = table.getSelectedRow();
-        if (revealing && row >= 0) {
-            Rectangle cell = table.getCellRect(row, 0, true);
-            Rectangle seen = getViewport().getViewRect();
-            int y = Math.min(cell.y, Math.max(seen.y, cell.y + cell.height - seen.height));
-            if (y != seen.y) {
-                getViewport().setViewPosition(new Point(seen.x, y));
-            }
-        }
+        rowFit.offer();
     }
 
     /** The selected row, if one is; of several the first. */
@@ -226,38 +189,14 @@ public final class RowTable<R> extends JScrollPane {
 
     private void scale() {
         table.setRowHeight(RowCell.leastHeight());
-        for (int i = 0; i < columns.size(); i++) {
-            TableColumn column = all.get(i);
-            int width = columns.get(i).width();
-            if (width > 0) {
-                column.setPreferredWidth(Look.px(width));
-                column.setMinWidth(Look.px(width));
-                column.setMaxWidth(Look.px(width * 2));
-            }
-        }
+        columnFit.scale();
     }
 
-    /** What a whole row does not fill is left below the rows. */
     @Override
     public void doLayout() {
         Point before = getViewport().getViewPosition();
         super.doLayout();
-        if (leastWhole > 0 && !rows.isEmpty()) {
-            Dimension seen = getViewport().getSize();
-            table.setSize(seen.width, Math.max(seen.height, table.getHeight()));
-            table.doLayout(); // rows are as high as the width of columns lets them be
-            int height = table.getRowHeight(0);
-            if (height < seen.height) {
-                getViewport().setSize(seen.width, seen.height - seen.height % height);
-            }
-            getViewport().setViewPosition(before); // in the higher view the last rows were moved down
-            reveal();
-        }
-    }
-
-    /** The height in which rows are seen, with what is left below them. */
-    private int room() {
-        return getViewport().getHeight() == 0 ? 0 : getHeight() - getViewport().getY() - getInsets().bottom;
+        rowFit.paneLaidOut(before);
     }
 
     private final class Rows extends AbstractTableModel {
@@ -306,12 +245,9 @@ public final class RowTable<R> extends JScrollPane {
 
         @Override
         public void doLayout() {
-            fitColumns(getWidth());
+            columnFit.fit(getWidth());
             super.doLayout();
-            fitRows();
-            if (leastWhole == 0) {
-                reveal();
-            }
+            rowFit.tableLaidOut();
             int inset = Look.px(Spacing.WIDE);
             int width = Math.max(1, getWidth() - 2 * inset);
             hint.setVisible(getRowCount() == 0);
@@ -324,101 +260,10 @@ public final class RowTable<R> extends JScrollPane {
         public String getToolTipText(MouseEvent event) {
             int row = rowAtPoint(event.getPoint());
             int column = columnAtPoint(event.getPoint());
-            return row < 0 || column < 0 ? null : TooltipLines.of(getValueAt(row, column) + leftOut(row));
+            return row < 0 || column < 0
+                    ? null
+                    : TooltipLines.of(getValueAt(row, column) + columnFit.leftOut(rows.get(row)));
         }
-    }
-
-    /** What columns say of a row that are left out, each in a sentence of its own. */
-    private String leftOut(int row) {
-        List<TableColumn> shown = Collections.list(table.getColumnModel().getColumns());
-        return all.stream()
-                .filter(column -> !shown.contains(column))
-                .map(column -> columns.get(column.getModelIndex()))
-                .map(column -> ". " + column.title() + ": " + column.text().apply(rows.get(row)))
-                .collect(Collectors.joining());
-    }
-
-    /** Leaves out as many spare columns as others need room, the last one first. */
-    private void fitColumns(int width) {
-        int needed = columns.stream().mapToInt(RowTable::leastWidth).sum();
-        Set<Integer> out = new HashSet<>();
-        for (int i = columns.size() - 1; i >= 0 && needed > width && width > 0; i--) {
-            if (columns.get(i).spare()) {
-                out.add(i);
-                needed -= leastWidth(columns.get(i));
-            }
-        }
-        shrinkWords(needed - width);
-        for (int i = 0; i < columns.size(); i++) {
-            if (columns.get(i).width() == 0) {
-                all.get(i).setPreferredWidth(Math.max(Look.px(LEAST_REST), width - needed + Look.px(LEAST_REST)));
-            }
-        }
-        for (int i = 0, at = 0; i < all.size(); i++) {
-            boolean there =
-                    at < table.getColumnCount() && table.getColumnModel().getColumn(at) == all.get(i);
-            if (there && out.contains(i)) {
-                table.removeColumn(all.get(i));
-            } else if (!there && !out.contains(i)) {
-                table.addColumn(all.get(i));
-                table.moveColumn(table.getColumnCount() - 1, at);
-            }
-            at += out.contains(i) ? 0 : 1;
-        }
-    }
-
-    private static int leastWidth(RowColumn<?> column) {
-        return Look.px(column.width() > 0 ? column.width() : LEAST_REST);
-    }
-
-    /** Words go on in further lines: where even so not all has room, columns of words become narrower. */
-    private void shrinkWords(int missing) {
-        int words = columns.stream()
-                .filter(column -> !column.right())
-                .mapToInt(column -> Look.px(column.width()))
-                .sum();
-        for (int i = 0; i < columns.size(); i++) {
-            int width = Look.px(columns.get(i).width());
-            if (!columns.get(i).right() && width > 0) {
-                int fair = missing <= 0 ? width : width - missing * width / words;
-                int given = Math.max(Math.min(width, Look.px(LEAST_WORDS)), fair);
-                all.get(i).setMinWidth(given);
-                all.get(i).setPreferredWidth(given);
-            }
-        }
-    }
-
-    /** Makes each row as high as its words need at the width of their columns, or all as high as the highest. */
-    private void fitRows() {
-        if (table.getWidth() == 0) {
-            return; // its layout will do it
-        }
-        mostLines = MOST_LINES;
-        int highest = leastWhole > 0 ? highest() : 0;
-        while (leastWhole * highest > room() && mostLines > 1) {
-            mostLines--;
-            highest = highest();
-        }
-        for (int row = 0; row < rows.size(); row++) {
-            int height = leastWhole > 0 ? highest : height(row);
-            if (table.getRowHeight(row) != height) {
-                table.setRowHeight(row, height);
-            }
-        }
-    }
-
-    private int highest() {
-        return IntStream.range(0, rows.size()).map(this::height).max().orElse(0);
-    }
-
-    private int height(int row) {
-        int height = RowCell.leastHeight();
-        for (int at = 0; at < table.getColumnCount(); at++) {
-            TableColumn column = table.getColumnModel().getColumn(at);
-            RowColumn<R> shown = columns.get(column.getModelIndex());
-            height = Math.max(height, RowCell.height(table, shown, rows.get(row), column.getWidth(), mostLines));
-        }
-        return height;
     }
 
     private final class Cell implements TableCellRenderer {
@@ -429,7 +274,7 @@ public final class RowTable<R> extends JScrollPane {
                 JTable view, Object value, boolean selected, boolean focused, int row, int at) {
             TableColumn column = view.getColumnModel().getColumn(at);
             RowColumn<R> shown = columns.get(column.getModelIndex());
-            cell.show(view, shown, rows.get(row), selected, column.getWidth(), mostLines);
+            cell.show(view, shown, rows.get(row), selected, column.getWidth(), rowFit.mostLines());
             return cell;
         }
     }

@@ -4,7 +4,7 @@ import java.awt.FontMetrics;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Breaks a text into lines of a width, between words where it can. */
+/** Breaks a text into lines of a width, between words or behind a hyphen where it can. */
 final class TextLines {
     private static final String MORE = "…";
 
@@ -49,13 +49,24 @@ final class TextLines {
         while (wordsFrom < text.length() && text.charAt(wordsFrom) == ' ') {
             wordsFrom++; // what a line is indented by is no place to break it
         }
-        for (int space = text.indexOf(' ', wordsFrom); space >= 0; space = text.indexOf(' ', space + 1)) {
-            if (metrics.stringWidth(text.substring(from, space)) > width) {
-                break;
+        for (int at = wordsFrom + 1; at < text.length(); at++) {
+            if (mayBreak(text, at)) {
+                if (metrics.stringWidth(text.substring(from, at)) > width) {
+                    break;
+                }
+                best = at;
             }
-            best = space;
         }
         return best > 0 ? best : broken(text, from, metrics, width);
+    }
+
+    /** Whether a line may end before a letter: at a space, and behind a hyphen within a word. */
+    private static boolean mayBreak(String text, int at) {
+        boolean behindHyphen = at > 1
+                && text.charAt(at - 1) == '-'
+                && Character.isLetter(text.charAt(at - 2))
+                && Character.isLetter(text.charAt(at));
+        return text.charAt(at) == ' ' || behindHyphen;
     }
 
     /** Where a word is broken that does not fit. */

@@ -75,8 +75,7 @@ class RowTableTest {
 
     @Test
     void whatIsOfferedIsInViewWhateverSizeTheTableIsGiven() {
-        table.show(IntStream.range(0, 30).mapToObj(i -> new Row("row " + i, i)).toList());
-        table.offer(Set.of("row 20"));
+        offerRow20();
 
         Layout.layOut(table, 220, 200);
         assertThat(inView(20)).isTrue();
@@ -88,6 +87,11 @@ class RowTableTest {
         table.getViewport().setViewPosition(new Point());
         Layout.layOut(table, 300, 120);
         assertThat(inView(20)).as("the user has selected something else").isFalse();
+    }
+
+    private void offerRow20() {
+        table.show(IntStream.range(0, 30).mapToObj(i -> new Row("row " + i, i)).toList());
+        table.offer(Set.of("row 20"));
     }
 
     private boolean inView(int row) {
@@ -110,16 +114,11 @@ class RowTableTest {
 
     @Test
     void aNarrowTableLeavesSpareColumnsOutTheLastOneFirst() {
-        RowTable<Row> spare = new RowTable<>(
-                "numbers",
-                "Numbers appear here",
-                Row::id,
-                List.of(
-                        RowColumn.words("Name", 0, Row::id),
-                        RowColumn.<Row>number("One", 80, row -> "1").asSpare(),
-                        RowColumn.<Row>number("Two", 80, row -> "2").asSpare(),
-                        RowColumn.number("Value", 80, row -> row.value() + " m")));
-        spare.show(List.of(new Row("a", 1)));
+        RowTable<Row> spare = withColumns(List.of(
+                RowColumn.words("Name", 0, Row::id),
+                RowColumn.<Row>number("One", 80, row -> "1").asSpare(),
+                RowColumn.<Row>number("Two", 80, row -> "2").asSpare(),
+                RowColumn.number("Value", 80, row -> row.value() + " m")));
 
         assertThat(heads(spare, 430)).containsExactly("Name", "One", "Two", "Value");
         assertThat(heads(spare, 350)).containsExactly("Name", "One", "Value");
@@ -151,10 +150,38 @@ class RowTableTest {
     }
 
     @Test
+    void inALowTableWordsGoOnInSoFewLinesThatTwoRowsAreSeen() {
+        String words = "words that need several lines in a table that is as narrow as this one is here";
+        table.show(List.of(new Row("one of many " + words, 1), new Row("another of many " + words, 2)));
+
+        Layout.layOut(table, 300, 110);
+        assertThat(inView(0) && inView(1)).isTrue();
+        int low = table.table().getRowHeight(0);
+
+        Layout.layOut(table, 300, 400);
+        assertThat(table.table().getRowHeight(0)).isGreaterThan(low);
+
+        table.show(List.of(new Row("the only one " + words, 1)));
+        Layout.layOut(table, 300, 110);
+        assertThat(table.table().getRowHeight(0)).isGreaterThan(low);
+    }
+
+    @Test
+    void aColumnOfWhatIsLeftHasItsRoomAlsoWhereColumnsOfWordsAreLeftOut() {
+        RowTable<Row> narrow = withColumns(List.of(
+                RowColumn.words("Code", 200, Row::id),
+                RowColumn.<Row>words("Plan", 110, Row::id).asSpare(),
+                RowColumn.words("What", 0, Row::id),
+                RowColumn.<Row>words("Fix", 160, Row::id).asSpare()));
+
+        assertThat(heads(narrow, 300)).containsExactly("Code", "What");
+        assertThat(narrow.table().getColumnModel().getColumn(1).getWidth()).isGreaterThanOrEqualTo(170);
+    }
+
+    @Test
     void aTableThatIsScrolledStaysSoAlthoughARowWasOffered() {
         table.showWholeRows(3);
-        table.show(IntStream.range(0, 30).mapToObj(i -> new Row("row " + i, i)).toList());
-        table.offer(Set.of("row 20"));
+        offerRow20();
         Layout.layOut(table, 400, 200);
         assertThat(inView(20)).isTrue();
 
@@ -170,8 +197,7 @@ class RowTableTest {
     @Test
     void anOfferedRowIsSeenWholeAlsoWhereTheViewWasMovedWithoutTheUser() {
         table.showWholeRows(3);
-        table.show(IntStream.range(0, 30).mapToObj(i -> new Row("row " + i, i)).toList());
-        table.offer(Set.of("row 20"));
+        offerRow20();
         Layout.layOut(table, 400, 200);
 
         table.getViewport().setViewPosition(new Point(0, table.table().getRowHeight(0) / 2));
@@ -188,16 +214,23 @@ class RowTableTest {
     }
 
     @Test
+    void theColumnThatIsLeftOutLastIsSeenAsLongAsOthersCanBeLeftOut() {
+        RowTable<Row> spare = withColumns(List.of(
+                RowColumn.words("Name", 0, Row::id),
+                RowColumn.<Row>number("One", 80, row -> "1").asSpare(),
+                RowColumn.<Row>number("Link", 80, row -> "2").asLastSpare()));
+
+        assertThat(heads(spare, 350)).containsExactly("Name", "One", "Link");
+        assertThat(heads(spare, 260)).containsExactly("Name", "Link");
+        assertThat(heads(spare, 200)).containsExactly("Name");
+        assertThat(heads(spare, 350)).containsExactly("Name", "One", "Link");
+    }
+
+    @Test
     void theTooltipOfARowSaysWhatColumnsHoldThatAreLeftOut() {
-        RowTable<Row> spare = new RowTable<>(
-                "numbers",
-                "Numbers appear here",
-                Row::id,
-                List.of(
-                        RowColumn.words("Name", 120, Row::id),
-                        RowColumn.<Row>words("About", 0, row -> "it is " + row.value())
-                                .asSpare()));
-        spare.show(List.of(new Row("a", 1)));
+        RowTable<Row> spare = withColumns(List.of(
+                RowColumn.words("Name", 120, Row::id),
+                RowColumn.<Row>words("About", 0, row -> "it is " + row.value()).asSpare()));
 
         assertThat(heads(spare, 400)).containsExactly("Name", "About");
         assertThat(tip(spare)).isEqualTo("a");
@@ -216,6 +249,12 @@ class RowTableTest {
 
         assertThat(TextFit.faults(table)).isEmpty();
         assertThat(table.getVerticalScrollBar().isVisible()).isTrue();
+    }
+
+    private static RowTable<Row> withColumns(List<RowColumn<Row>> columns) {
+        RowTable<Row> made = new RowTable<>("numbers", "Numbers appear here", Row::id, columns);
+        made.show(List.of(new Row("a", 1)));
+        return made;
     }
 
     private static List<String> heads(RowTable<?> table, int width) {

@@ -13,6 +13,7 @@ import org.sami.ui.table.RowTable;
 
 /** The boats, worst first: what each does or why it stands, charge, speed, path, age of the link. Shows each in its own mark. */
 public final class BoatsPanel extends JPanel {
+    private static final int LEAST_ROWS = 2;
     private static final Comparator<Shown> WORST_FIRST = Comparator.comparingInt(
                     (Shown shown) -> BoatWords.trouble(shown.boat()))
             .reversed()
@@ -47,7 +48,9 @@ public final class BoatsPanel extends JPanel {
                         number("Path", 72, shown -> BoatWords.path(shown.boat()))
                                 .asSpare(),
                         RowColumn.<Shown>number("Link", 104, Shown::link)
-                                .colored(shown -> shown.stale() ? SemanticColor.CRITICAL : SemanticColor.TEXT)));
+                                .colored(shown -> shown.stale() ? SemanticColor.CRITICAL : SemanticColor.TEXT)
+                                .asLastSpare())); // what it does says when the link is lost
+        table.showWholeRows(LEAST_ROWS);
         BoatTables.shareSelection(context, table, Shown::name);
         context.models()
                 .fleet()

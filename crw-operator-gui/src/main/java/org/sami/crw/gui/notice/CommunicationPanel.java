@@ -55,7 +55,7 @@ public final class CommunicationPanel extends JPanel {
                                         shown -> words(shown.boat().status()))
                                 .colored(shown -> color(shown.boat().status())),
                         RowColumn.<Shown>number("Link", 104, Shown::link).colored(Shown::linkColor),
-                        RowColumn.words("In missions", 0, Shown::said)));
+                        RowColumn.<Shown>words("In missions", 0, Shown::said).asSpare()));
         BoatTables.shareSelection(context, table, Shown::name);
         summary.setName("communication-summary");
         int inset = Look.px(Spacing.NORMAL);

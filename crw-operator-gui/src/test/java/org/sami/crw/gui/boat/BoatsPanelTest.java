@@ -2,15 +2,26 @@ package org.sami.crw.gui.boat;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.sami.crw.gui.EventThreadCall.onEventThread;
+import static org.sami.crw.gui.SessionWorld.find;
 import static org.sami.crw.gui.SessionWorld.get;
 import static org.sami.crw.gui.SessionWorld.laidOut;
 import static org.sami.crw.gui.SessionWorld.until;
 
+import java.util.Collections;
 import java.util.List;
+import javax.swing.JTable;
+import javax.swing.JViewport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Isolated;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.crw.gui.SessionWorld;
+import org.sami.ui.check.Layout;
+import org.sami.ui.look.Look;
+import org.sami.ui.look.Theme;
 
+@Isolated("the look is one for all windows of a process")
 @Timeout(120)
 class BoatsPanelTest {
     @Test
@@ -29,5 +40,49 @@ class BoatsPanelTest {
                     () -> world.context.models().fleet().boat("anna").isEmpty());
             assertThat(onEventThread(() -> world.context.boats().boats())).containsExactly("bert");
         }
+    }
+
+    /** The sizes are those that the panel has in a window of 1280 by 800. */
+    @ParameterizedTest
+    @CsvSource({"100, 655, 200, 3", "150, 655, 148, 2", "200, 630, 440, 2"})
+    void wholeRowsAreSeenWithWhatBoatsDoAndTheirCharge(int percent, int width, int height, int rows) throws Exception {
+        apply(percent);
+        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna", "bert", "carl", "dora")) {
+            BoatsPanel panel = onEventThread(() -> new BoatsPanel(world.context));
+            JTable table = find(panel, "boats-table", JTable.class);
+            until("boats are listed", () -> {
+                onEventThread(() -> {
+                    panel.refresh();
+                    return null;
+                });
+                return table.getRowCount() == 4;
+            });
+            onEventThread(() -> {
+                Layout.layOut(panel, width, height);
+                int seen = ((JViewport) table.getParent()).getViewRect().height;
+                assertThat(seen / table.getRowHeight(0)).isGreaterThanOrEqualTo(rows);
+                assertThat(seen % table.getRowHeight(0)).isZero();
+                assertThat(width(table, "What it does")).isGreaterThanOrEqualTo(width / 3);
+                assertThat(width(table, "Battery")).isGreaterThanOrEqualTo(Look.px(76));
+                return null;
+            });
+        } finally {
+            apply(100);
+        }
+    }
+
+    private static int width(JTable table, String column) {
+        return Collections.list(table.getColumnModel().getColumns()).stream()
+                .filter(shown -> shown.getHeaderValue().equals(column))
+                .findFirst()
+                .orElseThrow()
+                .getWidth();
+    }
+
+    private static void apply(int percent) {
+        onEventThread(() -> {
+            Look.apply(Theme.LIGHT, percent);
+            return null;
+        });
     }
 }

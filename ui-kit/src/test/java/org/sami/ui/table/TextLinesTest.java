@@ -1,0 +1,40 @@
+package org.sami.ui.table;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.FontMetrics;
+import javax.swing.JLabel;
+import org.junit.jupiter.api.Test;
+import org.sami.ui.look.Fonts;
+
+class TextLinesTest {
+    private final JLabel label = new JLabel();
+    private final FontMetrics metrics = label.getFontMetrics(Fonts.text());
+
+    private int widthOf(String text) {
+        return metrics.stringWidth(text);
+    }
+
+    @Test
+    void aLongWordIsBrokenBehindItsHyphens() {
+        assertThat(TextLines.of("W-VARIABLE-UNREAD", metrics, widthOf("W-VARIABLE-UNREA"), 4))
+                .containsExactly("W-VARIABLE-", "UNREAD");
+    }
+
+    @Test
+    void aMinusIsNotTakenForAHyphen() {
+        assertThat(TextLines.of("from 12 to -5", metrics, widthOf("from 12 to -"), 4))
+                .containsExactly("from 12 to", "-5");
+    }
+
+    @Test
+    void aWordWithoutHyphensIsBrokenWhereTheLineIsFull() {
+        assertThat(TextLines.of("VARIABLEUNREAD", metrics, widthOf("VARIABLE"), 4))
+                .containsExactly("VARIABLE", "UNREAD");
+    }
+
+    @Test
+    void whereThereWouldBeMoreLinesTheLastOneEndsInDots() {
+        assertThat(TextLines.of("one two three", metrics, widthOf("two…"), 2)).containsExactly("one", "two…");
+    }
+}
