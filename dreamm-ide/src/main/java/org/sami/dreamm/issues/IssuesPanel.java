@@ -15,9 +15,8 @@ import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JPopupMenu;
+import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
@@ -33,6 +32,7 @@ import org.sami.ui.look.Fonts;
 import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.LookColors;
+import org.sami.ui.look.ScrolledPanel;
 import org.sami.ui.look.SemanticColor;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.table.RowColumn;
@@ -48,8 +48,16 @@ public final class IssuesPanel extends JPanel {
 
     private static final int NARROW = 640;
     private static final int TWO_ROWS = 420;
-    private static final String FILTER = "growx, wmin 80, wmax 320, hmin 32";
-    private static final String FILTER_BELOW = "newline, span, split 2, growx, wmin 80, wmax 240, hmin 32";
+    private static final String ONE_ROW = "[][][]16[][grow][][]";
+    private static final String ROWS = "[][][]16[grow]";
+    private static final String FILTER = "cell 4 0, growx, wmin 80, wmax 320, hmin 32";
+    private static final String FILTER_BELOW = "cell 0 1 4 1, growx, wmin 80, hmin 32";
+    private static final String SEARCHED = "cell 5 0, wmin 0";
+    private static final String SEARCHED_BELOW = "cell 0 2 4 1, growx, wmin 0";
+    private static final String SEARCH = "cell 6 0";
+    private static final String SEARCH_BELOW = "cell 0 1 4 1";
+    private static final String FIXES = "novisualpadding, insets 0, gap 8";
+    private static final String FIXES_BESIDE = FIXES + ", wrap 1";
 
     private final transient DreammContext context;
     private final transient IssueList issues;
@@ -58,9 +66,11 @@ public final class IssuesPanel extends JPanel {
     private final JCheckBox onlyOpen = new JCheckBox("Open plan only");
     private final JTextField text = new JTextField(12);
     private final transient MigLayout bars =
-            new MigLayout("novisualpadding, insets 4 8 4 8, gap 8", "[][][]16[][grow][]", "[]");
+            new MigLayout("novisualpadding, insets 4 8 4 8, gap 8, hidemode 3", ONE_ROW, "[]");
     private final JTextArea message = new JTextArea();
-    private final JPanel fixes = new JPanel(new MigLayout("novisualpadding, insets 0, gap 8", "[][][][]push[]", "[]"));
+    private final transient MigLayout fixColumns = new MigLayout(FIXES, "[][][][]push[]", "[]");
+    private final JPanel fixes = new JPanel(fixColumns);
+    private final JScrollPane mending = mending();
     private final DeepChecksBar deep;
 
     /**
@@ -79,17 +89,18 @@ public final class IssuesPanel extends JPanel {
                 Issue::key,
                 List.of(
                         RowColumn.<Issue>words(
-                                        "Code", 200, issue -> issue.finding().code())
-                                .withIcon(IssuesPanel::icon)
-                                .colored(issue -> color(issue.finding().severity())),
+                                        "Code", 180, issue -> issue.finding().code())
+                                .colored(issue -> color(issue.finding().severity()))
+                                .asLastSpare(),
                         RowColumn.<Issue>words(
                                         "Plan", 110, issue -> issue.finding().plan())
                                 .colored(issue -> SemanticColor.MUTED)
                                 .asSpare(),
-                        RowColumn.words(
-                                "What is wrong, and what to do",
-                                0,
-                                issue -> issue.finding().message()),
+                        RowColumn.<Issue>words(
+                                        "What is wrong, and what to do",
+                                        0,
+                                        issue -> issue.finding().message())
+                                .withIcon(IssuesPanel::icon),
                         RowColumn.<Issue>words("Fix", 160, IssuesPanel::offer)
                                 .colored(issue -> SemanticColor.ACCENT)
                                 .asSpare()));
@@ -97,7 +108,7 @@ public final class IssuesPanel extends JPanel {
         bindTable();
         add(top(), BorderLayout.NORTH);
         add(table);
-        add(bottom(), BorderLayout.SOUTH);
+        add(mending, BorderLayout.SOUTH);
         issues.addListener(this::refresh);
         addComponentListener(new ComponentAdapter() {
             @Override
@@ -187,22 +198,35 @@ public final class IssuesPanel extends JPanel {
             }
         });
         bar.add(text, FILTER);
-        bar.add(deep); // its words shrink, its button does not
+        bar.add(deep.status(), SEARCHED); // its words shrink, the button beside it does not
+        bar.add(deep, SEARCH);
         return bar;
     }
 
     @Override
     public void doLayout() {
+        boolean tight = getWidth() < Look.px(TWO_ROWS);
         deep.setNarrow(getWidth() < Look.px(NARROW));
-        bars.setComponentConstraints(text, getWidth() < Look.px(TWO_ROWS) ? FILTER_BELOW : FILTER);
-        message.setVisible(hasMessage());
+        bars.setColumnConstraints(tight ? ROWS : ONE_ROW);
+        bars.setComponentConstraints(text, tight ? FILTER_BELOW : FILTER);
+        bars.setComponentConstraints(deep.status(), tight ? SEARCHED_BELOW : SEARCHED);
+        bars.setComponentConstraints(deep, tight ? SEARCH_BELOW : SEARCH);
+        place(!tight && isLow() ? BorderLayout.EAST : BorderLayout.SOUTH);
+        showMending();
         super.doLayout();
     }
 
-    private JPanel bottom() {
-        JPanel panel = new JPanel(
+    /** In a low panel what mends an issue stands beside the table, which keeps its rows. */
+    private void place(String side) {
+        if (!side.equals(((BorderLayout) getLayout()).getConstraints(mending))) {
+            fixColumns.setLayoutConstraints(side.equals(BorderLayout.EAST) ? FIXES_BESIDE : FIXES);
+            add(mending, side);
+        }
+    }
+
+    private JScrollPane mending() {
+        ScrolledPanel panel = new ScrolledPanel(
                 new MigLayout("novisualpadding, insets 4 12 6 12, gap 4, wrap, hidemode 3", "[grow, fill]", "[][]"));
-        panel.setOpaque(false);
         message.setName("issue-message");
         message.setEditable(false);
         message.setFocusable(false);
@@ -213,7 +237,7 @@ public final class IssuesPanel extends JPanel {
         fixes.setOpaque(false);
         panel.add(message, "wmin 0");
         panel.add(fixes, "wmin 0");
-        return panel;
+        return panel.inPane();
     }
 
     private void refresh() {
@@ -237,7 +261,6 @@ public final class IssuesPanel extends JPanel {
 
     private void showCurrent() {
         message.setText(issues.current().map(IssuesPanel::words).orElse(""));
-        message.setVisible(hasMessage());
         fixes.removeAll();
         issues.current().ifPresent(issue -> {
             for (int i = 0; i < issue.fixes().size(); i++) {
@@ -247,12 +270,18 @@ public final class IssuesPanel extends JPanel {
                     .ifPresent(run ->
                             fixes.add(new CommandButton(context.commands().get("issue-play")), "hmin 32"));
         });
-        fixes.setVisible(fixes.getComponentCount() > 0);
+        showMending();
         fixes.revalidate();
     }
 
-    private boolean hasMessage() {
-        return issues.current().isPresent() && getHeight() > Look.px(LEAST_HEIGHT_OF_MESSAGE);
+    private void showMending() {
+        message.setVisible(issues.current().isPresent() && !isLow());
+        fixes.setVisible(fixes.getComponentCount() > 0);
+        mending.setVisible(message.isVisible() || fixes.isVisible());
+    }
+
+    private boolean isLow() {
+        return getHeight() <= Look.px(LEAST_HEIGHT_OF_MESSAGE);
     }
 
     private static String words(Issue issue) {
@@ -286,52 +315,6 @@ public final class IssuesPanel extends JPanel {
         LookColors.foreground(message, SemanticColor.TEXT);
         for (Severity severity : Severity.values()) {
             severities.get(severity).setIcon(icon(severity));
-        }
-    }
-
-    /** What deep checks there are, how the one that runs is doing, and a way to stop it. */
-    private static final class DeepChecksBar extends JPanel {
-        private static final String WORDS = "Search deeper";
-
-        private final transient IssueCommands commands;
-        private final JLabel status = new JLabel();
-        private final JButton begin = new JButton(WORDS);
-        private final CommandButton stop;
-
-        DeepChecksBar(IssueCommands commands) {
-            super(new MigLayout("novisualpadding, insets 0, gap 8, hidemode 3", "[grow, right][][]", "[]"));
-            this.commands = commands;
-            setOpaque(false);
-            status.setName("deep-check-status");
-            begin.setName("deep-checks");
-            begin.setToolTipText("Search deeper: run the open plan to find what the drawing alone does not show");
-            begin.getAccessibleContext().setAccessibleName(WORDS);
-            begin.addActionListener(e -> {
-                JPopupMenu menu = new JPopupMenu();
-                menu.setName("deep-checks-menu");
-                commands.deepCommands().forEach(menu::add);
-                menu.show(begin, 0, begin.getHeight());
-            });
-            stop = new CommandButton(commands.stop());
-            add(status, "wmin 0");
-            add(begin, "hmin 32");
-            add(stop, "hmin 32");
-        }
-
-        /** Whether there is room for the icon alone; the tooltip says the rest. */
-        void setNarrow(boolean narrow) {
-            begin.setText(narrow ? "" : WORDS);
-        }
-
-        void refresh() {
-            boolean runs = commands.deep().isRunning();
-            String words = commands.deep().status();
-            status.setText(words);
-            status.setToolTipText(words.isEmpty() ? null : words);
-            LookColors.foreground(status, SemanticColor.MUTED);
-            begin.setIcon(Icons.normal("search"));
-            begin.setVisible(!runs);
-            stop.setVisible(runs);
         }
     }
 }

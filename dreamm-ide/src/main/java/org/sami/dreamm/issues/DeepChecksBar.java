@@ -1,0 +1,64 @@
+package org.sami.dreamm.issues;
+
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import net.miginfocom.swing.MigLayout;
+import org.sami.ui.command.CommandButton;
+import org.sami.ui.look.Icons;
+import org.sami.ui.look.LookColors;
+import org.sami.ui.look.SemanticColor;
+
+/** Begins deep checks and stops the one that runs; a label beside it says how that is doing. On the event thread. */
+final class DeepChecksBar extends JPanel {
+    private static final String WORDS = "Search deeper";
+
+    private final transient IssueCommands commands;
+    private final JLabel status = new JLabel();
+    private final JButton begin = new JButton(WORDS);
+    private final CommandButton stop;
+
+    DeepChecksBar(IssueCommands commands) {
+        super(new MigLayout("novisualpadding, insets 0, gap 8, hidemode 3", "[][]", "[]"));
+        this.commands = commands;
+        setOpaque(false);
+        status.setName("deep-check-status");
+        begin.setName("deep-checks");
+        begin.setToolTipText("Search deeper: run the open plan to find what the drawing alone does not show");
+        begin.getAccessibleContext().setAccessibleName(WORDS);
+        begin.addActionListener(e -> {
+            JPopupMenu menu = new JPopupMenu();
+            menu.setName("deep-checks-menu");
+            commands.deepCommands().forEach(menu::add);
+            menu.show(begin, 0, begin.getHeight());
+        });
+        stop = new CommandButton(commands.stop());
+        stop.getAccessibleContext().setAccessibleName(commands.stop().title());
+        add(begin, "hmin 32");
+        add(stop, "hmin 32");
+    }
+
+    /** Whether there is room for the icon alone; the tooltip says the rest. */
+    void setNarrow(boolean narrow) {
+        begin.setText(narrow ? "" : WORDS);
+        stop.setHideActionText(narrow);
+    }
+
+    /** What the last search has found, or how the one that runs is doing; to be put beside the bar. Not visible where there was none. */
+    JLabel status() {
+        return status;
+    }
+
+    void refresh() {
+        boolean runs = commands.deep().isRunning();
+        String words = commands.deep().status();
+        status.setText(words);
+        status.setVisible(!words.isEmpty());
+        status.setToolTipText(words.isEmpty() ? null : words);
+        LookColors.foreground(status, SemanticColor.MUTED);
+        begin.setIcon(Icons.normal("search"));
+        begin.setVisible(!runs);
+        stop.setVisible(runs);
+    }
+}
