@@ -3,6 +3,7 @@ package org.sami.crw.gui;
 import static java.awt.event.KeyEvent.VK_ALT;
 import static java.awt.event.KeyEvent.VK_CONTROL;
 import static java.awt.event.KeyEvent.VK_ENTER;
+import static java.awt.event.KeyEvent.VK_EQUALS;
 import static java.awt.event.KeyEvent.VK_J;
 import static java.awt.event.KeyEvent.VK_P;
 import static java.awt.event.KeyEvent.VK_Q;
@@ -102,9 +103,21 @@ class ReplayWindowTest {
         goesToTheMomentsOfAMessageAndOfADecision();
         spaceIsForTheTextOfAField();
         playsToTheEnd();
+        lettersGrowWithTheScale();
 
         robot.press(VK_Q, VK_CONTROL);
         assertThat(ended.get(30, TimeUnit.SECONDS)).isZero();
+    }
+
+    private void lettersGrowWithTheScale() {
+        JLabel mark = robot.find(JLabel.class, "replay-mark");
+        JLabel file = robot.find(JLabel.class, "replay-file");
+        float before = file.getFont().getSize2D();
+
+        robot.press(VK_EQUALS, VK_CONTROL);
+
+        robot.until("letters are larger", () -> file.getFont().getSize2D() > before);
+        assertThat(mark.getFont().getSize2D()).isGreaterThan(file.getFont().getSize2D());
     }
 
     /** Runs a session with that plan, and gives its journal. */

@@ -46,17 +46,15 @@ public final class HelpView extends JPanel {
             setFocusable(true); // its scroll pane has the keys
             getAccessibleContext().setAccessibleName("Help on " + topic.title());
             getAccessibleContext().setAccessibleDescription(topic.text());
-            WrappedText title = new WrappedText(topic.title());
+            WrappedText title = WrappedText.heading(topic.title());
             title.setName("help-title");
-            title.setHeading(true);
             add(title, "span 2, growx, wmin 0");
             add(text("help-kind", topic.kind(), SemanticColor.MUTED), "span 2, growx, wmin 0");
             if (!topic.text().isBlank()) {
                 add(text("help-text", topic.text(), SemanticColor.TEXT), "span 2, growx, wmin 0, gapbottom 6");
             }
             for (HelpTopic.Detail detail : topic.details()) {
-                WrappedText name = new WrappedText(detail.name());
-                name.setFont(Fonts.strong());
+                WrappedText name = WrappedText.strong(detail.name());
                 add(name, "growx, wmin 0");
                 add(text("help-detail", detail.text(), SemanticColor.TEXT), "growx, wmin 0");
             }

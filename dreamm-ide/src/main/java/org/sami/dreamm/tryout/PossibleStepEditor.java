@@ -10,7 +10,6 @@ import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JTextArea;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.spn.component.ChosenComponent;
@@ -30,7 +29,6 @@ import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 import org.sami.spn.vocabulary.EventType;
 import org.sami.spn.vocabulary.TokenNeed;
-import org.sami.ui.look.Fonts;
 import org.sami.ui.value.ChoiceRow;
 import org.sami.ui.value.MapMaker;
 import org.sami.ui.value.NamedThings;
@@ -41,6 +39,7 @@ import org.sami.ui.value.ValueEditor;
 import org.sami.ui.value.ValueEditors;
 import org.sami.ui.value.ValueField;
 import org.sami.ui.value.ValueSummary;
+import org.sami.ui.value.WrappedText;
 
 /** Gives what a possible step needs: an answer, who is named, values. Lives on the event thread; another step gets another editor. */
 final class PossibleStepEditor {
@@ -66,15 +65,9 @@ final class PossibleStepEditor {
                 choice, new ValueContext(context.vocabulary().types(), new Robots(stepper), MapMaker.PLAIN));
         panel.setName("possible-step-editor");
         panel.setOpaque(false);
-        JTextArea title = new JTextArea(possibleStep.what());
-        title.setLineWrap(true);
-        title.setWrapStyleWord(true);
-        title.setEditable(false);
-        title.setFocusable(false);
-        title.setOpaque(false);
+        WrappedText title = WrappedText.strong(possibleStep.what());
         title.setName("possible-step-title");
         title.setToolTipText(possibleStep.what());
-        title.setFont(Fonts.strong());
         panel.add(title, "wmin 0");
         fill(context);
     }

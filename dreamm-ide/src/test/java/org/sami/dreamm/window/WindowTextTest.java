@@ -105,6 +105,7 @@ class WindowTextTest {
         Look.apply(Theme.LIGHT, 100);
         List<DockPanel> panels = open();
         context.editor().select(Set.of("assemble"));
+        context.commands().get("try-start").run();
         Map<Component, Float> before = new LinkedHashMap<>();
         panels.forEach(panel -> collectSizes(panel, before));
 

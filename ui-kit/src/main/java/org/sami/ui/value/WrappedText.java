@@ -1,7 +1,9 @@
 package org.sami.ui.value;
 
 import java.awt.Dimension;
+import java.awt.Font;
 import java.awt.Rectangle;
+import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
@@ -16,17 +18,32 @@ public final class WrappedText extends JTextArea {
     private static final Pattern BEFORE_UNIT =
             Pattern.compile("(?<=\\d) (?=(?:%|°|mm|m|km|m²|km²|m/s|ms|s|min|h|Hz)(?![\\p{L}\\p{N}]))");
 
-    private boolean heading;
+    private final transient Supplier<Font> letters;
 
     /** Running text. */
     public WrappedText(String text) {
+        this(text, Fonts::text);
+    }
+
+    private WrappedText(String text, Supplier<Font> letters) {
         super(text);
+        this.letters = letters;
         setEditable(false);
         setLineWrap(true);
         setWrapStyleWord(true);
         setColumns(20);
         setColor(SemanticColor.TEXT);
         dress();
+    }
+
+    /** A text that is written as a heading. */
+    public static WrappedText heading(String text) {
+        return new WrappedText(text, Fonts::heading);
+    }
+
+    /** A text in strong letters. */
+    public static WrappedText strong(String text) {
+        return new WrappedText(text, Fonts::strong);
     }
 
     @Override
@@ -51,17 +68,13 @@ public final class WrappedText extends JTextArea {
         LookColors.foreground(this, next);
     }
 
-    /** Whether the text is written as a heading. */
-    public void setHeading(boolean heading) {
-        this.heading = heading;
-        dress();
-    }
-
     private void dress() {
         setOpaque(false);
         setFocusable(false);
         setBorder(BorderFactory.createEmptyBorder());
-        setFont(heading ? Fonts.heading() : Fonts.text());
+        if (letters != null) { // the superclass sets the look before this class has its letters
+            setFont(letters.get());
+        }
     }
 
     /** It may become narrow, and never lower than its lines are. */

@@ -18,7 +18,7 @@ import org.sami.ui.value.WrappedText;
 final class DecisionHeader extends JPanel {
     private final JLabel age = new JLabel(" ");
     private final JLabel asker = new JLabel(" ");
-    private final WrappedText title = new WrappedText("");
+    private final WrappedText title = WrappedText.heading("");
     private final WrappedText description = new WrappedText("");
     private final JPanel autonomy =
             new JPanel(new MigLayout("novisualpadding, insets 6 8 6 8, gap 8, fillx", "[grow,fill][]"));
@@ -30,7 +30,6 @@ final class DecisionHeader extends JPanel {
         this.stop = stop;
         setOpaque(false);
         title.setName("decision-title");
-        title.setHeading(true);
         description.setName("decision-description");
         description.setColor(SemanticColor.MUTED);
         asker.setName("decision-asker");

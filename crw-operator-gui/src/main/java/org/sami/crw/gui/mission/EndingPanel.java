@@ -24,7 +24,7 @@ import org.sami.ui.value.WrappedText;
 final class EndingPanel extends JPanel {
     private static final int MOST_HIGH = 96;
 
-    private final WrappedText title = new WrappedText("");
+    private final WrappedText title = WrappedText.heading("");
     private final WrappedText lines = new WrappedText("");
     private final CommandButton confirm;
     private final Consumer<Boolean> end;
@@ -45,7 +45,6 @@ final class EndingPanel extends JPanel {
         this.focusBack = focusBack;
         this.changed = changed;
         setName("mission-ending");
-        title.setHeading(true);
         title.setName("mission-ending-title");
         lines.setName("mission-ending-lines");
         confirm = new CommandButton(commands.get("mission-end-confirm"));

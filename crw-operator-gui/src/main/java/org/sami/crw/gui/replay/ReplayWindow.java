@@ -1,6 +1,7 @@
 package org.sami.crw.gui.replay;
 
 import java.awt.BorderLayout;
+import java.awt.Font;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
@@ -11,6 +12,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
+import java.util.function.Supplier;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -147,29 +149,20 @@ public final class ReplayWindow {
         JPanel band = new JPanel(new MigLayout("insets 8 12 8 12, gap 16", "[][]push[]", "[]"));
         band.setName("replay-band");
         LookColors.background(band, SemanticColor.WARNING_FILL);
-        JLabel replay = label("REPLAY", "replay-mark");
-        replay.setFont(Fonts.title());
-        band.add(replay);
-        band.add(label(journal.file().toAbsolutePath().toString(), "replay-file"), "wmin 0");
+        band.add(new BandLabel("REPLAY", "replay-mark", Fonts::title));
+        band.add(new BandLabel(journal.file().toAbsolutePath().toString(), "replay-file", Fonts::strong), "wmin 0");
         String damage = journal.damage()
                 .map(text -> "▲ not all of it can be read: " + text)
                 .orElse("");
-        JLabel what = label(
+        JLabel what = new BandLabel(
                 damage.isEmpty()
                         ? "Nothing here acts on boats. The fleet stop is in the session's own window."
                         : damage,
-                "replay-note");
+                "replay-note",
+                Fonts::strong);
         what.setToolTipText(what.getText());
         band.add(what, "wmin 0");
         return band;
-    }
-
-    private static JLabel label(String text, String name) {
-        JLabel label = new JLabel(text);
-        label.setName(name);
-        LookColors.foreground(label, SemanticColor.ON_WARNING);
-        label.setFont(Fonts.strong());
-        return label;
     }
 
     /** Shows it, as large as the screen allows, at a moment; empty = the start. */
@@ -204,5 +197,26 @@ public final class ReplayWindow {
             code = 4;
         }
         ended.accept(code);
+    }
+
+    /** A text of the band, in letters of the look in force at any time. */
+    private static final class BandLabel extends JLabel {
+        private final transient Supplier<Font> letters;
+
+        BandLabel(String text, String name, Supplier<Font> letters) {
+            super(text);
+            this.letters = letters;
+            setName(name);
+            setFont(letters.get());
+            LookColors.foreground(this, SemanticColor.ON_WARNING);
+        }
+
+        @Override
+        public void updateUI() {
+            super.updateUI();
+            if (letters != null) { // the superclass sets the look before this class has its letters
+                setFont(letters.get());
+            }
+        }
     }
 }
