@@ -2,12 +2,9 @@ package org.sami.spn.host;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Objects;
 import java.util.OptionalLong;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
@@ -15,7 +12,6 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Function;
-import java.util.stream.Collectors;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.EngineView;
@@ -24,7 +20,6 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.vocabulary.EventFlag;
-import org.sami.spn.vocabulary.EventType;
 
 /**
  * Hosts one engine: gives it a thread, a clock, a journal, listeners and handlers (decisions 0030, 0033).
@@ -41,43 +36,38 @@ import org.sami.spn.vocabulary.EventType;
 public final class EngineHost implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(EngineHost.class.getName());
 
-    private final EngineFunction engine;
+    private final JournaledEngine engine;
     private final EngineView view;
-    private final InputJournal journal;
     private final HostClock clock;
     private final Executor executor;
     private final int batchLimit;
-    private final Set<String> coalescing;
 
     private final ReentrantLock lock = new ReentrantLock(true);
     private final InputQueue queue = new InputQueue();
     private final ListenerList<HostListener> listeners;
     private final Handlers handlers;
+    private final AwaitedTelemetry awaited;
+    private final NextTimer timer;
     private final AtomicBoolean scheduled = new AtomicBoolean();
     private final AtomicLong processed = new AtomicLong();
     private final AtomicLong batches = new AtomicLong();
     private final AtomicLong refused = new AtomicLong();
     private volatile HostStatus status = HostStatus.running();
     private volatile boolean closing;
-    private volatile Set<String> awaited = Set.of();
-    private volatile OptionalLong armedFor = OptionalLong.empty();
     private volatile Thread engineThread;
     private boolean again;
 
     private EngineHost(Builder parts) {
-        this.engine = parts.engine;
+        this.engine = new JournaledEngine(parts.engine, parts.journal, parts.clock);
         this.view = engine.view();
-        this.journal = parts.journal;
         this.clock = parts.clock;
         this.executor = parts.executor;
         this.batchLimit = parts.batchLimit;
         this.listeners = new ListenerList<>("the engine", parts.slowListenerMillis);
-        this.handlers = new Handlers(engine.vocabulary(), this);
-        this.coalescing = engine.vocabulary().events().values().stream()
-                .filter(type -> type.flags().contains(EventFlag.COALESCE))
-                .map(EventType::name)
-                .collect(Collectors.toUnmodifiableSet());
-        refreshAwaited();
+        this.handlers = new Handlers(parts.engine.vocabulary(), this);
+        this.awaited = new AwaitedTelemetry(parts.engine.vocabulary());
+        this.timer = new NextTimer(clock, () -> post(new Input.TimeReached()));
+        awaited.look(view);
     }
 
     /** A host of anything that behaves as an engine, to be put together. */
@@ -125,9 +115,9 @@ public final class EngineHost implements AutoCloseable {
      * marked {@link EventFlag#COALESCE} is posted like any other input.
      */
     public void postIfAwaited(Occurrence news) {
-        if (!coalescing.contains(news.type())) {
+        if (!awaited.isTelemetry(news.type())) {
             post(List.of(new Input.Received(news)));
-        } else if (!closing && awaited.contains(news.type())) {
+        } else if (!closing && awaited.isAwaited(news.type())) {
             queue.addTelemetry(news);
             schedule();
         }
@@ -197,11 +187,11 @@ public final class EngineHost implements AutoCloseable {
             if (status.kind() != HostStatus.Kind.RUNNING) {
                 return;
             }
-            journal.sync();
-            refreshAwaited();
+            engine.sync();
+            awaited.look(view);
             List<Activation> open = view.openActivations();
             open.forEach(activation -> handlers.deliver(activation, true));
-            armTimer();
+            timer.arm(view.nextDueMillis());
         } catch (IOException fault) {
             fail("the journal failed: " + fault.getMessage(), fault);
         } finally {
@@ -258,9 +248,9 @@ public final class EngineHost implements AutoCloseable {
         if (status.kind() != HostStatus.Kind.RUNNING) {
             return;
         }
-        armedFor = OptionalLong.empty();
+        timer.arm(OptionalLong.empty());
         try {
-            journal.sync();
+            engine.sync();
             status = new HostStatus(HostStatus.Kind.CLOSED, "closed");
         } catch (IOException fault) {
             fail("the journal failed: " + fault.getMessage(), fault);
@@ -330,56 +320,22 @@ public final class EngineHost implements AutoCloseable {
         if (inputs.isEmpty()) {
             return;
         }
-        List<Step> steps = new ArrayList<>(inputs.size());
         try {
-            step(inputs, steps);
-            makeDurable(steps);
+            List<Step> steps = engine.step(inputs);
+            processed.addAndGet(steps.size());
+            batches.incrementAndGet();
             letOut(steps);
-            journal.offerSnapshot(engine::encode);
-            armTimer();
+            engine.offerSnapshot();
+            timer.arm(view.nextDueMillis());
         } catch (IOException fault) {
             fail("the journal failed: " + fault.getMessage(), fault);
         } catch (RuntimeException | StackOverflowError | AssertionError fault) {
-            fail("the engine failed at entry " + (journal.lastIndex() + 1) + " or after: " + fault, fault);
+            fail("the engine failed at entry " + (engine.lastIndex() + 1) + " or after: " + fault, fault);
         }
-    }
-
-    private void step(List<Input> inputs, List<Step> steps) {
-        long index = journal.lastIndex();
-        long now = Math.max(clock.nowMillis(), journal.lastMillis());
-        for (Input input : inputs) {
-            index++;
-            List<Effect> effects = new ArrayList<>(4);
-            engine.step(now, input, effects::add);
-            steps.add(new Step(new JournalEntry(index, now, input), Collections.unmodifiableList(effects)));
-        }
-    }
-
-    private void makeDurable(List<Step> steps) throws IOException {
-        List<JournalEntry> entries = new ArrayList<>(steps.size());
-        Durability durability = Durability.PROCESS;
-        for (Step step : steps) {
-            entries.add(step.entry());
-            if (durability == Durability.PROCESS && commands(step)) {
-                durability = Durability.POWER;
-            }
-        }
-        journal.append(entries, durability);
-        processed.addAndGet(steps.size());
-        batches.incrementAndGet();
-    }
-
-    private boolean commands(Step step) {
-        for (Effect effect : step.effects()) {
-            if (effect instanceof Effect.Activated activated && handlers.isCommand(activated.activation())) {
-                return true;
-            }
-        }
-        return false;
     }
 
     private void letOut(List<Step> steps) {
-        refreshAwaited();
+        awaited.look(view);
         for (Step step : steps) {
             if (!listeners.isEmpty()) {
                 JournalEntry entry = step.entry();
@@ -394,32 +350,10 @@ public final class EngineHost implements AutoCloseable {
         }
     }
 
-    private void refreshAwaited() {
-        if (!coalescing.isEmpty()) {
-            awaited = coalescing.stream().filter(view::awaits).collect(Collectors.toUnmodifiableSet());
-        }
-    }
-
-    private void armTimer() {
-        OptionalLong due = view.nextDueMillis();
-        if (!due.equals(armedFor)) {
-            armedFor = due;
-            due.ifPresent(millis -> clock.wakeAt(millis, () -> timeReached(due)));
-        }
-    }
-
-    /** A wake-up that was overtaken (its timer ended, an earlier one came) changes nothing. */
-    private void timeReached(OptionalLong due) {
-        if (due.equals(armedFor)) {
-            armedFor = OptionalLong.empty();
-            post(List.of(new Input.TimeReached()));
-        }
-    }
-
     private void fail(String reason, Throwable fault) {
         LOG.log(Level.ERROR, "the engine's host stops: " + reason, fault);
         closing = true;
-        armedFor = OptionalLong.empty();
+        timer.arm(OptionalLong.empty());
         status = new HostStatus(HostStatus.Kind.FAILED, reason);
         refused.addAndGet(queue.clear());
         listeners.each(listener -> listener.onFailed(reason));

@@ -52,13 +52,6 @@ final class Handlers {
         }
     }
 
-    boolean isCommand(Activation activation) {
-        return vocabulary
-                .event(activation.type())
-                .filter(type -> type.flags().contains(EventFlag.COMMAND))
-                .isPresent();
-    }
-
     private void dispatch(Entry entry, Activation activation, boolean redelivered) {
         try {
             entry.executor.execute(() -> run(entry.handler, activation, redelivered));

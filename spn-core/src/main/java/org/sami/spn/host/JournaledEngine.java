@@ -1,0 +1,90 @@
+package org.sami.spn.host;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.vocabulary.EventFlag;
+
+/**
+ * An engine with its journal: what it is stepped through is durable before anybody hears what followed (decision 0030). Not safe for threads: for who
+ * holds the host's lock.
+ */
+final class JournaledEngine {
+    private final EngineFunction engine;
+    private final InputJournal journal;
+    private final HostClock clock;
+
+    JournaledEngine(EngineFunction engine, InputJournal journal, HostClock clock) {
+        this.engine = engine;
+        this.journal = journal;
+        this.clock = clock;
+    }
+
+    /** Questions about the state, also about that which is not durable yet. */
+    EngineView view() {
+        return engine.view();
+    }
+
+    /** Index of the last input that is durable; 0 where there is none. */
+    long lastIndex() {
+        return journal.lastIndex();
+    }
+
+    /**
+     * Steps the engine through a batch at the session's time, which never goes back, and makes the batch durable. It survives the loss of power where
+     * an output event of it is a command, else that of the process.
+     *
+     * @throws IOException if the journal fails: nothing that followed may be told
+     */
+    List<Step> step(List<Input> inputs) throws IOException {
+        List<Step> steps = new ArrayList<>(inputs.size());
+        List<JournalEntry> entries = new ArrayList<>(inputs.size());
+        Durability durability = Durability.PROCESS;
+        long index = journal.lastIndex();
+        long now = Math.max(clock.nowMillis(), journal.lastMillis());
+        for (Input input : inputs) {
+            index++;
+            List<Effect> effects = new ArrayList<>(4);
+            engine.step(now, input, effects::add);
+            JournalEntry entry = new JournalEntry(index, now, input);
+            entries.add(entry);
+            steps.add(new Step(entry, Collections.unmodifiableList(effects)));
+            if (durability == Durability.PROCESS && commands(effects)) {
+                durability = Durability.POWER;
+            }
+        }
+        journal.append(entries, durability);
+        return steps;
+    }
+
+    private boolean commands(List<Effect> effects) {
+        for (Effect effect : effects) {
+            if (effect instanceof Effect.Activated activated && isCommand(activated.activation())) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean isCommand(Activation activation) {
+        return engine.vocabulary()
+                .event(activation.type())
+                .filter(type -> type.flags().contains(EventFlag.COMMAND))
+                .isPresent();
+    }
+
+    /** Offers the journal the state after the last step. */
+    void offerSnapshot() throws IOException {
+        journal.offerSnapshot(engine::encode);
+    }
+
+    /** Makes all that was stepped survive the loss of power. */
+    void sync() throws IOException {
+        journal.sync();
+    }
+}
