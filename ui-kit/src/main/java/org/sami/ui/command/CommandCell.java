@@ -36,7 +36,7 @@ final class CommandCell extends JPanel implements ListCellRenderer<Command> {
         int gap = Look.px(Spacing.NORMAL);
         this.width = width - 2 * gap;
         setBorder(BorderFactory.createEmptyBorder(0, gap, 0, gap));
-        title.setIconTextGap(gap);
+        title.setIconTextGap(Spacing.NORMAL); // labels scale it
         key.setFont(Fonts.small());
         reason.setLineWrap(true);
         reason.setWrapStyleWord(true);

@@ -36,7 +36,7 @@ final class RowCell<R> extends DefaultTableCellRenderer {
                 this, selected ? SemanticColor.ON_SELECTION : column.color().apply(row));
         LookColors.background(this, selected ? SemanticColor.SELECTION : SemanticColor.SURFACE);
         setIcon(column.icon().apply(row).orElse(null));
-        setIconTextGap(Look.px(Spacing.NORMAL));
+        setIconTextGap(Spacing.NORMAL); // labels scale it
         setBorder(BorderFactory.createEmptyBorder(0, Look.px(Spacing.NORMAL), 0, Look.px(Spacing.NORMAL)));
         String text = column.text().apply(row);
         lines = lines(view, column, row, width, most);
@@ -86,7 +86,7 @@ final class RowCell<R> extends DefaultTableCellRenderer {
     /** Where words begin. */
     private int left() {
         Icon icon = getIcon();
-        return getInsets().left + (icon == null ? 0 : icon.getIconWidth() + getIconTextGap());
+        return getInsets().left + (icon == null ? 0 : icon.getIconWidth() + Look.px(Spacing.NORMAL));
     }
 
     @Override

@@ -8,15 +8,20 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
+import org.sami.ui.look.Icons;
 import org.sami.ui.look.Look;
 import org.sami.ui.look.Spacing;
+import org.sami.ui.look.Theme;
 
+@Isolated("the look is one for all windows of a process")
 class RowTableTest {
     private record Row(String id, int value) {}
 
@@ -110,6 +115,21 @@ class RowTableTest {
 
         Layout.layOut(table, 700, 200);
         assertThat(table.table().getRowHeight(1)).isEqualTo(table.table().getRowHeight(0));
+    }
+
+    @Test
+    void wordsBesideAnIconGoOnInFurtherLinesAtTheLargestScaleToo() {
+        try {
+            Look.apply(Theme.LIGHT, 200);
+            RowTable<Row> marked = withColumns(List.of(RowColumn.<Row>words("Name", 0, row -> "words beside an icon")
+                    .withIcon(row -> Optional.of(Icons.small("alarm")))));
+            for (int width = 340; width < 700; width += 7) {
+                Layout.layOut(marked, width, 400);
+                assertThat(TextFit.faults(marked)).as("at " + width + " px").isEmpty();
+            }
+        } finally {
+            Look.apply(Theme.LIGHT, 100);
+        }
     }
 
     @Test

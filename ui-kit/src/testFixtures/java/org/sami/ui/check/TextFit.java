@@ -55,7 +55,7 @@ public final class TextFit {
             return;
         }
         if (component instanceof JLabel label) {
-            checkLine(label, label.getText(), label.getIcon(), label.getIconTextGap());
+            checkLine(label, label.getText(), label.getIcon(), Look.px(label.getIconTextGap()));
         } else if (component instanceof AbstractButton button) {
             checkLine(button, button.getText(), button.getIcon(), button.getIconTextGap());
         } else if (component instanceof JTextArea area) {
