@@ -150,7 +150,9 @@ public final class ReplayWindow {
         band.setName("replay-band");
         LookColors.background(band, SemanticColor.WARNING_FILL);
         band.add(new BandLabel("REPLAY", "replay-mark", Fonts::title));
-        band.add(new BandLabel(journal.file().toAbsolutePath().toString(), "replay-file", Fonts::strong), "wmin 0");
+        JLabel file = new BandLabel(journal.file().toAbsolutePath().toString(), "replay-file", Fonts::strong);
+        file.setToolTipText(file.getText());
+        band.add(file, "wmin 0, shrinkprio 200"); // what the window is for is read before where it comes from
         String damage = journal.damage()
                 .map(text -> "▲ not all of it can be read: " + text)
                 .orElse("");
